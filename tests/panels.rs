@@ -74,6 +74,18 @@ fn every_tool_is_chosen_by_its_button_and_says_what_it_does_and_by_which_key() {
 }
 
 #[test]
+fn whatever_can_be_pressed_or_typed_in_has_a_name() {
+    let tools = Tool::ALL.map(|tool| vec![Action::Take(tool)]);
+    let others = [Action::Settings, Action::Plots, Action::Lessons, Action::Gallery, Action::Help].map(|act| vec![act]);
+    for act in tools.into_iter().chain(others) {
+        let (mut panels, _) = opened(SCENE, &act, 1.0);
+        panels.state_mut().select((0..9).map(PointId).collect());
+        panels.run_steps(3);
+        panels.check_accessibility();
+    }
+}
+
+#[test]
 fn buttons_stand_where_they_are_whatever_a_scene_is_called() {
     let at = |name: &str| {
         let text = SCENE.replace("a block", name);

@@ -563,6 +563,28 @@ fn an_idle_window_does_nothing() {
 }
 
 #[test]
+fn light_colours_are_kept_for_the_next_start() {
+    let Some(display) = Display::start() else { return };
+    let is_light = || {
+        let picture = display.screenshot();
+        // The ground, beside all that stands on it.
+        (300..304).all(|x| picture.get_pixel(x, 700)[0] > 200)
+    };
+    let app = display.open(&common::file("rim-still.json"));
+    app.move_mouse(1090, 20);
+    app.wait_until_still();
+    assert!(!is_light());
+    app.key("c");
+    app.wait_until_still();
+    assert!(is_light());
+    app.quit();
+    let app = display.open(&common::file("rim-still.json"));
+    app.wait_until_still();
+    assert!(is_light(), "as it was left");
+    app.quit();
+}
+
+#[test]
 fn a_storm_of_sizes_and_keys_is_survived() {
     let Some(display) = Display::start() else { return };
     let app = display.open(&common::file("rim-still.json"));

@@ -360,7 +360,7 @@ mod tests {
     #[test]
     fn a_thumbnail_has_all_points_however_narrow_its_view_is() {
         let plane =
-            r#"{"wobble": 1, "points": {"position": [[-4, -3], [4, 9]]}, "view": {"center": [0, 0], "height": 3}}"#;
+            r#"{"wobble": 1, "points": {"position": [[-4, -3], [4, 9]]}, "view": {"center": [0, 0], "height": 4}}"#;
         let space = r#"{"wobble": 1, "dimensions": 3, "points": {"position": [[-3, 0, 0], [3, 1, 2], [0, 4, 0]]},
             "view": {"target": [0, 0, 0], "distance": 3}}"#;
         let (size, free) = ([432, 270], [[13.0, 13.0], [419.0, 257.0]]);
@@ -373,7 +373,7 @@ mod tests {
                 assert!(low[axis] > free[0][axis] - 1.0 && high[axis] < free[1][axis] + 1.0, "{low:?} {high:?}");
             }
         }
-        let scene = Scene::parse(&plane.replace("3}", "40}"), "x.json").unwrap();
+        let scene = Scene::parse(&plane.replace("4}", "40}"), "x.json").unwrap();
         let world = scene.world(None).unwrap();
         let view = View::of(&*world);
         let opened = camera(&scene, &view, size);

@@ -193,7 +193,7 @@ impl Look {
                 point: hex(0x22_2d_3e, 1.0),
                 pin: hex(0xcc_1f_46, 1.0),
                 trail: hex(0x8c_6a_00, 0.75),
-                region: hex(0x00_6e_52, 0.9),
+                region: hex(0x00_6a_4f, 0.9),
                 motor: hex(0x80_56_00, 0.95),
                 ..Look::default()
             },

@@ -43,8 +43,10 @@ pub(in crate::app) struct Neighbor {
     pub(in crate::app) columns: usize,
 }
 
-/// Titles of worlds, each in the corner of its part of the window; below what lies there already. The last has the legend.
-pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) {
+/// Titles of worlds, each in the corner of its part of the window; below what lies there already. The last has the legend. Returns where those
+/// of the first row end `[points]`.
+pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) -> f32 {
+    let mut end = 0.0_f32;
     let lies = |name: &str| context.memory(|memory| memory.area_rect(Id::unique(name))).map_or(0.0, |at| at.bottom());
     let below = lies("scene").max(if has_caption { lies("caption") } else { 0.0 }).max(LEAST) + ROOM;
     let figures = context.memory(|memory| memory.area_rect(Id::unique("figures")));
@@ -58,7 +60,7 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
         let lies_below = figures.filter(|figures| figures.left() < reach && figures.bottom() > top);
         let top = lies_below.map_or(top, |figures| figures.bottom() + ROOM);
         let area = Area::new(Id::unique(("beside", place))).fixed_pos(pos2(x, top));
-        area.interactable(false).show(context, |ui| {
+        let shown = area.interactable(false).show(context, |ui| {
             floating(ui).show(ui, |ui| {
                 ui.set_max_width(legend::WIDTH.min(neighbor.width - 3.0 * ROOM).max(LEAST_WIDE));
                 ui.vertical(|ui| {
@@ -72,7 +74,11 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
                 });
             });
         });
+        if place < neighbor.columns {
+            end = end.max(shown.response.rect.bottom());
+        }
     }
+    end
 }
 
 /// Solvers, each with why the scene cannot be run by it, if it cannot.

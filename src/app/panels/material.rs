@@ -328,7 +328,7 @@ fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
             Some(_) => field.suffix(" %"),
             None => field.suffix(" % or more"),
         };
-        let by = ui.add(field.update_while_editing(false));
+        let by = ui.add(field.update_while_editing(false)).on_hover_text("stretched so far they tear");
         if by.changed() {
             sink.set(&by, MatterChange::Breaks(percent / 100.0));
         }

@@ -331,8 +331,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     }
     held::show(&context, places.low(), facts);
     state.notes.show(&context, &places, facts, &mut wishes);
+    let mut titles_end = 0.0;
     if !state.hides_hud && !is_covered {
-        beside::titles(&context, facts, state.notes.has_caption && facts.caption.is_some());
+        titles_end = beside::titles(&context, facts, state.notes.has_caption && facts.caption.is_some());
     }
     if let Some(opening) = facts.opening.filter(|_| state.sheet.is_none()) {
         waiting::show(&context, opening, &facts.title, &mut wishes);
@@ -347,7 +348,10 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     // Where plots were dragged to on purpose they may lie over bodies.
     let plotted = plotted.filter(|_| !state.plots_at.is_dragged());
     let free = (!is_covered).then(|| match has_panels {
-        true => places.free((all_edge, beside::height(facts)), (state.notes.caption_end, plotted)),
+        true => places.free(
+            (all_edge, beside::height(facts)),
+            ([state.notes.caption_end(places.room).unwrap_or(0.0), titles_end], plotted),
+        ),
         false => room,
     });
     let is_shared = !facts.neighbors.is_empty() && has_panels;

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use egui::{Align2, Area, Button, Id, Label, RichText};
+use egui::{Align2, Area, Button, Id, Label, Rect, RichText};
 
 use super::places::{APART, Places, kept_in};
 use super::theme::{colors, floating};
@@ -29,8 +29,8 @@ pub(in crate::app) struct Notes {
     warnings: Vec<(String, Instant)>,
     /// Nobody has touched this scene yet: its caption is shown.
     pub(in crate::app) has_caption: bool,
-    /// Where the caption of this scene ends, as it was last shown `[points]`.
-    pub(super) caption_end: Option<f32>,
+    /// Width of the room in which the caption of this scene was last shown, and where it ended `[points]`.
+    caption_end: Option<(f32, f32)>,
     /// Nobody has touched anything yet: a line at the cursor says how, where the cursor is `[points]`.
     pub(in crate::app) hint_at: Option<egui::Pos2>,
 }
@@ -64,6 +64,11 @@ impl Notes {
     /// An edit was undone: what was warned of goes, but for what is so still.
     pub(in crate::app) fn take_back(&mut self, is_so: impl Fn(&str) -> bool) {
         self.warnings.retain(|(line, _)| is_so(line));
+    }
+
+    /// Where the caption of the scene ends, also when it is gone, so that nothing moves then; until the room has another width `[points]`.
+    pub(super) fn caption_end(&self, room: Rect) -> Option<f32> {
+        self.caption_end.filter(|(width, _)| *width == room.width()).map(|(_, end)| end)
     }
 
     /// When something that is said is to go by itself.
@@ -101,7 +106,7 @@ impl Notes {
                 ui.add(Label::new(RichText::new(seen).color(colors(ui).text)).wrap());
                 ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(colors(ui).weak)).wrap());
             });
-            self.caption_end = Some(top);
+            self.caption_end = Some((places.room.width(), top));
             if facts.is_canvas {
                 top = words(context, places.said(context, top), CANVAS, |ui| {
                     button(ui, "Open the canvas", "paint over the body", Action::Paint, wishes);
@@ -117,7 +122,7 @@ impl Notes {
         if let Some(at) = self.hint_at {
             let id = Id::unique("hint");
             let size = context.memory(|memory| memory.area_rect(id)).map_or(HINT_SIZE, |rect| rect.size());
-            let rect = kept_in(egui::Rect::from_min_size(at + egui::vec2(18.0, 18.0), size), Some(at), places.room);
+            let rect = kept_in(Rect::from_min_size(at + egui::vec2(18.0, 18.0), size), Some(at), places.room);
             let place = Area::new(id).order(egui::Order::Tooltip).interactable(false);
             place.fixed_pos(rect.min).show(context, |ui| {
                 floating(ui).show(ui, |ui| ui.label(RichText::new(HINT).color(colors(ui).text)));

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Align, Button, Key, Label, Layout, RichText, ScrollArea, TextEdit};
+use egui::{Align, Button, Key, Label, Layout, RichText, Role, ScrollArea, TextEdit, WidgetInfo};
 
 use super::theme::colors;
 use super::{PanelState, Wish, sheet};
@@ -20,6 +20,8 @@ pub(in crate::app) struct OpenFrom {
     pub(in crate::app) fault: Option<String>,
     /// What the list is of, and the names in it, folders with a `/`.
     listed: Option<(String, Vec<String>)>,
+    /// What it began with is in view.
+    is_seen: bool,
 }
 
 impl OpenFrom {
@@ -27,7 +29,7 @@ impl OpenFrom {
     pub(in crate::app) fn at(path: &str) -> Self {
         let folder = split(path).0;
         let listed = (!folder.is_empty()).then(|| (path.to_owned(), found(&meant(folder), "")));
-        OpenFrom { fault: None, listed }
+        OpenFrom { listed, ..OpenFrom::default() }
     }
 }
 
@@ -43,6 +45,7 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
             .desired_width(f32::INFINITY)
             .lock_focus(true);
         let mut field = field.show(ui);
+        field.response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
         if std::mem::take(&mut state.is_fresh) {
             to_end(ui, &mut field.state, &state.path);
             field.response.request_focus();
@@ -106,6 +109,10 @@ fn list(ui: &mut egui::Ui, names: &[String], state: &mut PanelState, wishes: &mu
             for name in names {
                 let path = format!("{folder}{name}");
                 let label = ui.selectable_label(state.path == path, name);
+                if state.path == path && !state.open_from.is_seen {
+                    label.scroll_to_me(Some(Align::Center));
+                    state.open_from.is_seen = true;
+                }
                 if label.double_clicked() && !name.ends_with('/') {
                     wishes.push(Wish::OpenFile(path));
                 } else if label.clicked() {

@@ -122,19 +122,14 @@ impl Places {
         self.room.with_max_y(self.below)
     }
 
-    /// Where bodies are shown, below the caption, beside panels that take so much of the right edge, below titles so high, and where plots do not lie.
-    pub(super) fn free(
-        &self,
-        (at_right, titles): (f32, f32),
-        (caption_end, plots): (Option<f32>, Option<Rect>),
-    ) -> Rect {
+    /// Where bodies are shown, below the ends of the caption and of titles, beside panels that take so much of the right edge, below titles so high, and where plots do not lie.
+    pub(super) fn free(&self, (at_right, titles): (f32, f32), (ends, plots): ([f32; 2], Option<Rect>)) -> Rect {
         let (left, right) = (self.room.left() + TOOLS + EDGE, self.room.right() - EDGE);
         let at_right = if at_right > 0.0 { at_right + EDGE } else { 0.0 };
         let right = (right - at_right).max(left + LEAST * (right - left));
         let said = if self.room.width() < NARROW { SAID_NARROW } else { SAID };
-        // A caption of many lines keeps its room when it is gone, so that nothing moves then.
-        let below = caption_end.unwrap_or(0.0).max(self.bar_bottom() + said);
-        let top = (below + titles).min(self.room.center().y);
+        let [caption, above] = ends;
+        let top = (caption.max(self.bar_bottom() + said) + titles).max(above).min(self.room.center().y);
         let all = Rect::from_min_max(pos2(left, top), pos2(right, self.above_dock().max(top + 40.0)));
         plots.map_or(all, |plots| largest_beside(all, plots.expand(APART)))
     }
@@ -281,7 +276,7 @@ mod tests {
             rooms.tools.bottom(),
             rooms.left.bottom(),
             rooms.right.bottom(),
-            places.free((0.0, 0.0), (None, None)).bottom(),
+            places.free((0.0, 0.0), ([0.0; 2], None)).bottom(),
         ] {
             assert_eq!(bottom, 700.0 - APART);
         }

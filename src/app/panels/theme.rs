@@ -72,7 +72,7 @@ static DARK: Colors = Colors {
 
 /// The same hues, dark enough to be read on what is nearly white.
 static LIGHT: Colors = Colors {
-    accent: rgb(0x00_6e_52),
+    accent: rgb(0x00_6a_4f),
     on_accent: Color32::WHITE,
     away: rgb(0xb4_24_1c),
     lead: rgb(0x80_56_00),

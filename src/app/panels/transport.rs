@@ -1,6 +1,6 @@
 //! The bar at the bottom: play, step, back; the pace; the time, and the line of what was seen.
 
-use egui::{Align, Label, Layout, Rect, RichText, Slider, vec2};
+use egui::{Align, Label, Layout, Rect, RichText, Role, Slider, WidgetInfo, vec2};
 
 use super::icons::{self, Icon};
 use super::theme::colors;
@@ -67,13 +67,14 @@ fn pace(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
         let known = PACES.iter().find(|(value, _)| *value == pace);
         known.map_or_else(|| format!("{pace:.2} x"), |(_, name)| format!("{name} x"))
     };
-    egui::ComboBox::from_id_salt("pace").selected_text(name(facts.pace)).width(58.0).show_ui(ui, |ui| {
+    let menu = egui::ComboBox::from_id_salt("pace").selected_text(name(facts.pace)).width(58.0).show_ui(ui, |ui| {
         for (value, _) in PACES {
             if ui.selectable_label(value == facts.pace, name(value)).clicked() {
                 wishes.push(Wish::Pace(value));
             }
         }
     });
+    menu.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "pace"));
 }
 
 /// To the step of a lesson that was left for another scene.
@@ -104,6 +105,7 @@ fn branches(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             }
         }
     });
+    menu.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "takes"));
     menu.response.on_hover_text("you went back and did something else: choose which take to go on with");
 }
 
@@ -123,7 +125,9 @@ fn timeline(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) -> Option<
     ui.spacing_mut().slider_width = room;
     let mut time = facts.figures.time;
     let slider = Slider::new(&mut time, 0.0..=end).show_value(false).trailing_fill(true);
-    let line = ui.add(slider).on_hover_text("what was seen: drag to go back");
+    let line = ui.add(slider);
+    line.widget_info(|| WidgetInfo::slider(true, time, "time"));
+    let line = line.on_hover_text("what was seen: drag to go back");
     if line.dragged() || line.clicked() {
         wishes.push(Wish::GoTo(time));
     }

@@ -8,6 +8,7 @@ mod copies;
 mod drawing;
 mod driving;
 mod fresh;
+mod hearing;
 mod keeping;
 mod learning;
 mod leftovers;
@@ -38,8 +39,8 @@ use super::loading::Loading;
 use super::matter::Matter;
 use super::meter::Meter;
 use super::opening::Free;
-use super::panels::{At, Misfits, PanelState, Sheet, is_recording, theme};
-use super::player::{Figures, News, Note, Order, Player, Shown, too_many_to_meet};
+use super::panels::{At, Misfits, PanelState, Sheet, theme};
+use super::player::{Figures, Order, Player, Shown, too_many_to_meet};
 use super::pointer::Pointer;
 use super::preferences::Preferences;
 use super::saving::Saving;
@@ -50,7 +51,7 @@ use super::warnings::seen;
 use crate::history::{HistoryError, Start};
 use crate::render::{Camera, Look, Palette, RenderCounters, RenderError, Tiles, Trails};
 use crate::scene::{MOST_MEETING, Parameter, Scene, SolverName, gallery};
-use crate::sim::{Cursor, HELD, Key, MouseForce, SceneChange};
+use crate::sim::{Cursor, Key, MouseForce, SceneChange};
 use asking::Asked;
 use copies::{Copied, Row};
 use lost::Lost;
@@ -533,103 +534,6 @@ impl Session {
         self.touch();
     }
 
-    /// Takes what the player has to tell.
-    fn hear(&mut self, news: News) {
-        if let Some(scene) = news.opened {
-            self.arrive(scene);
-        }
-        if news.is_new {
-            self.dirty = true;
-            self.meet_neighbors();
-            self.find_misfits();
-            self.panels_dirty |= self.panels.has_settings && self.shown().settings != self.settings;
-            self.panels_dirty |= self.shown().matter != self.matter;
-            self.gone_by.take_if(|serial| *serial <= self.player.shown().serial);
-            self.plot();
-            if self.base != self.shown().base {
-                self.take_base();
-            }
-        }
-        if let Some(failure) = news.failure {
-            self.teaches = None;
-            // What was there before is there again.
-            match self.shelf.back() {
-                Some(left) => {
-                    self.bring_back(left);
-                    self.complain(&failure.to_string());
-                }
-                None => self.failure = Some(failure),
-            }
-        }
-        for note in news.notes {
-            self.note(note);
-        }
-    }
-
-    /// The hover force comes back after a grab as scene and log have it.
-    fn take_base(&mut self) {
-        self.base = self.shown().base;
-        self.hand.set_strength(self.base);
-    }
-
-    /// Something became of what was asked.
-    fn note(&mut self, note: Note) {
-        match note {
-            Note::Undone(name, seconds) => {
-                self.has_undone = true;
-                let left = &self.player.shown().scenery.warnings;
-                self.panels.notes.take_back(|line| left.iter().any(|other| other == line));
-                self.have_gone(format!("Undid: {name}{}", with_what_followed(seconds)));
-            }
-            Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name}{}", far(seconds))),
-            Note::Left(1) => self.say("Back to the start: Ctrl+Z brings back the edit that was made later".to_owned()),
-            Note::Left(edits) => {
-                self.say(format!("Back to the start: Ctrl+Z brings back the {edits} edits that were made later"));
-            }
-            Note::NothingToUndo => self.go_back(),
-            Note::NothingToRedo => self.go_on(),
-            Note::Branched => self
-                .say("a new take begins here: the list beside the timeline leads back to what was before".to_owned()),
-            Note::Added(None) => {
-                self.adding = None;
-                self.say("it is in the scene: Ctrl+Z takes it away again".to_owned());
-            }
-            Note::Added(Some(why)) => {
-                self.adding = None;
-                self.panels.notes.warn(format!("it is in the scene, but bodies pass through each other: {why}"));
-            }
-            Note::Came(came, said, why) => self.have_come(came, said, why),
-            Note::Before(list) => self.plot_before(list),
-            Note::Exact => {
-                self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());
-            }
-            Note::Refused(why) if why == HELD => self.say(HELD_HERE.to_owned()),
-            Note::Refused(why) => {
-                self.import = self.adding.take().or_else(|| self.import.take());
-                self.complain(&why);
-            }
-            Note::Warned(lines) => lines.into_iter().for_each(|line| self.panels.notes.warn(line)),
-            Note::Written(path) => {
-                self.say(format!("written: {}", path.display()));
-                if is_recording(&path) {
-                    self.remember(&path);
-                }
-            }
-            Note::NotWritten(why) => self.complain(&why),
-            Note::NotKept(why) => self.complain(&format!(
-                "what you do here would be lost if the program were killed, until this can be written again: {why}"
-            )),
-        }
-        self.touch();
-    }
-
-    /// The world went to another time.
-    fn have_gone(&mut self, line: String) {
-        self.hand.drop_all();
-        self.driving.clear();
-        self.say(line);
-    }
-
     /// Time ran on since the last frame: asks for it, once a frame.
     fn advance(&mut self, start: Instant) {
         let is_asked = self.player.is_playing() || self.rewinds || self.shown().figures.behind;
@@ -801,23 +705,6 @@ fn listed(warnings: &[&str]) -> String {
     shown.chain(rest).collect::<Vec<_>>().join("\n")
 }
 
-/// Said of a press on what pins hold.
-const HELD_HERE: &str = "held by pins: hold T and click a pin (a red ring) to let it go, or drag the pin itself";
-
-/// How far time went, as one says it; below 0 back `[s]`.
-fn far(seconds: f64) -> String {
-    match seconds {
-        some if some.abs() < 0.05 => String::new(),
-        back if back < 0.0 => format!(" ({:.1} s back)", -back),
-        on => format!(" ({on:.1} s on)"),
-    }
-}
-
-/// What an edit is undone together with: all that happened since, which took so long, below 0 `[s]`.
-fn with_what_followed(seconds: f64) -> String {
-    if seconds <= -0.05 { format!(" (with what happened since: {:.1} s)", -seconds) } else { far(seconds) }
-}
-
 /// A context for the panels of a window.
 fn panels_for(window: &Arc<Window>, canvas: &Canvas, palette: Palette) -> egui_winit::State {
     let context = egui::Context::default();
@@ -829,7 +716,7 @@ fn panels_for(window: &Arc<Window>, canvas: &Canvas, palette: Palette) -> egui_w
 
 #[cfg(test)]
 mod tests {
-    use super::{far, gallery, listed, place_of, with_what_followed};
+    use super::{gallery, listed, place_of};
     use crate::scene::Scene;
 
     #[test]
@@ -845,11 +732,5 @@ mod tests {
         let all = ["a", "b", "c", "d", "e"];
         assert_eq!(listed(&all[..2]), "a\nb");
         assert_eq!(listed(&all), "a\nb\nc\nand 2 more: `wobble simulate` lists all");
-    }
-
-    #[test]
-    fn how_far_time_went_is_said_with_its_direction() {
-        assert_eq!([-33.1, 33.1, 0.0].map(far), [" (33.1 s back)", " (33.1 s on)", ""]);
-        assert_eq!([-15.3, -0.01].map(with_what_followed), [" (with what happened since: 15.3 s)", ""]);
     }
 }

@@ -253,7 +253,7 @@ fn chosen(
         let mut number = value?;
         let speed = 0.02 * number;
         let field = DragValue::new(&mut number).speed(speed).range(range).update_while_editing(false);
-        let by = ui.add(field.custom_formatter(|x, _| shown(x)));
+        let by = ui.add(field.custom_formatter(|x, _| shown(x))).labelled_by(switch.id);
         by.changed().then_some((by, Some(number)))
     })
     .inner
