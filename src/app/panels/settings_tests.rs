@@ -207,7 +207,7 @@ fn numbers_that_a_scene_names_are_read_from_the_world_and_set_by_their_sliders()
     let read = |stage: &mut Stage| {
         let shown = shown(stage);
         let of = |parameter: crate::scene::Parameter| {
-            let value = super::parameters::value(&parameter.target, &shown.settings, None, &shown.scenery);
+            let value = parameters::value(&parameter.target, &shown.settings, None, &shown.scenery);
             (parameter, value)
         };
         scene.named_parameters().into_iter().map(of).collect::<Vec<_>>()
