@@ -572,7 +572,7 @@ fn the_end_of_a_rope_that_is_dragged_onto_a_body_is_tied_to_it() {
             assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
             let world = stage.history().world();
             assert_eq!((world.bonds().len(), world.grab().is_some()), (before + 1, false));
-            let tie = world.bonds().iter().last().unwrap();
+            let tie = world.bonds().iter().next_back().unwrap();
             assert!(tie.a == PointId(8) && tie.b.index() >= 9, "{tie:?}");
             assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "tie a rope"));
             assert_eq!(stage.history().world().bonds().len(), before);
