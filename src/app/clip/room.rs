@@ -16,6 +16,8 @@ const APART: f64 = 1.0;
 const STEPS: i32 = 8;
 /// Said of a copy that is put where another body is: nothing is free.
 const IN_ANOTHER: &str = "there is no free room in view: it lies in another body";
+/// Said of a copy that is put beside what it is of: there is room for it, but not in view.
+const OUT_OF_VIEW: &str = "there is no free room in view: it lies beside it, partly out of view (F shows all)";
 /// Said where it would lie in obstacles or beyond walls wherever it is put.
 const NO_ROOM: &str = "there is no room for it in view: make some, or look from further away (wheel)";
 
@@ -125,9 +127,10 @@ fn in_plane(clip: &Clip, world: &dyn Dynamics, wish: &Wish) -> Result<Place, Str
         by == DVec2::ZERO && wish.is_meant || (axis(0) && axis(1))
     };
     let found = |raster: &Raster| nearest(raster, &thing, |[x, y]| may_be(cell * DVec2::new(x as f64, y as f64)));
-    let (by, lies_in) = match (found(&taken), || found(&solid)) {
-        (Some(by), _) => (by, None),
-        (None, among) => (among().ok_or_else(|| NO_ROOM.to_owned())?, Some(IN_ANOTHER)),
+    let (by, lies_in) = match found(&taken) {
+        Some(by) => (by, None),
+        None if taken.has_room(&thing, taken.offset(&thing)) => ([0; 2], Some(OUT_OF_VIEW)),
+        None => (found(&solid).ok_or_else(|| NO_ROOM.to_owned())?, Some(IN_ANOTHER)),
     };
     let by = wanted + cell * DVec2::new(by[0] as f64, by[1] as f64);
     Ok(Place { by: by.extend(0.0).to_array(), lies_in })

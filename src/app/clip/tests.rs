@@ -122,6 +122,16 @@ fn where_nothing_is_free_it_says_that_it_lies_in_another_and_in_solid_ground_not
 }
 
 #[test]
+fn a_copy_of_what_fills_the_view_lies_beside_it_and_that_is_said() {
+    let wide =
+        BOX.replace("\"columns\": 3, \"rows\": 3", "\"columns\": 30, \"rows\": 20").replace("-5, -3.5", "-7, -5");
+    let mut stage = stage(&format!(r#"{{"wobble": 1, "contact": true, "bodies": [{wide}]}}"#));
+    let (came, said) = put(&mut stage, &points(0..600), wish([16.0, 0.0, 0.0], false)).unwrap();
+    assert!(said.is_some_and(|said| said.contains("beside it, partly out of view")), "{said:?}");
+    assert_eq!(around(&stage, &came)[0], DVec2::new(9.0, -5.0));
+}
+
+#[test]
 fn a_copy_in_space_stands_beside_all_others() {
     let text = r#"{"wobble": 1, "dimensions": 3, "points": {"position": [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]},
         "bonds": [{"a":0,"b":1},{"a":1,"b":2},{"a":2,"b":3},{"a":3,"b":0}]}"#;

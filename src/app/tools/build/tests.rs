@@ -564,10 +564,10 @@ fn the_end_of_a_rope_that_is_dragged_onto_a_body_is_tied_to_it() {
         assert_eq!((deed.commands.len(), deed.edit.is_some()), if ties { (2, true) } else { (1, false) });
         if ties {
             let mut stage = Stage::new(seen.2.clone().into()).unwrap();
-            assert_eq!(
-                stage.obey(Order::Give(vec![Do::Grab(crate::sim::Reach::Points(vec![PointId(8)]))], None)),
-                None
-            );
+            let there = crate::sim::Cursor::at([-1.7, 0.9]);
+            let grab = Do::Grab(crate::sim::Reach::Points(vec![PointId(8)]));
+            let grabs = vec![Do::Cursor { to: Some(there), by: None }, grab];
+            assert_eq!(stage.obey(Order::Give(grabs, None)), None);
             let before = stage.history().world().bonds().len();
             assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
             let world = stage.history().world();
