@@ -112,6 +112,7 @@ impl Rehearsal {
     fn toggle(&mut self, sheet: Sheet) {
         self.state.sheet = (self.state.sheet != Some(sheet)).then_some(sheet);
         self.state.is_fresh = true;
+        self.state.search.clear();
     }
 
     fn grant(&mut self, wish: Wish) {

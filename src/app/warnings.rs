@@ -37,7 +37,7 @@ mod tests {
                 let is_named = |what: &&str| {
                     said.split(what).skip(1).any(|rest| rest.starts_with(" 0") || rest.starts_with("s 0"))
                 };
-                assert!(!NUMBERED.iter().any(|what| is_named(&what)), "{said}");
+                assert!(!NUMBERED.iter().any(is_named), "{said}");
                 count += usize::from(said != warning);
             }
         }

@@ -63,7 +63,7 @@ const STRAIN_ON_LIGHT: [Color; 9] = [
     hex(0xa8_7c_14, 1.0),
     hex(0xb8_66_0c, 1.0),
     hex(0xbc_44_18, 1.0),
-    hex(0x98_16_16, 1.0),
+    hex(0x981616, 1.0),
 ];
 
 /// Colours and sizes. Lengths are in logical pixels, to be multiplied by the scale factor of the screen.

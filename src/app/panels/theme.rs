@@ -51,7 +51,7 @@ const fn rgb(hex: u32) -> Color32 {
 /// Energies by Okabe and Ito.
 static DARK: Colors = Colors {
     accent: rgb(0x7d_f0_c8),
-    on_accent: rgb(0x0a_1a_16),
+    on_accent: rgb(0x0a1a16),
     away: rgb(0xff_78_6e),
     lead: rgb(0xff_d6_78),
     push: rgb(0xff_a8_5c),
