@@ -96,7 +96,7 @@ const SIM: [(&str, &[&str]); 46] = [
     ("measure", &["bond", "bonds", "drive", "ledger", "points", "real", "vector"]),
     ("swept", &["real", "sets"]),
     ("reach", &["bond", "bonds"]),
-    ("contact", &["bond", "points", "real", "sizes", "vector"]),
+    ("contact", &["bond", "points", "real", "sets", "sizes", "vector"]),
     ("force", &["bond", "colour", "drive", "measure", "points", "real", "vector"]),
     ("environment", &["drive", "force", "real", "swept", "vector"]),
     ("constrain", &["bond", "colour", "contact", "force", "points", "real", "solve", "solver", "vector"]),
