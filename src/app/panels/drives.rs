@@ -61,7 +61,6 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     if motor.is_on != Some(false) {
         slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s");
         slider(ui, "torque", &mut motor.torque, 1.0..=MOST[3], " N m");
-        ui.add(Checkbox::new(&mut motor.is_bounded, "no more than it bears"));
         keys(ui, &mut motor.key, &mut motor.back);
     }
 }

@@ -30,8 +30,6 @@ const LEAST_ROUND: usize = 8;
 const MIDDLE: f64 = 0.35;
 /// A motor turns springs against each other by no more than this `[rad]`, about.
 const SHEAR: f64 = 0.5;
-/// A motor has this share of the torque at most that would lift what holds it off the ground `[1]`: two of them do not turn it over.
-const LIFT: f64 = 0.4;
 
 /// A hinge this near to the middle of what is round is its own, in its radius `[1]`.
 const HINGED_AT: f64 = 0.15;
@@ -71,8 +69,6 @@ pub(in crate::app) struct MotorChoice {
     pub(in crate::app) speed: f64,
     /// `[N m]`
     pub(in crate::app) torque: f64,
-    /// It is no stronger than what it turns, and what holds it, bear.
-    pub(in crate::app) is_bounded: bool,
     pub(in crate::app) key: Option<KeyName>,
     pub(in crate::app) back: Option<KeyName>,
 }
@@ -88,7 +84,7 @@ impl Default for Drives {
     fn default() -> Self {
         Drives {
             muscle: MuscleChoice { amplitude: 0.3, has_wave: true, period: 1.0, phase: 0.0, key: None, back: None },
-            motor: MotorChoice { is_on: None, speed: -6.0, torque: 30.0, is_bounded: true, key: None, back: None },
+            motor: MotorChoice { is_on: None, speed: -6.0, torque: 30.0, key: None, back: None },
         }
     }
 }
@@ -193,7 +189,8 @@ impl Drives {
                 let props = Hinge::prop(scope, &hinge, hub.is_pinned);
                 let reference = hinge.struts.first().map_or(scope.shown.point_count() as u32, |strut| strut.0);
                 let keys = AddKeys {
-                    points: (!props.is_empty()).then(|| pins(props, scope.shown.point_count() as u32)),
+                    points: (!props.is_empty())
+                        .then(|| pins(props, hinge.mass(scope), scope.shown.point_count() as u32)),
                     angles: hinge.motors(scope, &self.motor, [reference, hub.point.0]),
                     ..AddKeys::default()
                 };
@@ -242,9 +239,10 @@ impl Drives {
             true if hinge.has_motor && hinge.rests(scope) => "on the ground: its axle is pinned here",
             true => "pinned to the background here",
         };
-        let why = match hinge.bound(scope, &self.motor) {
-            Some((torque, why)) if hinge.has_motor && torque < self.motor.torque => format!(", {torque:.1} N m: {why}"),
-            _ => String::new(),
+        let torque = hinge.torque(scope, &self.motor);
+        let why = match hinge.has_motor && torque < self.motor.torque {
+            true => format!(", {torque:.1} N m: more would tear it"),
+            false => String::new(),
         };
         marks.push(Mark::Words(beside(scope, at), format!("{what} {on}{why}")));
         marks
@@ -413,7 +411,7 @@ impl Hinge {
         let kind = stuff(scope, &self.spokes);
         let spokes = self.spokes.iter().map(|spoke| bond(hub, spoke.0, kind));
         let struts = self.struts.iter().map(|strut| bond(hub, strut.0, stuff(scope, &self.struts)));
-        let mut points = pins(position, hub);
+        let mut points = pins(position, self.mass(scope), hub);
         if !is_grounded {
             points.pinned.clear();
         }
@@ -441,39 +439,18 @@ impl Hinge {
         turned.into_iter().map(angle).collect()
     }
 
-    /// The torque of its motor `[N m]`.
+    /// The torque of its motor `[N m]`: of a soft body as much as shears what it turns by half.
     fn torque(&self, scope: Scope<'_>, motor: &MotorChoice) -> f64 {
-        self.bound(scope, motor).map_or(motor.torque, |(most, _)| motor.torque.min(most))
-    }
-
-    /// The most torque that its motor may have `[N m]`, and why no more.
-    fn bound(&self, scope: Scope<'_>, motor: &MotorChoice) -> Option<(f64, &'static str)> {
-        let shear = self.shear(scope).map(|most| (most, "more would tear it"));
-        let lift = self.lift(scope).map(|most| (most, "more would turn what holds it over"));
-        let least = shear.into_iter().chain(lift).min_by(|a, b| a.0.total_cmp(&b.0));
-        least.filter(|_| motor.is_bounded)
-    }
-
-    /// The torque that shears a soft body which it turns by half `[N m]`.
-    fn shear(&self, scope: Scope<'_>) -> Option<f64> {
-        let BondKind::Spring { stiffness, .. } = stuff(scope, &self.spokes) else { return None };
+        let BondKind::Spring { stiffness, .. } = stuff(scope, &self.spokes) else { return motor.torque };
         let arms = self.turned(scope).into_iter().map(|spoke| place(scope, spoke).distance_squared(self.at));
-        Some(SHEAR * stiffness * arms.sum::<f64>())
+        motor.torque.min(SHEAR * stiffness * arms.sum::<f64>())
     }
 
-    /// The share of the torque that would lift what holds it against gravity `[N m]`, where a body does that no pin holds.
-    fn lift(&self, scope: Scope<'_>) -> Option<f64> {
-        let &strut = self.struts.first()?;
-        let holder = Hubs::of(scope, strut).piece(strut);
-        let gravity = DVec3::from(scope.shown.settings.gravity?).truncate();
-        if gravity == DVec2::ZERO || holder.iter().any(|&point| scope.is_pinned(point)) {
-            return None;
-        }
-        let weighs = |&point: &PointId| {
-            let mass = scope.shown.scenery.masses.get(point.index()).copied().unwrap_or(0.0);
-            mass * gravity.perp_dot(place(scope, point) - self.at).abs()
-        };
-        Some(LIFT * holder.iter().map(weighs).sum::<f64>())
+    /// What its hub weighs, as the points do that it is bonded to `[kg]`: a heavier one would press soft wheels flat.
+    fn mass(&self, scope: Scope<'_>) -> f64 {
+        let masses = &scope.shown.scenery.masses;
+        let of = self.spokes.iter().filter_map(|spoke| masses.get(spoke.index()));
+        of.sum::<f64>() / self.spokes.len().max(1) as f64
     }
 
     /// The spokes that a motor turns: as far apart as there are some.
@@ -489,10 +466,10 @@ impl Hinge {
     }
 }
 
-/// Pins of a kilogram at these places `[m]`, numbered from the next on.
-fn pins(position: Vec<DVec2>, next: u32) -> PointKeys {
+/// Pins of this mass `[kg]` at these places `[m]`, numbered from the next on.
+fn pins(position: Vec<DVec2>, mass: f64, next: u32) -> PointKeys {
     PointKeys {
-        mass: Some(MassKeys::Same(1.0)),
+        mass: Some(MassKeys::Same(mass)),
         velocity: None,
         pinned: (next..next + position.len() as u32).collect(),
         position: position.into_iter().map(|at| Vector::Plane(at.to_array())).collect(),

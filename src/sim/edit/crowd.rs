@@ -21,14 +21,26 @@ pub(super) struct Hanging {
     pub(super) bonds: Vec<[usize; 2]>,
     /// How long they are at rest `[m]`.
     pub(super) rests: Vec<f64>,
+    pub(super) triangles: Vec<[usize; 3]>,
     /// Bonds hold it as one piece.
     pub(super) is_rigid: bool,
     /// Something of it is held.
     pub(super) is_pinned: bool,
 }
 
-/// A point as it was: its place in what was taken out, where `[m]`, how fast `[m/s]`, and whether it was pushed before.
-type Before<const D: usize> = (usize, [f64; D], [f64; D], bool);
+/// A point as it was.
+#[derive(Clone, Copy)]
+struct Before<const D: usize> {
+    /// Its place in what was taken out.
+    i: usize,
+    /// `[m]`
+    x: [f64; D],
+    /// `[m/s]`
+    v: [f64; D],
+    is_changed: bool,
+    /// How deep it was in the obstacles `[m]`.
+    depth: f64,
+}
 
 /// Points that are pushed.
 pub(super) struct Crowd<const D: usize> {
@@ -50,25 +62,37 @@ impl<const D: usize> Crowd<D> {
         }))
     }
 
-    /// Obstacles go a part of their way: pushes all that they meet ahead. Returns whether there is room for it; all is as it was if not.
+    /// Obstacles go a part of their way: pushes all that they meet ahead. Returns whether there is room for it; if not all is where it was.
     pub(super) fn push(&mut self, bodies: &[Hanging], part: &Part<'_, D>) -> bool {
         let mut before = Vec::new();
-        for body in bodies {
+        for (number, body) in bodies.iter().enumerate() {
             if !self.extent(body).is_some_and(|around| part.after.may_touch(around)) {
                 continue;
             }
             let first = before.len();
-            before.extend(body.points.iter().map(|&i| (i, self.x[i], self.v[i], self.is_changed[i])));
-            if !self.push_body(body, &before[first..], part) {
-                self.put_back(&before);
-                return false;
+            before.extend(body.points.iter().map(|&i| {
+                let (x, v, is_changed) = (self.x[i], self.v[i], self.is_changed[i]);
+                Before { i, x, v, is_changed, depth: part.was_deep(x) }
+            }));
+            let fits = self.push_body(body, &before[first..], part);
+            if fits && !self.enters(bodies, number, &before[first..]) {
+                continue;
             }
+            // What others are in the way of pushes them by its speed.
+            let speeds: Vec<[f64; D]> = body.points.iter().map(|&i| self.v[i]).collect();
+            self.put_back(&before);
+            if fits {
+                for (&i, v) in body.points.iter().zip(speeds) {
+                    (self.v[i], self.is_changed[i]) = (v, true);
+                }
+            }
+            return false;
         }
         true
     }
 
     fn put_back(&mut self, before: &[Before<D>]) {
-        for &(i, x, v, is_changed) in before {
+        for &Before { i, x, v, is_changed, .. } in before {
             (self.x[i], self.v[i], self.is_changed[i]) = (x, v, is_changed);
         }
     }
@@ -76,8 +100,8 @@ impl<const D: usize> Crowd<D> {
     /// Pushes a body ahead, whose points were so. Returns whether there is room for it.
     fn push_body(&mut self, body: &Hanging, before: &[Before<D>], part: &Part<'_, D>) -> bool {
         if !body.is_rigid || body.is_pinned {
-            self.push_points(body, part);
-            let is_caught = self.is_caught(body, part);
+            self.push_points(body, before, part);
+            let is_caught = self.is_caught(body, before, part);
             if body.is_pinned {
                 return !is_caught;
             }
@@ -87,23 +111,60 @@ impl<const D: usize> Crowd<D> {
             // Before it is pressed flat it goes as a whole.
             self.put_back(before);
         }
-        self.push_whole(body, part);
-        !self.is_caught(body, part)
+        self.push_whole(body, before, part);
+        !self.is_caught(body, before, part)
     }
 
-    /// Whether obstacles came to be around something of a body that can move.
-    fn is_caught(&self, body: &Hanging, part: &Part<'_, D>) -> bool {
+    /// Whether obstacles came to be around something of a body, or deeper in it.
+    fn is_caught(&self, body: &Hanging, before: &[Before<D>], part: &Part<'_, D>) -> bool {
+        let is_caught = |was: &Before<D>| match self.w[was.i] > 0.0 {
+            true => !part.is_free(self.x[was.i], was.depth),
+            false => was.depth == 0.0 && part.holds(self.x[was.i]),
+        };
         let is_free = |i: usize| self.w[i] > 0.0;
-        body.points.iter().any(|&i| is_free(i) && part.touch(self.x[i]).is_some())
-            || body
-                .bonds
-                .iter()
-                .any(|&ends| ends.into_iter().any(is_free) && part.pierced(ends.map(|end| self.x[end])).is_some())
+        // What they went through already goes along with them.
+        let goes_along = |i: usize| {
+            let was = before.binary_search_by_key(&i, |was| was.i).map_or(self.x[i], |place| before[place].x);
+            length(sub(self.x[i], was)) >= 0.5 * length(part.way(was))
+        };
+        let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map_or(self.x[i], |place| before[place].x);
+        before.iter().any(is_caught)
+            || body.bonds.iter().any(|&ends| {
+                ends.into_iter().any(is_free)
+                    && part.pierced(ends.map(|end| self.x[end])).is_some()
+                    && !(part.was_pierced(ends.map(was)) && ends.into_iter().filter(|&i| is_free(i)).all(goes_along))
+            })
+    }
+
+    /// Whether a body was pushed into another one, or over its points.
+    fn enters(&self, bodies: &[Hanging], number: usize, before: &[Before<D>]) -> bool {
+        let own = &bodies[number];
+        if D != 2 || own.triangles.is_empty() {
+            return false;
+        }
+        let Some(around) = self.extent(own) else { return false };
+        let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map_or(self.x[i], |place| before[place].x);
+        let now = |i: usize| self.x[i];
+        let lies = |x: [f64; D], [low, high]: [[f64; D]; 2]| (0..D).all(|k| low[k] <= x[k] && x[k] <= high[k]);
+        let others = bodies.iter().enumerate().filter(|(other, body)| *other != number && !body.triangles.is_empty());
+        others.map(|(_, other)| other).any(|other| {
+            let Some(beside) = self
+                .extent(other)
+                .filter(|reach| (0..D).all(|k| reach[0][k] <= around[1][k] && around[0][k] <= reach[1][k]))
+            else {
+                return false;
+            };
+            let comes = |body: &Hanging, i: usize| {
+                covers(&body.triangles, now, now(i)) && !covers(&body.triangles, was, was(i))
+            };
+            own.points.iter().any(|&i| lies(now(i), beside) && comes(other, i))
+                || other.points.iter().any(|&i| lies(now(i), around) && comes(own, i))
+        })
     }
 
     /// Whether bonds are pressed together to less than [`CRUSHED`] of their length, and were longer before.
     fn is_crushed(&self, body: &Hanging, before: &[Before<D>]) -> bool {
-        let was = |i: usize| before.binary_search_by_key(&i, |before| before.0).map(|place| before[place].1);
+        let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map(|place| before[place].x);
         let is_shorter = |[a, b]: [usize; 2], now: f64| {
             let Ok([a, b]) = was(a).and_then(|a| was(b).map(|b| [a, b])) else { return false };
             now < (1.0 - LESS) * length(sub(b, a))
@@ -115,25 +176,31 @@ impl<const D: usize> Crowd<D> {
     }
 
     /// Each point by itself, and each bond by both of its ends.
-    fn push_points(&mut self, body: &Hanging, part: &Part<'_, D>) {
-        for &i in &body.points {
+    fn push_points(&mut self, body: &Hanging, before: &[Before<D>], part: &Part<'_, D>) {
+        for &Before { i, depth, .. } in before {
             if self.w[i] == 0.0 {
                 continue;
             }
-            let Some(touch) = part.touch(self.x[i]) else { continue };
+            let Some(touch) = part.touch(self.x[i], depth) else { continue };
             let way = part.way(self.x[i]);
             let [mut short, mut far] = [0.0, 1.0];
             for _ in 0..HALVINGS {
                 let middle = 0.5 * (short + far);
-                *(if part.is_free(add(self.x[i], scale(way, middle))) { &mut far } else { &mut short }) = middle;
+                *(if part.is_free(add(self.x[i], scale(way, middle)), depth) { &mut far } else { &mut short }) = middle;
             }
             self.go(i, scale(way, far), part);
             self.hurry(i, &touch);
         }
-        for _ in 0..ROUNDS {
+        let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map(|place| before[place].x);
+        let was_pierced = |[a, b]: [usize; 2]| matches!([was(a), was(b)], [Ok(a), Ok(b)] if part.was_pierced([a, b]));
+        for round in 0..ROUNDS {
             let mut is_done = true;
             for &ends in &body.bonds {
                 let Some(touch) = part.pierced(ends.map(|end| self.x[end])) else { continue };
+                // What they went through already goes along with them once.
+                if round > 0 && was_pierced(ends) {
+                    continue;
+                }
                 for i in ends {
                     if self.w[i] == 0.0 {
                         continue;
@@ -166,8 +233,8 @@ impl<const D: usize> Crowd<D> {
     }
 
     /// All that pushes a body now.
-    fn touches(&self, body: &Hanging, part: &Part<'_, D>) -> Vec<Touch<D>> {
-        let mut touches: Vec<Touch<D>> = body.points.iter().filter_map(|&i| part.touch(self.x[i])).collect();
+    fn touches(&self, body: &Hanging, before: &[Before<D>], part: &Part<'_, D>) -> Vec<Touch<D>> {
+        let mut touches: Vec<Touch<D>> = before.iter().filter_map(|was| part.touch(self.x[was.i], was.depth)).collect();
         if touches.is_empty() {
             touches.extend(body.bonds.iter().filter_map(|ends| part.pierced(ends.map(|end| self.x[end]))));
         }
@@ -175,15 +242,15 @@ impl<const D: usize> Crowd<D> {
     }
 
     /// A body of one piece: where it is pushed it goes and turns as its mass says, and gets the speeds.
-    fn push_whole(&mut self, body: &Hanging, part: &Part<'_, D>) {
-        let touches = self.touches(body, part);
+    fn push_whole(&mut self, body: &Hanging, was: &[Before<D>], part: &Part<'_, D>) {
+        let touches = self.touches(body, was, part);
         if touches.is_empty() {
             return;
         }
         let inert = self.inert(body);
         let before: Vec<[f64; D]> = body.points.iter().map(|&i| self.x[i]).collect();
         for _ in 0..ROUNDS {
-            let deepest = self.touches(body, part).into_iter().max_by(|a, b| a.depth.total_cmp(&b.depth));
+            let deepest = self.touches(body, was, part).into_iter().max_by(|a, b| a.depth.total_cmp(&b.depth));
             let Some(touch) = deepest else { break };
             let (arm, weight) = inert.at(&touch);
             let blow = touch.depth / weight;
@@ -195,7 +262,7 @@ impl<const D: usize> Crowd<D> {
                 self.x[i] = add(add(inert.middle, from), by);
             }
         }
-        if !self.touches(body, part).is_empty() {
+        if !self.touches(body, was, part).is_empty() {
             // As far as the obstacle goes it is as free as it was.
             let way = part.way(inert.middle);
             body.points.iter().zip(&before).for_each(|(&i, &x)| self.x[i] = add(x, way));
@@ -241,6 +308,16 @@ impl<const D: usize> Crowd<D> {
         }
         Inert { middle, velocity, mass: whole, inertia, spin: turning / inertia }
     }
+}
+
+/// Whether triangles cover a place, with their corners at `place` `[m]`.
+fn covers<const D: usize>(triangles: &[[usize; 3]], place: impl Fn(usize) -> [f64; D], x: [f64; D]) -> bool {
+    let wedge = |u: [f64; D], v: [f64; D]| u[0] * v[1] - u[1] * v[0];
+    triangles.iter().any(|corners| {
+        let [a, b, c] = corners.map(&place);
+        let sides = [wedge(sub(b, a), sub(x, a)), wedge(sub(c, b), sub(x, b)), wedge(sub(a, c), sub(x, c))];
+        sides.iter().all(|&side| side > 0.0) || sides.iter().all(|&side| side < 0.0)
+    })
 }
 
 /// A body as one piece: its middle `[m]`, mass `[kg]`, inertia `[kg m^2]` and motion.

@@ -33,6 +33,8 @@ pub(super) struct Part<'a, const D: usize> {
     placement: &'a Placement,
     /// What it takes `[s]`.
     seconds: f64,
+    /// What is nearer than this lies on them `[m]`.
+    near: f64,
 }
 
 /// Where an obstacle pushes: how deep it came to be there `[m]`, which way out, and how fast it goes there `[m/s]`.
@@ -82,7 +84,8 @@ impl<S: Real, const D: usize> World<S, D> {
             step.put(&mut there);
             let Ok(after) = Obstacles::<f64, D>::of(&there) else { break };
             let seconds = seconds * (end - gone);
-            let part = Part { before: &before, after: &after, others: &others, placement: &step, seconds };
+            let part =
+                Part { before: &before, after: &after, others: &others, placement: &step, seconds, near: NEAR * half };
             if crowd.push(&bodies, &part) {
                 (gone, before, moved) = (end, after, there);
             } else {
@@ -123,6 +126,11 @@ impl<S: Real, const D: usize> World<S, D> {
             let body = &mut list[place_of_root[root]];
             body.bonds.push([from, to]);
             body.rests.push(self.bonds.get(k).rest_length);
+        }
+        for corners in &self.model.triangles {
+            if let [Some(a), Some(b), Some(c)] = corners.map(|corner| detached.place(corner.0)) {
+                list[place_of_root[sets.find(corners[0].0) as usize]].triangles.push([a, b, c]);
+            }
         }
         for (body, held) in list.iter_mut().zip(held) {
             // As many as hold a frame in the plane (Laman).
@@ -175,29 +183,45 @@ impl<const D: usize> Part<'_, D> {
         sub(self.placement.place(x), x)
     }
 
-    pub(super) fn is_free(&self, x: [f64; D]) -> bool {
-        depth(self.after, x).is_none()
+    /// How deep a place is in the obstacles where they were `[m]`; 0: it is outside.
+    pub(super) fn was_deep(&self, x: [f64; D]) -> f64 {
+        if is_inside(self.before, x) { depth(self.before, x).map_or(0.0, |(depth, _)| depth) } else { 0.0 }
+    }
+
+    /// Whether a place is no deeper in the obstacles than `was` `[m]`.
+    pub(super) fn is_free(&self, x: [f64; D], was: f64) -> bool {
+        match was > 0.0 {
+            true => depth(self.after, x).is_none_or(|(depth, _)| depth <= was + self.after.slack()),
+            false => !is_inside(self.after, x),
+        }
+    }
+
+    /// Whether a pin that was outside is in the obstacles now, and not at their surface: what hangs on them does not hold them.
+    pub(super) fn holds(&self, x: [f64; D]) -> bool {
+        let mut is_at = self.before.planes().iter().any(|plane| plane.gap(x).abs() <= self.near);
+        self.before.touching(x, self.near / self.before.slack(), |_| is_at = true);
+        !is_at && is_inside(self.after, x)
     }
 
     /// Whether what stands leaves room there, or did not where it was.
     pub(super) fn has_room(&self, from: [f64; D], to: [f64; D]) -> bool {
-        depth(self.others, to).is_none() || depth(self.others, from).is_some()
+        !is_inside(self.others, to) || is_inside(self.others, from)
     }
 
-    /// What the obstacle came to be around a point.
-    pub(super) fn touch(&self, x: [f64; D]) -> Option<Touch<D>> {
-        let (depth_after, normal) = depth(self.after, x)?;
-        if depth(self.before, x).is_some() {
+    /// Where the obstacles came to be around a point that was so deep in them `[m]`, or deeper.
+    pub(super) fn touch(&self, x: [f64; D], was: f64) -> Option<Touch<D>> {
+        if self.is_free(x, was) {
             return None;
         }
+        let (depth, normal) = depth(self.after, x)?;
         let speed = dot(self.way(x), normal).max(0.0) / self.seconds;
-        Some(Touch { at: x, depth: depth_after, normal, speed })
+        Some(Touch { at: x, depth: depth - was, normal, speed })
     }
 
-    /// The place on a bond that the obstacle came to go through, with both ends outside.
+    /// The place on a bond that the obstacles go through, with both ends outside.
     pub(super) fn pierced(&self, [a, b]: [[f64; D]; 2]) -> Option<Touch<D>> {
         let share = pierced(self.after, [a, b])?;
-        if pierced(self.before, [a, b]).is_some() || !self.is_free(a) || !self.is_free(b) {
+        if is_inside(self.after, a) || is_inside(self.after, b) {
             return None;
         }
         let at = add(a, scale(sub(b, a), share));
@@ -205,6 +229,18 @@ impl<const D: usize> Part<'_, D> {
         let far = length(way);
         (far > 0.0).then(|| Touch { at, depth: far, normal: scale(way, 1.0 / far), speed: far / self.seconds })
     }
+
+    /// Whether the obstacles went through a bond where they were.
+    pub(super) fn was_pierced(&self, ends: [[f64; D]; 2]) -> bool {
+        pierced(self.before, ends).is_some()
+    }
+}
+
+/// Whether a place is in obstacles.
+fn is_inside<const D: usize>(obstacles: &Obstacles<f64, D>, x: [f64; D]) -> bool {
+    obstacles.planes().iter().any(|plane| -plane.gap(x) > obstacles.slack())
+        || obstacles.depth_in_convex(x).is_some()
+        || obstacles.is_inside(x)
 }
 
 /// How deep a place is in obstacles `[m]`, and the way out; `None`: it is outside.
