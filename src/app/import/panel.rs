@@ -141,11 +141,16 @@ fn buttons(ui: &mut egui::Ui, import: &Import, can_add: bool) -> Option<Answer> 
     };
     let count = if import.body.is_some() && !is_obstacle { 3 } else { 2 };
     let mut answer = None;
+    // Where nothing else takes the key.
+    let enters =
+        ui.memory(|memory| memory.focused().is_none()) && ui.input(|input| input.key_pressed(egui::Key::Enter));
     ui.horizontal_wrapped(|ui| {
         for (k, &(label, hint, choice, is_enabled)) in choices[..count].iter().enumerate() {
             let button = egui::Button::new(label);
             let button = if k == 0 { button.fill(ui.visuals().selection.bg_fill) } else { button };
-            if ui.add_enabled(is_ready && is_enabled, button).on_hover_text(hint).clicked() {
+            let is_clicked = ui.add_enabled(is_ready && is_enabled, button).on_hover_text(hint).clicked();
+            let is_entered = k == 0 && is_ready && is_enabled && enters;
+            if is_clicked || is_entered {
                 answer = Some(choice);
             }
         }

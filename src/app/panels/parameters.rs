@@ -78,7 +78,31 @@ pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &Scene
 
 fn set(by: &Response, target: &Target, to: f64, scene: &SceneChange, sink: &mut Sink<'_>) {
     if let Some(act) = command(target, to, scene, |v| sink.vector(v)) {
-        sink.set(by, "parameter", act);
+        sink.set(by, name(target), act);
+    }
+}
+
+/// What the change of a parameter is called when it is undone.
+fn name(target: &Target) -> &'static str {
+    match target {
+        Target::Gravity(_) => "gravity",
+        Target::DragRate => "drag",
+        Target::Wind(_) | Target::Turbulence => "wind",
+        Target::WallFriction | Target::ObstacleFriction(_) | Target::Friction => "friction",
+        Target::WallRestitution | Target::ObstacleRestitution(_) | Target::Restitution => "restitution",
+        Target::MouseStrength | Target::MouseRadius => "push",
+        Target::Stiffness(_) => "stiffness",
+        Target::Damping(_) => "damping",
+        Target::Rest(_) => "length",
+        Target::Meets | Target::ContactRadius => "contact",
+        Target::Body(_, of, _) => match of {
+            OfBody::Stiffness => "stiffness",
+            OfBody::Damping => "damping",
+            OfBody::Mass => "mass",
+            OfBody::Friction => "friction",
+            OfBody::Restitution => "restitution",
+            OfBody::Diagonals => "diagonals",
+        },
     }
 }
 

@@ -16,7 +16,11 @@ impl Session {
     pub(super) fn open_empty(&mut self) {
         match Scene::parse(EMPTY, "") {
             Ok(scene) => {
+                let plays = self.player.is_playing();
                 self.open(scene.into());
+                if !plays {
+                    self.player.play(false);
+                }
                 self.say("an empty scene: build (5), draw (N), or open a picture; Ctrl+Z goes back".to_owned());
             }
             Err(error) => self.complain(&error.to_string()),

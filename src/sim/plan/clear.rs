@@ -34,6 +34,8 @@ pub(crate) struct Cleared<const D: usize> {
     pub(crate) moves: Vec<(Vec<u32>, [f64; D])>,
     /// Bodies that are held by pins, or for which there is no way out: of each a point that can move.
     pub(crate) stuck: Vec<u32>,
+    /// Those of them of which more is inside than pins and the bonds at them.
+    pub(crate) caught: Vec<u32>,
 }
 
 impl<const D: usize> Cleared<D> {
@@ -84,7 +86,11 @@ pub(crate) fn clear<const D: usize>(
         let places = pins.iter().map(|&pin| position[pin as usize]).collect();
         let way = Search::new(obstacles, places, &[]).and_then(|search| search.way_out());
         if search(&pins, way.unwrap_or(zero())).is_some() {
-            cleared.stuck.extend(body.points.iter().find(|&&i| w[i as usize] != 0.0));
+            let first = body.points.iter().copied().find(|&i| w[i as usize] != 0.0);
+            cleared.stuck.extend(first);
+            let free = body.without_pins(w);
+            let places = free.points.iter().map(|&i| position[i as usize]).collect();
+            cleared.caught.extend(first.filter(|_| Search::new(obstacles, places, &free.bonds).is_some()));
         }
         cleared.moves.extend(way.map(|way| (pins, way)));
     }
@@ -99,6 +105,17 @@ struct Hanging {
     /// Its bonds, their ends counted within it.
     bonds: Vec<[u32; 2]>,
     is_pinned: bool,
+}
+
+impl Hanging {
+    /// What can move of it, and the bonds between.
+    fn without_pins(&self, w: &[f64]) -> Self {
+        let is_free = |place: u32| w[self.points[place as usize] as usize] != 0.0;
+        let places: Vec<u32> = (0..self.points.len() as u32).filter(|&place| is_free(place)).collect();
+        let within = |place: u32| places.binary_search(&place).ok().map(|place| place as u32);
+        let bonds = self.bonds.iter().filter_map(|&[a, b]| Some([within(a)?, within(b)?])).collect();
+        Hanging { points: places.iter().map(|&place| self.points[place as usize]).collect(), bonds, is_pinned: false }
+    }
 }
 
 /// All that hangs together by bonds, in the order of the lowest points.

@@ -18,6 +18,9 @@ use crate::sim::real::Real;
 use crate::sim::solver::Solver;
 use crate::sim::vector::{length, sub};
 
+/// Ways that are shorter than this are not told of `[m]`.
+const LEAST_TOLD: f64 = 5e-4;
+
 impl<S: Real, const D: usize> World<S, D> {
     /// Tells of bonds, by their numbers, that were given other lengths.
     pub(crate) fn warn_of_lengths(&mut self, changed: &[usize]) {
@@ -31,23 +34,23 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// What was put out of obstacles and walls, of points that are counted from `first` on.
     pub(crate) fn warn_of_overlap(&mut self, cleared: &Cleared<D>, first: u32) {
-        if let Some((points, _)) = cleared.moves.first() {
+        let far = cleared.furthest();
+        if let Some((points, _)) = cleared.moves.first().filter(|_| far >= LEAST_TOLD) {
             let point = first + points.first().copied().unwrap_or_default();
             let which = match cleared.moves.len() {
                 1 if points.len() == 1 => "a point".to_owned(),
                 count => bodies(count),
             };
-            let far = cleared.furthest();
             self.warnings.push(format!(
                 "{which} lay inside an obstacle or a wall: moved out as a whole, by up to {far:.3} m (point {point})"
             ));
         }
-        if let Some(stuck) = cleared.stuck.first() {
-            let point = first + stuck;
+        if let Some(caught) = cleared.caught.first() {
+            let point = first + caught;
             self.warnings.push(format!(
                 "{} lay inside an obstacle or a wall without a way out, or pinned: only points are put out, one by one, as far as \
                  bonds let them (point {point})",
-                bodies(cleared.stuck.len())
+                bodies(cleared.caught.len())
             ));
         }
     }
@@ -118,7 +121,8 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Tells of a wind that pushes nothing.
     pub(crate) fn warn_of_wind(&mut self) {
         if self.model.has_idle_wind() {
-            self.warnings.push("the wind pushes nothing, for there is no drag: give `drag_rate`".to_owned());
+            self.warnings
+                .push("the wind pushes nothing, for the air has no drag: give it some (`drag_rate`)".to_owned());
         }
     }
 
