@@ -103,12 +103,13 @@ fn motor(list: &mut Vec<Guide>, camera: &Camera, (view, hinge): (&View<'_>, &Hin
     };
     let [from, middle, to] = hinge.points.map(place);
     let (scale, metre) = (f64::from(look.scale_factor), camera.pixels_per_metre());
-    let arm = from.distance(middle).min(to.distance(middle)) * metre / scale;
-    if !(arm >= LEAST_ARM && metre.is_normal()) {
+    let arms = [from, to].map(|end| end.distance(middle) * metre / scale);
+    // A hub may lie on what holds it.
+    if !(arms[0].max(arms[1]) >= LEAST_ARM && metre.is_normal()) {
         return;
     }
     let pixel = scale / metre;
-    let radius = (ARC_SHARE * arm).clamp(ARC[0], ARC[1]) * pixel;
+    let radius = (ARC_SHARE * arms[0].min(arms[1])).clamp(ARC[0], ARC[1]) * pixel;
     let start = (to - middle).to_angle();
     let at = |angle: f64, radius: f64| middle + radius * DVec2::from_angle(start + angle);
     let mut line = |a: DVec2, b: DVec2| {
@@ -443,6 +444,7 @@ mod tests {
         let tip = left.last().map(|guide| [guide.b[0], guide.b[1]]).unwrap_or_default();
         assert!(tip[0] < 0.0 && tip[1] < 0.0, "anticlockwise from above it comes by the left: {tip:?}");
         assert_eq!(of(Ways::Left, &places.map(|x| 0.01 * x)).len(), 0, "too small to be seen");
+        assert_eq!(of(Ways::Left, &[-0.01, 0.0, 0.0, 0.0, 0.0, 1.0]).len(), 24, "its hub lies on what holds it");
         assert_eq!(of(Ways::Left, &places[..4]).len(), 0, "of points that are gone");
     }
 
