@@ -136,13 +136,17 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
     pub(crate) fn meeting(&self, a: [S; D], b: [S; D], mut may: impl FnMut(usize) -> bool) -> Option<Met> {
         let solids = self.solids.as_ref()?;
         let (planes, slack) = (self.planes, self.slack());
-        let met = solids.meeting([flat(a), flat(b)], slack, |wall| may(planes + wall));
-        let met = met.map(|met| Met { surface: planes + met.wall, share: met.share, is_inside: false });
-        met.or_else(|| {
+        self.entering(a, b, &mut may).or_else(|| {
             let deep = DEEP * length(sub(b, a)).to_f64() + DEEP * slack;
             let surface = planes + solids.around(flat(b), slack, deep)?;
             may(surface).then_some(Met { surface, share: 1.0, is_inside: true })
         })
+    }
+
+    /// The wall that the way from `a` to `b` goes into first, of those that `may` be met.
+    pub(crate) fn entering(&self, a: [S; D], b: [S; D], mut may: impl FnMut(usize) -> bool) -> Option<Met> {
+        let met = self.solids.as_ref()?.meeting([flat(a), flat(b)], self.slack(), |wall| may(self.planes + wall));
+        met.map(|met| Met { surface: self.planes + met.wall, share: met.share, is_inside: false })
     }
 
     /// The nearest wall of a point inside a polygon, deeper than `least` `[m]`.

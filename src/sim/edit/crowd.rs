@@ -9,7 +9,7 @@ const HALVINGS: u32 = 10;
 const ROUNDS: u32 = 6;
 /// Rounds in which the speeds of a rigid body at all that pushes it are found.
 const BLOWS: u32 = 24;
-/// A bond is pressed together to this share of its length at most.
+/// A bond is pressed together to this share of its length at most, a triangle to this share of its area.
 const CRUSHED: f64 = 0.4;
 /// What gets shorter by less than this share does not get shorter.
 const LESS: f64 = 1e-6;
@@ -22,6 +22,8 @@ pub(super) struct Hanging {
     /// How long they are at rest `[m]`.
     pub(super) rests: Vec<f64>,
     pub(super) triangles: Vec<[usize; 3]>,
+    /// How large they are at rest `[m^2]`, 0 where that is not known.
+    pub(super) areas: Vec<f64>,
     /// Bonds hold it as one piece.
     pub(super) is_rigid: bool,
     /// Something of it is held.
@@ -130,6 +132,10 @@ impl<const D: usize> Crowd<D> {
         let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map_or(self.x[i], |place| before[place].x);
         before.iter().any(is_caught)
             || body.bonds.iter().any(|&ends| {
+                let now = ends.map(|end| self.x[end]);
+                ends.into_iter().any(is_free) && ends.map(was) != now && part.stops(now) && !part.stops(ends.map(was))
+            })
+            || body.bonds.iter().any(|&ends| {
                 ends.into_iter().any(is_free)
                     && part.pierced(ends.map(|end| self.x[end])).is_some()
                     && !(part.was_pierced(ends.map(was)) && ends.into_iter().filter(|&i| is_free(i)).all(goes_along))
@@ -162,7 +168,7 @@ impl<const D: usize> Crowd<D> {
         })
     }
 
-    /// Whether bonds are pressed together to less than [`CRUSHED`] of their length, and were longer before.
+    /// Whether bonds or triangles are pressed together to less than [`CRUSHED`] of what they are at rest, and were larger before.
     fn is_crushed(&self, body: &Hanging, before: &[Before<D>]) -> bool {
         let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map(|place| before[place].x);
         let is_shorter = |[a, b]: [usize; 2], now: f64| {
@@ -172,6 +178,10 @@ impl<const D: usize> Crowd<D> {
         body.bonds.iter().zip(&body.rests).any(|(&ends, &rest)| {
             let now = length(sub(self.x[ends[1]], self.x[ends[0]]));
             now < CRUSHED * rest && is_shorter(ends, now)
+        }) || body.triangles.iter().zip(&body.areas).any(|(&corners, &rest)| {
+            let now = doubled(corners.map(|corner| self.x[corner]));
+            now < 2.0 * CRUSHED * rest
+                && matches!(corners.map(was), [Ok(a), Ok(b), Ok(c)] if now < doubled([a, b, c]) - LESS * rest)
         })
     }
 
@@ -310,12 +320,17 @@ impl<const D: usize> Crowd<D> {
     }
 }
 
+/// Twice the area of a triangle `[m^2]`.
+fn doubled<const D: usize>([a, b, c]: [[f64; D]; 3]) -> f64 {
+    let (u, v) = (sub(b, a), sub(c, a));
+    u[0] * v[1] - u[1] * v[0]
+}
+
 /// Whether triangles cover a place, with their corners at `place` `[m]`.
 fn covers<const D: usize>(triangles: &[[usize; 3]], place: impl Fn(usize) -> [f64; D], x: [f64; D]) -> bool {
-    let wedge = |u: [f64; D], v: [f64; D]| u[0] * v[1] - u[1] * v[0];
     triangles.iter().any(|corners| {
         let [a, b, c] = corners.map(&place);
-        let sides = [wedge(sub(b, a), sub(x, a)), wedge(sub(c, b), sub(x, b)), wedge(sub(a, c), sub(x, c))];
+        let sides = [[a, b, x], [b, c, x], [c, a, x]].map(doubled);
         sides.iter().all(|&side| side > 0.0) || sides.iter().all(|&side| side < 0.0)
     })
 }

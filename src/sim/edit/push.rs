@@ -21,6 +21,8 @@ const SHORTEST: f64 = 0.05;
 const ROUNDING: f64 = 1e-9;
 /// What is nearer to an obstacle than this, as a share of half its thickness, lies on it.
 const NEAR: f64 = 0.02;
+/// A pin that is no further off the surface of an obstacle hangs on it `[m]`.
+const AT: f64 = 1e-6;
 /// Half the thickness of what has no end `[m]`.
 const LIES: f64 = 0.5;
 
@@ -33,8 +35,6 @@ pub(super) struct Part<'a, const D: usize> {
     placement: &'a Placement,
     /// What it takes `[s]`.
     seconds: f64,
-    /// What is nearer than this lies on them `[m]`.
-    near: f64,
 }
 
 /// Where an obstacle pushes: how deep it came to be there `[m]`, which way out, and how fast it goes there `[m/s]`.
@@ -84,8 +84,7 @@ impl<S: Real, const D: usize> World<S, D> {
             step.put(&mut there);
             let Ok(after) = Obstacles::<f64, D>::of(&there) else { break };
             let seconds = seconds * (end - gone);
-            let part =
-                Part { before: &before, after: &after, others: &others, placement: &step, seconds, near: NEAR * half };
+            let part = Part { before: &before, after: &after, others: &others, placement: &step, seconds };
             if crowd.push(&bodies, &part) {
                 (gone, before, moved) = (end, after, there);
             } else {
@@ -127,9 +126,12 @@ impl<S: Real, const D: usize> World<S, D> {
             body.bonds.push([from, to]);
             body.rests.push(self.bonds.get(k).rest_length);
         }
-        for corners in &self.model.triangles {
+        let rests = self.model.rest_areas.iter().copied().chain(std::iter::repeat(0.0));
+        for (corners, rest) in self.model.triangles.iter().zip(rests) {
             if let [Some(a), Some(b), Some(c)] = corners.map(|corner| detached.place(corner.0)) {
-                list[place_of_root[sets.find(corners[0].0) as usize]].triangles.push([a, b, c]);
+                let body = &mut list[place_of_root[sets.find(corners[0].0) as usize]];
+                body.triangles.push([a, b, c]);
+                body.areas.push(rest);
             }
         }
         for (body, held) in list.iter_mut().zip(held) {
@@ -198,8 +200,8 @@ impl<const D: usize> Part<'_, D> {
 
     /// Whether a pin that was outside is in the obstacles now, and not at their surface: what hangs on them does not hold them.
     pub(super) fn holds(&self, x: [f64; D]) -> bool {
-        let mut is_at = self.before.planes().iter().any(|plane| plane.gap(x).abs() <= self.near);
-        self.before.touching(x, self.near / self.before.slack(), |_| is_at = true);
+        let mut is_at = self.before.planes().iter().any(|plane| plane.gap(x).abs() <= AT);
+        self.before.touching(x, AT / self.before.slack(), |_| is_at = true);
         !is_at && is_inside(self.after, x)
     }
 
@@ -230,6 +232,11 @@ impl<const D: usize> Part<'_, D> {
         (far > 0.0).then(|| Touch { at, depth: far, normal: scale(way, 1.0 / far), speed: far / self.seconds })
     }
 
+    /// Whether what stands goes through a bond.
+    pub(super) fn stops(&self, ends: [[f64; D]; 2]) -> bool {
+        pierced(self.others, ends).is_some()
+    }
+
     /// Whether the obstacles went through a bond where they were.
     pub(super) fn was_pierced(&self, ends: [[f64; D]; 2]) -> bool {
         pierced(self.before, ends).is_some()
@@ -257,7 +264,7 @@ fn depth<const D: usize>(obstacles: &Obstacles<f64, D>, x: [f64; D]) -> Option<(
 /// Where a bond first goes into an obstacle that has an end, as a share of it.
 fn pierced<const D: usize>(obstacles: &Obstacles<f64, D>, [a, b]: [[f64; D]; 2]) -> Option<f64> {
     if obstacles.has_walls() {
-        let met = obstacles.meeting(a, b, |_| true)?;
+        let met = obstacles.entering(a, b, |_| true)?;
         return (obstacles.surfaces[met.surface].gap(b) < -obstacles.slack()).then_some(met.share);
     }
     (!obstacles.convex().is_empty() && obstacles.pierces_convex(a, b)).then_some(0.5)
