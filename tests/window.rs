@@ -361,7 +361,7 @@ fn the_gallery_opens_scenes_and_undo_goes_back() {
     let app = display.open(&common::file("rim-still.json"));
     app.wait_for_title("wobble · rim-still");
     app.key("ctrl+k");
-    std::thread::sleep(Duration::from_millis(800));
+    std::thread::sleep(Duration::from_millis(2000));
     // Letters are those of the search: R does not reset, P does not pause.
     display.xdotool(&["type", "whip"]);
     std::thread::sleep(Duration::from_millis(300));
@@ -567,8 +567,9 @@ fn light_colours_are_kept_for_the_next_start() {
     let Some(display) = Display::start() else { return };
     let is_light = || {
         let picture = display.screenshot();
-        // The ground, beside all that stands on it.
-        (300..304).all(|x| picture.get_pixel(x, 700)[0] > 200)
+        // The ground between the tools and the ring, but for lines of the grid.
+        let ground = (200..400).flat_map(|x| (200..400).map(move |y| [x, y]));
+        ground.filter(|&[x, y]| picture.get_pixel(x, y)[0] > 200).count() > 30_000
     };
     let app = display.open(&common::file("rim-still.json"));
     app.move_mouse(1090, 20);
