@@ -209,3 +209,25 @@ fn an_obstacle_stops_where_what_it_pushes_has_no_room() {
         }
     }
 }
+
+#[test]
+fn a_board_stops_on_limbs_and_on_pins() {
+    let ragdoll = r#"{"wobble": 1, "contact": true, "gravity": [0, -9.81], "bounds": {"min": [-3, -2], "max": [3, 4], "friction": 0.5},
+        "obstacles": [{"box": {"min": [-2, 1], "max": [2, 1.28]}}], "bodies": [{"make": "ragdoll", "height": 1.5, "origin": [0, -2]}]}"#;
+    let pinned = r#"{"wobble": 1, "contact": true, "obstacles": [{"box": {"min": [-1, 1], "max": [1, 1.3]}}],
+        "bodies": [{"make": "lattice", "columns": 5, "rows": 5, "spacing": 0.2, "origin": [-0.4, -0.4], "pinned": [10, 14],
+            "material": {"kind": "spring", "stiffness": 300, "damping": 1, "mass": 2}}]}"#;
+    for (name, text, waits) in [("a ragdoll", ragdoll, 3.0), ("pins", pinned, 0.0)] {
+        let mut world = wobble::scene::Scene::parse(text, "x.json").unwrap().world(None).unwrap();
+        while world.time() < waits {
+            world.step();
+        }
+        let end = drag(&mut *world, [0.0, -1.0], 4.0, |_| ());
+        let obstacles = world.obstacles();
+        let Obstacle::Polygon(board) = &obstacles[0].1 else { panic!("obstacle 0 is a polygon") };
+        let low = board.loops[0].iter().map(|corner| corner[1]).fold(f64::INFINITY, f64::min);
+        assert!(low > -1.95, "{name}: the board is at {low}");
+        let above = end.position.iter().filter(|x| x[1] > low + 0.01 && x[1] < low + 0.27 && x[0].abs() < 0.99).count();
+        assert_eq!(above, 0, "{name}: points are in the board");
+    }
+}

@@ -11,6 +11,8 @@ const ROUNDS: u32 = 6;
 const BLOWS: u32 = 24;
 /// A bond is pressed together to this share of its length at most, a triangle to this share of its area.
 const CRUSHED: f64 = 0.4;
+/// A held bond of what has limbs is changed by this share of its length at most.
+const STRAINED: f64 = 0.02;
 /// What gets shorter by less than this share does not get shorter.
 const LESS: f64 = 1e-6;
 
@@ -19,8 +21,8 @@ const LESS: f64 = 1e-6;
 pub(super) struct Hanging {
     pub(super) points: Vec<usize>,
     pub(super) bonds: Vec<[usize; 2]>,
-    /// How long they are at rest `[m]`.
-    pub(super) rests: Vec<f64>,
+    /// How long they are at rest `[m]`, and whether they are held so.
+    pub(super) rests: Vec<(f64, bool)>,
     pub(super) triangles: Vec<[usize; 3]>,
     /// How large they are at rest `[m^2]`, 0 where that is not known.
     pub(super) areas: Vec<f64>,
@@ -171,13 +173,15 @@ impl<const D: usize> Crowd<D> {
     /// Whether bonds or triangles are pressed together to less than [`CRUSHED`] of what they are at rest, and were larger before.
     fn is_crushed(&self, body: &Hanging, before: &[Before<D>]) -> bool {
         let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map(|place| before[place].x);
-        let is_shorter = |[a, b]: [usize; 2], now: f64| {
-            let Ok([a, b]) = was(a).and_then(|a| was(b).map(|b| [a, b])) else { return false };
-            now < (1.0 - LESS) * length(sub(b, a))
-        };
-        body.bonds.iter().zip(&body.rests).any(|(&ends, &rest)| {
+        let has_limbs = !body.triangles.is_empty();
+        body.bonds.iter().zip(&body.rests).any(|(&ends, &(rest, is_held))| {
             let now = length(sub(self.x[ends[1]], self.x[ends[0]]));
-            now < CRUSHED * rest && is_shorter(ends, now)
+            let [Ok(a), Ok(b)] = ends.map(was) else { return false };
+            let before = length(sub(b, a));
+            let is_pressed = now < CRUSHED * rest && now < (1.0 - LESS) * before;
+            let error = |length: f64| (length - rest).abs();
+            is_pressed
+                || (is_held && has_limbs && error(now) > STRAINED * rest && error(now) > error(before) + LESS * rest)
         }) || body.triangles.iter().zip(&body.areas).any(|(&corners, &rest)| {
             let now = doubled(corners.map(|corner| self.x[corner]));
             now < 2.0 * CRUSHED * rest

@@ -124,7 +124,7 @@ impl<S: Real, const D: usize> World<S, D> {
             held[place_of_root[root]] += usize::from(self.bonds.get(k).is_held());
             let body = &mut list[place_of_root[root]];
             body.bonds.push([from, to]);
-            body.rests.push(self.bonds.get(k).rest_length);
+            body.rests.push((self.bonds.get(k).rest_length, self.bonds.get(k).is_held()));
         }
         let rests = self.model.rest_areas.iter().copied().chain(std::iter::repeat(0.0));
         for (corners, rest) in self.model.triangles.iter().zip(rests) {
