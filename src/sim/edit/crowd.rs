@@ -55,6 +55,8 @@ pub(super) struct Crowd<const D: usize> {
     /// Inverse masses `[1/kg]`, 0 of what is held.
     pub(super) w: Vec<f64>,
     pub(super) is_changed: Vec<bool>,
+    /// Bodies meet each other.
+    pub(super) meets: bool,
 }
 
 impl<const D: usize> Crowd<D> {
@@ -126,12 +128,9 @@ impl<const D: usize> Crowd<D> {
             false => was.depth == 0.0 && part.holds(self.x[was.i]),
         };
         let is_free = |i: usize| self.w[i] > 0.0;
-        // What they went through already goes along with them.
-        let goes_along = |i: usize| {
-            let was = before.binary_search_by_key(&i, |was| was.i).map_or(self.x[i], |place| before[place].x);
-            length(sub(self.x[i], was)) >= 0.5 * length(part.way(was))
-        };
         let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map_or(self.x[i], |place| before[place].x);
+        // What they went through already goes along with them.
+        let goes_along = |i: usize| length(sub(self.x[i], was(i))) >= 0.5 * length(part.way(was(i)));
         before.iter().any(is_caught)
             || body.bonds.iter().any(|&ends| {
                 let now = ends.map(|end| self.x[end]);
@@ -147,7 +146,7 @@ impl<const D: usize> Crowd<D> {
     /// Whether a body was pushed into another one, or over its points.
     fn enters(&self, bodies: &[Hanging], number: usize, before: &[Before<D>]) -> bool {
         let own = &bodies[number];
-        if D != 2 || own.triangles.is_empty() {
+        if D != 2 || !self.meets || own.triangles.is_empty() {
             return false;
         }
         let Some(around) = self.extent(own) else { return false };

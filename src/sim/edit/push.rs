@@ -65,6 +65,7 @@ impl<S: Real, const D: usize> World<S, D> {
             v: detached.state.velocity.iter().map(|&v| widen(v)).collect(),
             w: detached.points.iter().map(|&point| self.inverse_mass[point as usize]).collect(),
             is_changed: vec![false; detached.points.len()],
+            meets: self.model.contact.is_some_and(|contact| contact.with_others),
         };
         let half = half_thickness(&moved);
         let gravity = self.model.gravity;
