@@ -198,38 +198,21 @@ impl Look {
                 ..Look::default()
             },
         };
-        let Look {
-            ground,
-            grid,
-            axis,
-            number,
-            wall,
-            obstacle,
-            bond,
-            rope,
-            strain,
-            point,
-            pin,
-            trail,
-            region,
-            motor,
-            ..
-        } = of;
         Look {
-            ground,
-            grid,
-            axis,
-            number,
-            wall,
-            obstacle,
-            bond,
-            rope,
-            strain,
-            point,
-            pin,
-            trail,
-            region,
-            motor,
+            ground: of.ground,
+            grid: of.grid,
+            axis: of.axis,
+            number: of.number,
+            wall: of.wall,
+            obstacle: of.obstacle,
+            bond: of.bond,
+            rope: of.rope,
+            strain: of.strain,
+            point: of.point,
+            pin: of.pin,
+            trail: of.trail,
+            region: of.region,
+            motor: of.motor,
             ..self
         }
     }

@@ -123,6 +123,16 @@ pub(crate) fn aligned<const D: usize>(
     Some(list)
 }
 
+/// Whether a place is within a triangle in the plane, its sides apart.
+pub(crate) fn holds<const D: usize>([a, b, c]: [[f64; D]; 3], x: [f64; D]) -> bool {
+    let turn = |from: [f64; D], to: [f64; D]| {
+        let (u, v) = (sub(to, from), sub(x, from));
+        u[0] * v[1] - u[1] * v[0]
+    };
+    let turns = [turn(a, b), turn(b, c), turn(c, a)];
+    turns.iter().all(|&turn| turn > 0.0) || turns.iter().all(|&turn| turn < 0.0)
+}
+
 /// The edges of the skins of bodies.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Edges {

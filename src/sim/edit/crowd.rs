@@ -1,6 +1,8 @@
 //! Bodies in the way of obstacles: soft ones are pushed point by point, those of one rigid piece as wholes.
 
 use super::push::{Part, Touch};
+use crate::sim::force::area;
+use crate::sim::triangles::holds;
 use crate::sim::vector::{add, dot, length, scale, sub, zero};
 
 /// Halvings of a part to where a point is out.
@@ -128,19 +130,17 @@ impl<const D: usize> Crowd<D> {
             false => was.depth == 0.0 && part.holds(self.x[was.i]),
         };
         let is_free = |i: usize| self.w[i] > 0.0;
-        let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map_or(self.x[i], |place| before[place].x);
+        let was = |i: usize| was(before, i).map_or(self.x[i], |was| was.x);
         // What they went through already goes along with them.
         let goes_along = |i: usize| length(sub(self.x[i], was(i))) >= 0.5 * length(part.way(was(i)));
-        before.iter().any(is_caught)
-            || body.bonds.iter().any(|&ends| {
-                let now = ends.map(|end| self.x[end]);
-                ends.into_iter().any(is_free) && ends.map(was) != now && part.stops(now) && !part.stops(ends.map(was))
-            })
-            || body.bonds.iter().any(|&ends| {
-                ends.into_iter().any(is_free)
-                    && part.pierced(ends.map(|end| self.x[end])).is_some()
-                    && !(part.was_pierced(ends.map(was)) && ends.into_iter().filter(|&i| is_free(i)).all(goes_along))
-            })
+        let is_pierced = |ends: [usize; 2]| {
+            let (now, before) = (ends.map(|end| self.x[end]), ends.map(was));
+            let is_stopped = before != now && part.stops(now) && !part.stops(before);
+            let went_along = || part.was_pierced(before) && ends.into_iter().filter(|&i| is_free(i)).all(goes_along);
+            is_stopped || (part.pierced(now).is_some() && !went_along())
+        };
+        let mut bonds = body.bonds.iter().filter(|ends| ends.iter().any(|&end| is_free(end)));
+        before.iter().any(is_caught) || bonds.any(|&ends| is_pierced(ends))
     }
 
     /// Whether a body was pushed into another one, or over its points.
@@ -150,7 +150,7 @@ impl<const D: usize> Crowd<D> {
             return false;
         }
         let Some(around) = self.extent(own) else { return false };
-        let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map_or(self.x[i], |place| before[place].x);
+        let was = |i: usize| was(before, i).map_or(self.x[i], |was| was.x);
         let now = |i: usize| self.x[i];
         let lies = |x: [f64; D], [low, high]: [[f64; D]; 2]| (0..D).all(|k| low[k] <= x[k] && x[k] <= high[k]);
         let others = bodies.iter().enumerate().filter(|(other, body)| *other != number && !body.triangles.is_empty());
@@ -171,20 +171,20 @@ impl<const D: usize> Crowd<D> {
 
     /// Whether bonds or triangles are pressed together to less than [`CRUSHED`] of what they are at rest, and were larger before.
     fn is_crushed(&self, body: &Hanging, before: &[Before<D>]) -> bool {
-        let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map(|place| before[place].x);
+        let was = |i: usize| was(before, i).map(|was| was.x);
         let has_limbs = !body.triangles.is_empty();
         body.bonds.iter().zip(&body.rests).any(|(&ends, &(rest, is_held))| {
             let now = length(sub(self.x[ends[1]], self.x[ends[0]]));
-            let [Ok(a), Ok(b)] = ends.map(was) else { return false };
+            let [Some(a), Some(b)] = ends.map(was) else { return false };
             let before = length(sub(b, a));
             let is_pressed = now < CRUSHED * rest && now < (1.0 - LESS) * before;
             let error = |length: f64| (length - rest).abs();
             is_pressed
                 || (is_held && has_limbs && error(now) > STRAINED * rest && error(now) > error(before) + LESS * rest)
         }) || body.triangles.iter().zip(&body.areas).any(|(&corners, &rest)| {
-            let now = doubled(corners.map(|corner| self.x[corner]));
-            now < 2.0 * CRUSHED * rest
-                && matches!(corners.map(was), [Ok(a), Ok(b), Ok(c)] if now < doubled([a, b, c]) - LESS * rest)
+            let now = area::size(corners.map(|corner| self.x[corner]));
+            now < CRUSHED * rest
+                && matches!(corners.map(was), [Some(a), Some(b), Some(c)] if now < area::size([a, b, c]) - LESS * rest)
         })
     }
 
@@ -204,8 +204,8 @@ impl<const D: usize> Crowd<D> {
             self.go(i, scale(way, far), part);
             self.hurry(i, &touch);
         }
-        let was = |i: usize| before.binary_search_by_key(&i, |was| was.i).map(|place| before[place].x);
-        let was_pierced = |[a, b]: [usize; 2]| matches!([was(a), was(b)], [Ok(a), Ok(b)] if part.was_pierced([a, b]));
+        let was = |i: usize| was(before, i).map(|was| was.x);
+        let was_pierced = |ends: [usize; 2]| matches!(ends.map(was), [Some(a), Some(b)] if part.was_pierced([a, b]));
         for round in 0..ROUNDS {
             let mut is_done = true;
             for &ends in &body.bonds {
@@ -255,15 +255,14 @@ impl<const D: usize> Crowd<D> {
     }
 
     /// A body of one piece: where it is pushed it goes and turns as its mass says, and gets the speeds.
-    fn push_whole(&mut self, body: &Hanging, was: &[Before<D>], part: &Part<'_, D>) {
-        let touches = self.touches(body, was, part);
+    fn push_whole(&mut self, body: &Hanging, before: &[Before<D>], part: &Part<'_, D>) {
+        let touches = self.touches(body, before, part);
         if touches.is_empty() {
             return;
         }
         let inert = self.inert(body);
-        let before: Vec<[f64; D]> = body.points.iter().map(|&i| self.x[i]).collect();
         for _ in 0..ROUNDS {
-            let deepest = self.touches(body, was, part).into_iter().max_by(|a, b| a.depth.total_cmp(&b.depth));
+            let deepest = self.touches(body, before, part).into_iter().max_by(|a, b| a.depth.total_cmp(&b.depth));
             let Some(touch) = deepest else { break };
             let (arm, weight) = inert.at(&touch);
             let blow = touch.depth / weight;
@@ -275,13 +274,13 @@ impl<const D: usize> Crowd<D> {
                 self.x[i] = add(add(inert.middle, from), by);
             }
         }
-        if !self.touches(body, was, part).is_empty() {
+        if !self.touches(body, before, part).is_empty() {
             // As far as the obstacle goes it is as free as it was.
             let way = part.way(inert.middle);
-            body.points.iter().zip(&before).for_each(|(&i, &x)| self.x[i] = add(x, way));
+            before.iter().for_each(|was| self.x[was.i] = add(was.x, way));
         }
-        if body.points.iter().zip(&before).any(|(&i, &x)| !part.has_room(x, self.x[i])) {
-            body.points.iter().zip(&before).for_each(|(&i, &x)| self.x[i] = x);
+        if before.iter().any(|was| !part.has_room(was.x, self.x[was.i])) {
+            before.iter().for_each(|was| self.x[was.i] = was.x);
         }
         let (mut velocity, mut spin) = (inert.velocity, inert.spin);
         for _ in 0..BLOWS {
@@ -296,7 +295,7 @@ impl<const D: usize> Crowd<D> {
             }
         }
         let (faster, turns) = (sub(velocity, inert.velocity), spin - inert.spin);
-        for (&i, &x) in body.points.iter().zip(&before) {
+        for &Before { i, x, .. } in before {
             let from = sub(x, inert.middle);
             let mut more = faster;
             (more[0], more[1]) = (more[0] - turns * from[1], more[1] + turns * from[0]);
@@ -323,19 +322,14 @@ impl<const D: usize> Crowd<D> {
     }
 }
 
-/// Twice the area of a triangle `[m^2]`.
-fn doubled<const D: usize>([a, b, c]: [[f64; D]; 3]) -> f64 {
-    let (u, v) = (sub(b, a), sub(c, a));
-    u[0] * v[1] - u[1] * v[0]
+/// How a point was of those that are here, by their places ascending.
+fn was<const D: usize>(before: &[Before<D>], i: usize) -> Option<&Before<D>> {
+    before.binary_search_by_key(&i, |was| was.i).ok().map(|place| &before[place])
 }
 
 /// Whether triangles cover a place, with their corners at `place` `[m]`.
 fn covers<const D: usize>(triangles: &[[usize; 3]], place: impl Fn(usize) -> [f64; D], x: [f64; D]) -> bool {
-    triangles.iter().any(|corners| {
-        let [a, b, c] = corners.map(&place);
-        let sides = [[a, b, x], [b, c, x], [c, a, x]].map(doubled);
-        sides.iter().all(|&side| side > 0.0) || sides.iter().all(|&side| side < 0.0)
-    })
+    triangles.iter().any(|corners| holds(corners.map(&place), x))
 }
 
 /// A body as one piece: its middle `[m]`, mass `[kg]`, inertia `[kg m^2]` and motion.

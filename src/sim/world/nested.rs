@@ -108,7 +108,7 @@ impl<S: Real, const D: usize> World<S, D> {
         probes.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
         for (x, point) in probes {
             let own = bodies.find(point);
-            let inside = sweep.over(x[0]).filter(|patch| patch.body != own && patch.holds(x));
+            let inside = sweep.over(x[0]).filter(|patch| patch.body != own && triangles::holds(patch.places, x));
             let others: Vec<u32> = inside.map(|patch| patch.body).collect();
             if !others.is_empty() {
                 found.nested.push(own);
@@ -172,15 +172,6 @@ impl<const N: usize> Sweep<N> {
         let looks = self.open.len().min(self.left);
         self.left -= looks;
         self.open[..looks].iter().map(|&k| &self.patches[k])
-    }
-}
-
-impl Patch<3> {
-    /// Whether a place is within it, its sides apart.
-    fn holds(&self, x: [f64; 2]) -> bool {
-        let [a, b, c] = self.places;
-        let turns = [(a, b), (b, c), (c, a)].map(|(from, to)| cross(sub(to, from), sub(x, from)));
-        turns.iter().all(|&turn| turn > 0.0) || turns.iter().all(|&turn| turn < 0.0)
     }
 }
 
