@@ -368,3 +368,23 @@ fn far_from_the_origin_it_comes_to_rest() {
     }
     assert!(world.is_asleep());
 }
+
+/// What cannot change its shape has areas that never resist: it moves as a rigid body all the same, among elastic walls and without a word.
+#[test]
+fn areas_of_what_is_rigid_change_nothing() {
+    for kind in [json!({"kind": "spring", "stiffness": 2000}), json!({"kind": "rigid"})] {
+        let body = json!({"make": "lattice", "columns": 5, "rows": 4, "spacing": 0.2, "origin": [-0.3, 1], "velocity": [20, -15],
+            "spin": -7, "material": rigid()});
+        let mut scene = on_floor([0.0, -1000.0], &body, [0.0, 1.0]);
+        scene["bounds"]["min"] = json!([-2, 0]);
+        scene["bounds"]["max"] = json!([2, 4]);
+        scene["method"] = json!({"ledger": true});
+        let without = run(&mut *world(&scene), 2.0);
+        scene["areas"] = kind;
+        let mut with = world(&scene);
+        let end = run(&mut *with, 2.0);
+        assert_eq!(end.position, without.position);
+        let ledger = end.ledger.unwrap();
+        assert!(ledger.left_over().abs() < 1e-6 * ledger.start, "{ledger:?}");
+    }
+}

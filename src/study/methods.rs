@@ -34,6 +34,7 @@ impl Variant {
     /// The scene with this method at a substep `[s]`, in 64 bits.
     pub(super) fn set(&self, scene: &Scene, substep: f64) -> Scene {
         let mut scene = scene.clone();
+        scene.parameters.clear();
         scene.method.solver = Some(self.solver);
         scene.method.substep = Some(substep);
         scene.method.iterations = self.iterations;

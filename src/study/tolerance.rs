@@ -56,6 +56,7 @@ pub(super) fn measure(scene: &Scene, truth: &Truth, tolerance: Option<f64>) -> T
         search_seconds: None,
     };
     let mut scene = scene.clone();
+    scene.parameters.clear();
     scene.method.solver = Some(SolverName::Auto);
     scene.method.precision = Some(PrecisionName::F64);
     scene.method.tolerance = tolerance;

@@ -11,9 +11,9 @@ use crate::history::{DeleteKeys, Do, DriveOrNone, SetKeys};
 use crate::scene::{AddKeys, AngleKeys, BondKeys, DriveKeys, KeyName, KindName, MassKeys, PointKeys, Row, Vector};
 use crate::sim::{Angle, AngleDrive, Bond, BondKind, Limit, PointId};
 
-/// Bonds of a hub to a body that turns about it, and to one that holds it.
+/// Bonds of a hub to a body that turns about it, and to one that holds it: with three that lie along its edge it sags by a wheel.
 const SPOKES: usize = 6;
-const STRUTS: usize = 3;
+const STRUTS: usize = 6;
 /// Of the spokes those that a motor turns: a third of a turn apart, so that a soft wheel keeps its shape.
 const TURNED: usize = 3;
 /// A hub is held by a body no further than so many radii of what turns about it.

@@ -26,6 +26,8 @@ use crate::sim::vector::{add, dot, length, scale, sub, widen, zero};
 const ROUNDINGS: f64 = 256.0;
 /// Roundings of a position that a bond's length is off by.
 const OF_A_LENGTH: f64 = 4.0;
+/// Share of what may be gained from which on a group is handed over: what is looked at once in some frames goes on rising until then.
+const ALARMING: f64 = 0.7;
 /// Share of the largest energy from which on a gain is not taken out of velocities any more: the group goes back to before it.
 const LARGE_GAIN: f64 = 0.1;
 /// Strain that no rigid bond may have `[1]`, and one from which on nothing is mended any more: the group goes back to before it.
@@ -325,7 +327,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         let is_folded = eyes.triangles.iter().any(|corners| self.is_inside_out(corners));
         eyes.folded = eyes.folded.or(Some(t)).filter(|_| is_folded);
         let doubt = sums.rounding;
-        let allowed = MOST_GAIN * eyes.most + doubt;
+        let allowed = ALARMING * MOST_GAIN * eyes.most + doubt;
         let excess = total - start - eyes.work;
         let is_doubtful = matches!(self.engine, Engine::Bulk(_));
         let is_large = excess > LARGE_GAIN * eyes.most + doubt;

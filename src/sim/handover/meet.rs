@@ -168,9 +168,9 @@ impl<S: Real, const D: usize> World<S, D> {
             }
             None => vec![0; self.plan.groups.len()],
         };
-        let may_move = |group: &Group<S, D>| group.points.inverse_mass.iter().any(|&w| w > S::ZERO);
+        // What rows hold between pins is there to be met, though it does not move.
         let groups = self.plan.groups.iter().enumerate();
-        for (place, group) in groups.filter(|(_, group)| may_move(group)) {
+        for (place, group) in groups.filter(|(place, _)| self.plan.own[*place].points > 0) {
             let span = (h, pushed(&self.around, group));
             let reach = |swept: Swept<S, D>| Reach {
                 place,

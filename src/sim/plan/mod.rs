@@ -118,8 +118,7 @@ pub(crate) fn compile<S: Real, const D: usize>(
     let pairs = gathered.drives.pairs(model);
     let mut islands = island::islands_joined(&gathered.bonds, &gathered.ties, &gathered.w, &pairs);
     // An island stays whole: what holds its points may go.
-    // Where bodies look for each other they look at what moves: there it is to be found by them.
-    if model.is_live() || (model.method.solver.solves_directly() && model.contact.is_none()) {
+    if model.is_live() || model.method.solver.solves_directly() {
         gathered.hold_taut(model);
     }
     gathered.drives.mark(&mut islands);

@@ -13,7 +13,7 @@ use crate::sim::group::Group;
 use crate::sim::model::Model;
 use crate::sim::real::Real;
 use crate::sim::rigid::Rigid;
-use crate::sim::rigid::blueprint::Blueprint;
+use crate::sim::rigid::blueprint::{Blueprint, BodyPlan};
 use crate::sim::rigid::joints::End;
 use crate::sim::rigid::shape::{Held, Shape};
 use crate::sim::rigid::ties::Ties;
@@ -33,6 +33,14 @@ impl Pieces {
     /// Whether it is one body that nothing joins to anything.
     pub(crate) fn is_one(&self) -> bool {
         self.plan.bodies.len() == 1 && self.plan.links.is_empty()
+    }
+
+    /// Whether points stay as far from each other as they are: on one body, or standing still.
+    fn keep(&self, points: [PointId; 3]) -> bool {
+        let places = points.map(|point| self.points.binary_search(&point.0).map_or(u32::MAX, |place| place as u32));
+        let is_on = |body: &BodyPlan| places.iter().all(|place| body.points.binary_search(place).is_ok());
+        let is_fixed = |&place: &u32| matches!(self.plan.seats.get(place as usize), Some(End::Fixed(_)));
+        self.plan.bodies.iter().any(is_on) || places.iter().all(is_fixed)
     }
 }
 
@@ -59,7 +67,7 @@ fn pieces<S: Real, const D: usize>(
     let most_alone = if has_surfaces { MOST_RODS } else { 0 };
     // A body has three bonds.
     let is_too_little = island.rigid < 3 && (island.rigid == 0 || island.rigid > most_alone);
-    if island.has_drives || island.relaxed > 0 || is_too_little || !island.patches.is_empty() {
+    if island.has_drives || island.relaxed > 0 || is_too_little {
         return None;
     }
     let bonds: Vec<Bond> = island.bonds.iter().map(|&k| gathered.bonds.get(k as usize)).collect();
@@ -89,7 +97,9 @@ fn pieces<S: Real, const D: usize>(
     // A step of hours would be gone through part by part.
     let is_brief = model.method.substep.is_none_or(|h| h <= FRAME);
     let plan = one.or_else(|| is_brief.then(|| joined(island, (held(), most_alone), is_led)).flatten())?;
-    Some(Pieces { plan: Arc::new(plan), points })
+    let pieces = Pieces { plan: Arc::new(plan), points };
+    let corners = |&k: &u32| gathered.ties.patches[k as usize].corners;
+    island.patches.iter().map(corners).all(|corners| pieces.keep(corners)).then_some(pieces)
 }
 
 /// Several bodies, where springs between them are not too stiff for explicit steps.

@@ -175,7 +175,12 @@ pub(super) fn advance<A: Assembly>(
 /// Where a path leads in a part, which is halved until it is not too long, as often as is left.
 fn shortened<A: Assembly>(of: &A, part: &mut f64, left: &mut f64, path: impl Fn(f64) -> A::Motion) -> A::Motion {
     let mut end = path(*part);
-    while of.is_too_long(&end, *part) && *part > SHORTEST && *left > 0.0 {
+    while of.is_too_long(&end, *part) {
+        if *part <= SHORTEST || *left <= 0.0 {
+            // Where no part is short enough, as where lengths and leads contradict each other, the others are not cut in vain.
+            *left = 0.0;
+            break;
+        }
         *part *= 0.5;
         *left -= 1.0;
         end = path(*part);

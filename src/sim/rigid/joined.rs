@@ -20,6 +20,10 @@ const IN_FLIGHT: (f64, f64) = (1.0 / 120.0, 2.0);
 const TURN_IN_FLIGHT: f64 = 0.15;
 /// Hits in a frame as [`Assembly::most_hits`] has them: each takes a dozen ways of all bodies to locate.
 const MOST_HITS: [f64; 2] = [20.0, 60.0];
+/// How much heavier all of it is than a body from which on that swings like a string under the weight of the others, and the phase of that
+/// which a part spans `[rad]`.
+const LIGHT: f64 = 100.0;
+const PHASE_OF_A_STRING: f64 = 0.3;
 /// Phase of the fastest spring that a part spans `[rad]`, and share of the fastest decay.
 const PHASE: f64 = 0.25;
 const DECAY: f64 = 0.5;
@@ -46,7 +50,22 @@ impl<S: Real, const D: usize> Moving<'_, S, D> {
         });
         let fastest = ends.fold(0.0, f64::max);
         let in_flight = if linkage.ties.is_damped() { HANGING } else { IN_FLIGHT };
-        self.field.longest(h).min(within(in_flight, h)).min(TURN_IN_FLIGHT / fastest.sqrt()).min(ties)
+        let strings = PHASE_OF_A_STRING / self.strings(g).sqrt();
+        self.field.longest(h).min(within(in_flight, h)).min(TURN_IN_FLIGHT / fastest.sqrt()).min(ties).min(strings)
+    }
+
+    /// The square of the fastest swing across a rod of what is light and carries what is heavy `[1/s^2]`, about: T (1/m_a + 1/m_b)/l with all
+    /// the weight for a tension; 0: nothing is.
+    fn strings(&self, g: f64) -> f64 {
+        let masses = || self.linkage.bodies.iter().map(|body| body.shape.mass);
+        let all: f64 = masses().sum();
+        let inverse = |end: End| match end {
+            End::On { body, .. } => 1.0 / self.linkage.bodies[body as usize].shape.mass,
+            End::Fixed(_) => 0.0,
+        };
+        let rods = self.linkage.joints.links().iter().filter_map(|link| Some((link.rest?, link.ends.map(inverse))));
+        let light = rods.filter(|(rest, [a, b])| *rest > 0.0 && all * a.max(*b) >= LIGHT);
+        light.map(|(rest, [a, b])| g * all * (a + b) / rest).fold(0.0, f64::max)
     }
 
     /// Points on surfaces, of those bodies that are near some.

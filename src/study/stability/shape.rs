@@ -1,9 +1,10 @@
 //! What of a scene has an inside: its triangles, and the outlines around them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::sides::crossings;
 use crate::scene::{BondList, MakerName, Scene, SceneError};
+use crate::sim::Bonds;
 
 /// The triangles of a scene in the plane, and their outlines.
 #[derive(Clone, Debug, Default)]
@@ -12,6 +13,8 @@ pub(super) struct Shape {
     triangles: Vec<[u32; 3]>,
     /// Sides that belong to one triangle alone.
     outline: Vec<[u32; 2]>,
+    /// Sides that are bonds, lower end first.
+    bonded: BTreeSet<[u32; 2]>,
 }
 
 impl Shape {
@@ -23,7 +26,7 @@ impl Shape {
             return Ok(Shape::default());
         }
         // Those that bodies cover are told by their bonds.
-        let whole = Scene { contact: None, ..scene.clone() }.expanded()?;
+        let whole = Scene { contact: None, parameters: Vec::new(), ..scene.clone() }.expanded()?;
         let position: Vec<[f64; 2]> = whole.points.iter().flat_map(|points| &points.position).map(plane).collect();
         let mut triangles: Vec<[u32; 3]> = whole.triangles.iter().map(|row| row.0).collect();
         let mut first = scene.points.as_ref().map_or(0, |points| points.position.len() as u32);
@@ -35,8 +38,19 @@ impl Shape {
             first += alone.points.as_ref().map_or(0, |points| points.position.len() as u32);
         }
         triangles.retain_mut(|corners| turn(corners, &position));
-        let outline = outline(&triangles);
-        Ok(Shape { triangles, outline })
+        let sides = triangles.iter().flat_map(|&corners| sides(corners)).collect::<BTreeSet<_>>();
+        let ends = whole.bonds.iter().map(|bond| ascending([bond.a, bond.b]));
+        let bonded = ends.filter(|ends| sides.contains(ends)).collect();
+        Ok(Shape { outline: outline(&triangles), triangles, bonded })
+    }
+
+    /// What is left of it where these bonds are: a triangle that has lost one is none any more.
+    pub(super) fn left(&self, bonds: &Bonds) -> Shape {
+        let now: BTreeSet<[u32; 2]> = bonds.ends().iter().map(|ends| ascending(ends.map(|end| end.0))).collect();
+        let is_whole = |side: [u32; 2]| !self.bonded.contains(&side) || now.contains(&side);
+        let triangles = self.triangles.iter().copied();
+        let triangles: Vec<[u32; 3]> = triangles.filter(|&corners| sides(corners).into_iter().all(is_whole)).collect();
+        Shape { outline: outline(&triangles), triangles, bonded: now.intersection(&self.bonded).copied().collect() }
     }
 
     /// Whether there is nothing to look at.
@@ -69,7 +83,7 @@ fn plane(vector: &crate::scene::Vector) -> [f64; 2] {
 fn bare(scene: &Scene) -> Scene {
     let (points, bonds) = (None, BondList::new());
     let lists = Scene { points, bonds, bodies: Vec::new(), triangles: Vec::new(), ..scene.clone() };
-    Scene { pin_motion: Vec::new(), texture: None, areas: None, ..lists }
+    Scene { pin_motion: Vec::new(), texture: None, areas: None, parameters: Vec::new(), ..lists }
 }
 
 /// Triples of points that are bonded pairwise.
@@ -109,12 +123,18 @@ fn area(corners: [u32; 3], position: &[[f64; 3]]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
+fn ascending([p, q]: [u32; 2]) -> [u32; 2] {
+    [p.min(q), p.max(q)]
+}
+
+fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+    [[a, b], [b, c], [c, a]].map(ascending)
+}
+
 fn outline(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
     let mut count: BTreeMap<[u32; 2], u32> = BTreeMap::new();
-    for &[a, b, c] in triangles {
-        for [p, q] in [[a, b], [b, c], [c, a]] {
-            *count.entry([p.min(q), p.max(q)]).or_default() += 1;
-        }
+    for side in triangles.iter().flat_map(|&corners| sides(corners)) {
+        *count.entry(side).or_default() += 1;
     }
     count.into_iter().filter(|(_, count)| *count == 1).map(|(side, _)| side).collect()
 }
@@ -122,6 +142,7 @@ fn outline(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sim::{Bond, PointId};
 
     fn lattice() -> Shape {
         let text = r#"{"wobble": 1, "bodies": [{"make": "lattice", "columns": 3, "rows": 2, "spacing": 1,
@@ -136,6 +157,13 @@ mod tests {
     }
 
     #[test]
+    fn scenes_of_the_gallery_have_shapes_whatever_sliders_they_name() {
+        for entry in crate::scene::gallery().iter().filter(|entry| entry.name != "million-cloth") {
+            Shape::of(&entry.scene().unwrap()).unwrap_or_else(|error| panic!("{}: {error}", entry.name));
+        }
+    }
+
+    #[test]
     fn what_is_mirrored_is_inside_out() {
         let shape = lattice();
         let at = |sign: f64| (0..6).map(|i| [sign * f64::from(i % 3), f64::from(i / 3), 0.0]).collect::<Vec<_>>();
@@ -146,8 +174,20 @@ mod tests {
     }
 
     #[test]
+    fn a_triangle_that_has_lost_a_bond_is_none() {
+        let shape = lattice();
+        let bond = |[a, b]: [u32; 2]| Bond::new(PointId(a), PointId(b), 1.0);
+        let all: Bonds = shape.bonded.iter().map(|&ends| bond(ends)).collect();
+        assert_eq!((all.len(), shape.left(&all).triangles.len()), (11, 8));
+        // A side of the first cell: two of its four triangles have it.
+        let cut: Bonds = shape.bonded.iter().filter(|ends| **ends != [0, 1]).map(|&ends| bond(ends)).collect();
+        assert_eq!(shape.left(&cut).triangles.len(), 6);
+        assert!(!shape.left(&cut).outline.contains(&[0, 1]));
+    }
+
+    #[test]
     fn sides_that_cross_are_counted_once() {
-        let shape = Shape { triangles: Vec::new(), outline: vec![[0, 1], [2, 3], [1, 2]] };
+        let shape = Shape { outline: vec![[0, 1], [2, 3], [1, 2]], ..Shape::default() };
         let crossed = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
         assert_eq!(shape.crossings(&crossed), 1);
         let apart = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
