@@ -232,6 +232,22 @@ fn a_line_that_is_pinned_all_over_holds_what_falls_on_it() {
     assert!(world.counters().contacts > 0);
 }
 
+/// A row of rigid bonds that is straight between its pins stands, and is met though it does not move.
+#[test]
+fn a_taut_rope_between_two_pins_holds_what_falls_on_it() {
+    let block = json!({"make": "lattice", "columns": 7, "rows": 7, "spacing": 0.09, "origin": [-0.3, 1.0],
+        "material": {"kind": "spring", "stiffness": 3000, "damping": 3, "mass": 1}});
+    let rope = json!({"make": "rope", "count": 17, "spacing": 0.05, "origin": [-0.4, 0.75], "pinned": [0, 16]});
+    let mut scene = scene(json!([block, rope]));
+    scene["gravity"] = json!([0, -9.81]);
+    let mut world = world(&scene);
+    let start = world.sample(0.0).position[49..].to_vec();
+    run_to(&mut *world, 1.0);
+    assert!(middle(&*world, 0..49)[1] > 0.9, "it lies on the rope at 0.75 m");
+    assert!(world.counters().contacts > 0);
+    assert_eq!(world.sample(world.time()).position[49..], start);
+}
+
 #[test]
 fn a_moment_behind_the_end_of_a_step_makes_no_energy() {
     // A taut net of rigid bonds, of which a substep leaves something undone, with a disc on it.
