@@ -81,6 +81,11 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
     end
 }
 
+/// Whether an area is such a title.
+pub(super) fn is_title(id: Id) -> bool {
+    (0..=MOST_BESIDE).any(|place| Id::unique(("beside", place)) == id)
+}
+
 /// Solvers, each with why the scene cannot be run by it, if it cannot.
 pub(in crate::app) type Misfits = Arc<[(SolverName, Option<String>)]>;
 
