@@ -12,6 +12,8 @@ const EDGE: f32 = 10.0;
 /// Below the buttons so much is for what is said: two lines, or three where they are short `[points]`.
 const SAID: f32 = 58.0;
 const SAID_NARROW: f32 = 78.0;
+/// The caption of a scene is no higher than this `[points]`.
+const MOST_SAID: f32 = 112.0;
 /// From the tools to the numbers beside them `[points]`.
 const BESIDE_TOOLS: f32 = TOOLS + 44.0;
 /// What begins nearer than this to the left edge lies below what stands beside the tools `[points]`.
@@ -150,6 +152,8 @@ impl Places {
         let right = (right - at_right).max(left + LEAST * (right - left));
         let said = if self.room.width() < NARROW { SAID_NARROW } else { SAID };
         let [caption, above] = ends;
+        // What a tool's panel pushed down moves no body.
+        let caption = caption.min(self.bar_bottom() + MOST_SAID);
         let lowest = self.room.top() + LOWEST * self.room.height();
         let top = (caption.max(self.bar_bottom() + said) + titles).max(above).min(lowest);
         let all = Rect::from_min_max(pos2(left, top), pos2(right, self.above_dock().max(top + 40.0)));
