@@ -21,6 +21,8 @@ const NEAR: f32 = 320.0;
 /// Widest line of what is said, and the narrowest gap that it stands in `[points]`.
 const WIDEST: f32 = 760.0;
 const LEAST_SAID: f32 = 220.0;
+/// From this width on what is said has two lines at most `[points]`.
+const WORDS: f32 = 420.0;
 /// Width of the usual picture in its heights `[1]`.
 const USUAL: f32 = 1.3;
 /// Narrower rooms have no place for panels on both sides `[points]`.
@@ -203,7 +205,11 @@ fn between((room, middle): (Rect, f32), lie: &[Rect], top: f32) -> (egui::Pos2, 
     let mut top = top;
     // Each time it goes below one of them at least.
     for _ in 0..=lie.len() {
-        let beside: Vec<&Rect> = lie.iter().filter(|at| at.top() < top + SAID && at.bottom() > top).collect();
+        let beside =
+            |high: f32| lie.iter().filter(|at| at.top() < top + high && at.bottom() > top).collect::<Vec<&Rect>>();
+        let (left, right) = widest_gap(room, &beside(SAID));
+        // In a narrow gap the same words take more lines.
+        let beside = beside(if right - left < WORDS { MOST_SAID } else { SAID });
         let (left, right) = widest_gap(room, &beside);
         if right - left >= LEAST_SAID {
             let width = (right - left).min(WIDEST);

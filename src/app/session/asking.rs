@@ -19,13 +19,16 @@ const POINT: f64 = 3e-6;
 /// A frame `[s]`.
 const FRAME: f64 = 1.0 / 60.0;
 
+/// What an answer does, by its place.
+pub(super) type Act = Box<dyn FnOnce(&mut Session, usize)>;
+
 /// Something that waits for an answer.
 pub(super) struct Asked {
     pub(super) question: Question,
     /// What is asked is whether the program is left.
     pub(super) is_of_leaving: bool,
-    /// What is done, by the place of the answer.
-    pub(super) act: Box<dyn FnOnce(&mut Session, usize)>,
+    /// What is done then.
+    pub(super) act: Act,
 }
 
 /// The answers to something large that would come.
