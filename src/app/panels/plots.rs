@@ -4,6 +4,7 @@ use egui::collapsing_header::CollapsingState;
 use egui::{Align, Align2, Area, AsIdSalt, Color32, Id, Layout, Pos2, Rect, RichText, Ui, Vec2, pos2, vec2};
 use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Line, Plot, PlotPoints};
 
+use super::places::APART;
 use super::theme::{Colors, colors, floating};
 use super::{Wish, described};
 use crate::app::action::Action;
@@ -97,7 +98,8 @@ pub(super) fn show(
         false => at.corner.unwrap_or_else(found),
     };
     at.corner = at.corner.or_else(|| (!points.is_empty() && !is_docked).then(found));
-    let corner = pos2(corner.x.min(room.right() - size.x), corner.y.max(room.top() + size.y).min(room.bottom()));
+    let corner =
+        pos2(corner.x.min(room.right() - size.x - APART), corner.y.max(room.top() + size.y).min(room.bottom()));
     let corner = if at.is_dragged { corner } else { below_corner(corner, size, (room, top)) };
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
     let shown = area.show(context, |ui| panel(ui, [SIZE[0], high], plots, wishes));
