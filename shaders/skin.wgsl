@@ -1,4 +1,5 @@
-// Skins: pictures on triangles, and along their free sides a stroke in the picture's own colours, which smooths the edge.
+// Skins: pictures on triangles, and along their free sides a stroke in the picture's own colours, which smooths the edge; or, where the picture
+// ends beside a side, strips on which it goes on up to its own edge.
 
 // A corner of a triangle: its point, and where that lies in the picture.
 struct Corner {
@@ -14,21 +15,46 @@ struct Corner {
 struct Skin {
     @builtin(position) position: vec4<f32>,
     @location(0) at: vec2<f32>,
+    // Above 0: only what the picture covers is shown.
+    @location(1) @interpolate(flat) clipped: f32,
 }
+
+// Marks corners of triangles of which only what the picture covers is shown.
+const CLIPPED: u32 = 0x80000000u;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Skin {
     let corner = corners[index];
     var out: Skin;
-    out.position = frame.clip_from_world * vec4(position_of(corner.point), 1.0);
+    out.position = frame.clip_from_world * vec4(position_of(corner.point & ~CLIPPED), 1.0);
     out.at = vec2(corner.u, corner.v);
+    out.clipped = select(0.0, 1.0, corner.point >= CLIPPED);
     return out;
 }
 
 @fragment
 fn fragment(in: Skin) -> @location(0) vec4<f32> {
     let color = textureSample(picture, smooth_sampler, in.at);
-    return vec4(color.rgb, 1.0);
+    // The share of a pixel on the inner side of where the picture is half opaque.
+    let covers = (color.a - 0.5) / max(fwidth(color.a), 1e-4) + 0.5;
+    return vec4(color.rgb, select(1.0, clamp(covers, 0.0, 1.0), in.clipped > 0.0));
+}
+
+// A corner of a strip: eight numbers, the points of the triangle that it moves with, its shares of them, and where it lies in the picture.
+@group(0) @binding(3) var<storage, read> rind: array<array<u32, 8>>;
+
+@vertex
+fn rind_vertex(@builtin(vertex_index) index: u32) -> Skin {
+    var corner = rind[index];
+    var place = vec3(0.0);
+    for (var k = 0u; k < 3u; k++) {
+        place += bitcast<f32>(corner[3u + k]) * position_of(corner[k]);
+    }
+    var out: Skin;
+    out.position = frame.clip_from_world * vec4(place, 1.0);
+    out.at = vec2(bitcast<f32>(corner[6]), bitcast<f32>(corner[7]));
+    out.clipped = 1.0;
+    return out;
 }
 
 // Width of the stroke along free sides [px].

@@ -1,7 +1,7 @@
 //! The panels as one uses them: found by the names that what reads aloud has of them, pressed, dragged and typed in; and pictures of them.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 
-use egui::{Id, Key, Pos2, Rect};
+use egui::{Event, Id, Key, Modifiers, PointerButton, Pos2, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use wobble::app::action::{Action, Tool};
@@ -60,7 +60,7 @@ fn every_tool_is_chosen_by_its_button_and_says_what_it_does_and_by_which_key() {
         (Tool::Muscle, "make a bond a muscle: it gets longer and shorter", "7"),
         (Tool::Motor, "hinge a body to another or to the ground, with a motor", "8"),
         (Tool::Paint, "a brush that makes bodies of jelly, rubber, cloth, wood or steel", "9"),
-        (Tool::Push, "a force that stays: drag an arrow from a body; or wind", "0"),
+        (Tool::Push, "a force that stays: drag an arrow from a body", "0"),
         (Tool::Hand, "grab and throw; beside bodies, push", "1"),
     ];
     assert_eq!(tools.len(), Tool::ALL.len(), "a tool without a test");
@@ -71,6 +71,16 @@ fn every_tool_is_chosen_by_its_button_and_says_what_it_does_and_by_which_key() {
         press(&mut panels, name);
         assert_eq!(panels.state().tool(), tool);
     }
+}
+
+#[test]
+fn wind_has_a_button_of_its_own() {
+    let mut panels = open(&[]);
+    press(&mut panels, "wind: drag an arrow through the air");
+    assert_eq!(panels.state().tool(), Tool::Push);
+    assert!(says(&panels, "the air is still"), "its panel says what blows");
+    press(&mut panels, "a force that stays: drag an arrow from a body");
+    assert!(!says(&panels, "the air is still") && says(&panels, "Force that stays"));
 }
 
 #[test]
@@ -98,10 +108,6 @@ fn buttons_stand_where_they_are_whatever_a_scene_is_called() {
 #[test]
 fn a_slider_sets_gravity_by_a_command_that_is_undone() {
     let mut panels = open(&[Action::Settings]);
-    let slider = |panels: &Panels| {
-        let all: Vec<_> = panels.get_all_by_label("pull of the earth").collect();
-        all.iter().map(|node| node.rect()).find(|rect| rect.width() > 100.0).unwrap()
-    };
     let rect = slider(&panels);
     let at = |share: f32| Pos2::new(rect.left() + share * rect.width(), rect.center().y);
     panels.drag_at(at(0.3));
@@ -122,6 +128,59 @@ fn a_slider_sets_gravity_by_a_command_that_is_undone() {
     press(&mut panels, "0");
     assert_eq!(gravity(&panels), 0.0);
     assert_eq!(panels.state().refusals(), [""; 0]);
+}
+
+/// Where the slider of gravity is.
+fn slider(panels: &Panels) -> Rect {
+    let all: Vec<_> = panels.get_all_by_label("pull of the earth").collect();
+    all.iter().map(|node| node.rect()).find(|rect| rect.width() > 100.0).unwrap()
+}
+
+#[test]
+fn a_drag_that_one_long_frame_brings_sets_a_slider_too() {
+    let mut panels = open(&[Action::Settings]);
+    let rect = slider(&panels);
+    let at = |share: f32| Pos2::new(rect.left() + share * rect.width(), rect.center().y);
+    let button = |pos: Pos2, pressed: bool| Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let events = [
+        Event::PointerMoved(at(0.2)),
+        button(at(0.2), true),
+        Event::PointerMoved(at(0.5)),
+        Event::PointerMoved(at(0.8)),
+        button(at(0.8), false),
+        // It goes on to something else.
+        Event::PointerMoved(Pos2::new(600.0, 300.0)),
+    ];
+    panels.input_mut().events.extend(events);
+    panels.run_steps(6);
+    let set = gravity(&panels);
+    assert!((-6.0..-2.0).contains(&set), "{set}");
+    panels.state_mut().act(Action::Undo);
+    panels.run_steps(3);
+    assert_eq!(gravity(&panels), -9.81, "it is one edit");
+}
+
+#[test]
+fn the_search_has_the_focus_when_it_is_asked_for_and_stays_where_it_is() {
+    for size in [SIZE, [720.0, 1280.0]] {
+        let mut rehearsal = Rehearsal::new(Scene::parse(SCENE, "x.json").unwrap()).unwrap();
+        rehearsal.act(Action::FindSetting);
+        let (mut panels, _) = harness(rehearsal, size, 1.0);
+        let field = |panels: &Panels| panels.get_by_label("search the settings").rect();
+        let before = field(&panels);
+        assert!(panels.get_by_label("search the settings").is_focused());
+        for letter in ["w", "i", "n", "d", "q"] {
+            panels.event(Event::Text(letter.to_owned()));
+            panels.run_steps(3);
+            assert_eq!(field(&panels), before, "after {letter} in {size:?}");
+        }
+        assert!(says(&panels, "nothing that can be set here is called so"), "what was typed is in the field");
+    }
 }
 
 #[test]
@@ -220,7 +279,7 @@ fn the_palette_is_changed_in_the_settings() {
 }
 
 /// Panels with the areas that they lie in, and what is done before.
-const PICTURES: [(&str, &str, &[Action]); 7] = [
+const PICTURES: [(&str, &str, &[Action]); 9] = [
     ("bar", "scene", &[]),
     ("tools", "tools", &[]),
     ("settings", "settings", &[Action::Settings]),
@@ -228,6 +287,8 @@ const PICTURES: [(&str, &str, &[Action]); 7] = [
     ("matter", "matter", &[Action::Take(Tool::Select)]),
     ("lessons", "lessons", &[Action::Lessons]),
     ("build", "primitives", &[Action::Take(Tool::Build)]),
+    ("plots", "plots", &[Action::Plots]),
+    ("gallery", "gallery", &[Action::Gallery]),
 ];
 
 #[test]

@@ -242,6 +242,8 @@ pub enum Action {
     Screenshot,
     /// Opens or closes what can be set of the scene.
     Settings,
+    /// Opens the settings at the field of their search.
+    FindSetting,
     /// Opens or closes the plots of energies.
     Plots,
     /// Opens or closes the lessons.

@@ -5,7 +5,10 @@ pub(super) fn counted(count: usize, name: &str) -> String {
     match count {
         0 => format!("no {name}"),
         1 => format!("1 {name}"),
-        _ => format!("{count} {name}s"),
+        _ => match name.strip_suffix("dy") {
+            Some(stem) => format!("{count} {stem}dies"),
+            None => format!("{count} {name}s"),
+        },
     }
 }
 
@@ -29,5 +32,6 @@ mod tests {
     #[test]
     fn one_is_no_plural() {
         assert_eq!([0, 1, 2].map(|count| counted(count, "bond")), ["no bond", "1 bond", "2 bonds"]);
+        assert_eq!([1, 3].map(|count| counted(count, "body")), ["1 body", "3 bodies"]);
     }
 }

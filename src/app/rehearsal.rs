@@ -7,6 +7,7 @@ use super::matter::Among;
 use super::panels::{self, Facts, Met, PanelState, Setting, Settings, Sheet, Wish, parameters, theme};
 use super::player::{Note, Order, Shown, Stage};
 use super::plots::Plots;
+use super::tools::PushWay;
 use crate::history::{History, HistoryError};
 use crate::lessons::lessons;
 use crate::render::{Look, Palette};
@@ -20,6 +21,7 @@ pub struct Rehearsal {
     named: Vec<Parameter>,
     state: PanelState,
     tool: Tool,
+    push: PushWay,
     palette: Palette,
     selected: Among,
     said: Vec<String>,
@@ -37,6 +39,7 @@ impl Rehearsal {
             named,
             state: PanelState::default(),
             tool: Tool::default(),
+            push: PushWay::default(),
             palette: Palette::default(),
             selected: Among::default(),
             said: Vec::new(),
@@ -48,6 +51,7 @@ impl Rehearsal {
     /// Gives a context the program's look, in the colours of the present palette.
     pub fn dress(&self, context: &Context) {
         theme::apply(context, self.palette);
+        panels::listen(context);
     }
 
     /// Shows the panels, and does what is asked for.
@@ -62,12 +66,14 @@ impl Rehearsal {
     /// Does what a key would.
     pub fn act(&mut self, action: Action) {
         match action {
-            Action::Take(tool) => self.tool = tool,
+            Action::Take(tool) => (self.tool, self.push) = (tool, PushWay::default()),
+            Action::Wind => (self.tool, self.push) = (Tool::Push, PushWay::Wind),
             Action::Undo => self.obey(Order::Undo(None)),
             Action::Redo => self.obey(Order::Redo(None)),
             Action::Gallery => self.toggle(Sheet::Gallery),
             Action::Help => self.toggle(Sheet::Help),
             Action::Settings => self.state.has_settings = !self.state.has_settings,
+            Action::FindSetting => (self.state.has_settings, self.state.finds_setting) = (true, true),
             Action::Lessons => self.state.lessons.is_open = !self.state.lessons.is_open,
             Action::Plots => {
                 let plots = self.state.plots.take();
@@ -176,6 +182,7 @@ impl Rehearsal {
             figures: self.shown.figures.clone(),
             pace: 1.0,
             tool: self.tool,
+            push: self.push,
             matter: self.shown.matter.clone().filter(|_| !self.selected.is_empty()),
             look: Look::in_palette(self.palette),
             palette: self.palette,

@@ -195,7 +195,8 @@ fn press_key(session: &mut Session, event: &KeyEvent, event_loop: &ActiveEventLo
         return;
     }
     match action {
-        Action::Quit => event_loop.exit(),
+        Action::Quit if session.may_leave(true) => event_loop.exit(),
+        Action::Quit => {}
         // A key held down steps on and on, but does not flicker between play and pause.
         action if !event.repeat || action.repeats() => {
             session.down.press(event.physical_key, action);
@@ -230,6 +231,7 @@ impl ApplicationHandler for Shell {
         let Shell::Open { session, .. } = self else { return };
         session.tell_panels(&event);
         match event {
+            WindowEvent::CloseRequested if !session.may_leave(false) => {}
             WindowEvent::CloseRequested | WindowEvent::Destroyed => event_loop.exit(),
             WindowEvent::DroppedFile(path) => session.take_file(&path),
             WindowEvent::Resized(size) => session.resize([size.width, size.height]),
@@ -251,6 +253,9 @@ impl ApplicationHandler for Shell {
 
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {
         let Shell::Open { session, next_frame, is_hidden, .. } = self else { return };
+        if session.leaves() {
+            return event_loop.exit();
+        }
         let now = Instant::now();
         if *is_hidden {
             // Something may have happened that shows it.

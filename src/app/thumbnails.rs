@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::sync::mpsc::{Receiver, channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use image::RgbaImage;
@@ -25,16 +26,29 @@ const FINE: f32 = 2.0;
 pub(super) struct Thumbnails {
     drawn: Receiver<(&'static str, RgbaImage)>,
     ready: Vec<(&'static str, RgbaImage)>,
+    /// The names of those that are looked at: they come first.
+    wanted: Arc<Mutex<Vec<&'static str>>>,
+}
+
+/// The next scene of those that are left: the first that is looked at.
+fn next(left: &mut Vec<&'static Entry>, wanted: &[&str]) -> Option<&'static Entry> {
+    let place = wanted.iter().find_map(|name| left.iter().position(|entry| entry.name == *name)).unwrap_or(0);
+    (!left.is_empty()).then(|| left.remove(place))
 }
 
 impl Thumbnails {
-    /// Draws all of the gallery, one after another, on a thread of its own, which calls `wake` after each.
+    /// Draws all of the gallery, one after another, on a thread of its own, which calls `wake` after each: first those that are wanted.
     pub(super) fn new(gpu: Gpu, palette: Palette, wake: impl Fn() + Send + 'static) -> Self {
         let (sender, drawn) = channel();
+        let wanted: Arc<Mutex<Vec<&'static str>>> = Arc::default();
+        let looked_at = Arc::clone(&wanted);
         std::thread::spawn(move || {
             let mut captures: [Option<Capture>; 2] = [None, None];
             let size = THUMBNAIL.map(|side| (FINE * side) as u32);
-            for entry in gallery() {
+            let mut left: Vec<&Entry> = gallery().iter().collect();
+            loop {
+                let wanted = looked_at.lock().unwrap_or_else(PoisonError::into_inner).clone();
+                let Some(entry) = next(&mut left, &wanted) else { return };
                 let Some(picture) = thumbnail(entry, &gpu, (size, palette), &mut captures) else { continue };
                 if sender.send((entry.name, picture)).is_err() {
                     return;
@@ -42,7 +56,12 @@ impl Thumbnails {
                 wake();
             }
         });
-        Thumbnails { drawn, ready: Vec::new() }
+        Thumbnails { drawn, ready: Vec::new(), wanted }
+    }
+
+    /// These are looked at from now on.
+    pub(super) fn want(&self, names: Vec<&'static str>) {
+        *self.wanted.lock().unwrap_or_else(PoisonError::into_inner) = names;
     }
 
     /// Takes what was drawn. Returns whether there is something new.
@@ -124,6 +143,16 @@ fn thin_out(cloth: &mut BodyKeys) {
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_looked_at_comes_first() {
+        let mut left: Vec<&Entry> = gallery().iter().collect();
+        let count = left.len();
+        let names = [gallery()[7].name, gallery()[3].name];
+        let first: Vec<&str> = (0..3).map(|_| next(&mut left, &names).unwrap().name).collect();
+        assert_eq!(first, [names[0], names[1], gallery()[0].name]);
+        assert_eq!((left.len(), next(&mut Vec::new(), &names).is_none()), (count - 3, true));
+    }
 
     #[test]
     fn a_cloth_of_a_million_is_drawn_as_one_of_thousands_of_the_same_size() {

@@ -45,6 +45,8 @@ pub(super) struct Dress {
     of_scene: usize,
     /// Which body points are of, and what colour it has.
     tints: Arc<[Tint]>,
+    /// What bodies are called, by their numbers, of those of which it is known.
+    names: Arc<Vec<Option<String>>>,
     /// Bodies or colours came after the start.
     is_tinted: bool,
     /// Numbers of points and names, newest last.
@@ -60,6 +62,7 @@ impl Dress {
         dress.wear(scene.skins()?);
         dress.of_scene = dress.worn.len();
         dress.tints = scene.tints()?.into();
+        dress.names = Arc::new(scene.body_names()?);
         dress.groups = Arc::new(groups(scene));
         Ok(dress)
     }
@@ -71,13 +74,22 @@ impl Dress {
         }
     }
 
-    /// Bodies come, counted from 0, and points get colours.
-    pub(super) fn tint(&mut self, mut tints: Vec<Tint>, colors: &[(Vec<u32>, [u8; 3])]) {
+    /// Bodies come with their names, counted from 0, and points get colours.
+    pub(super) fn tint(
+        &mut self,
+        (mut tints, names): (Vec<Tint>, Vec<Option<String>>),
+        colors: &[(Vec<u32>, [u8; 3])],
+    ) {
         if tints.is_empty() && colors.is_empty() {
             return;
         }
         let next = self.tints.iter().map(|tint| tint.body + 1).max().unwrap_or(0);
         tints.iter_mut().for_each(|tint| tint.body += next);
+        if !tints.is_empty() {
+            let known = Arc::make_mut(&mut self.names);
+            known.resize(next as usize, None);
+            known.extend(names);
+        }
         let mut all = self.tints.to_vec();
         all.extend(tints);
         colors.iter().for_each(|(points, color)| Tint::paint(&mut all, points, *color));
@@ -87,6 +99,11 @@ impl Dress {
     /// Which body points are of, those that were added too.
     pub(super) fn tints(&self) -> &Arc<[Tint]> {
         &self.tints
+    }
+
+    /// What bodies are called, by their numbers.
+    pub(super) fn names(&self) -> &[Option<String>] {
+        &self.names
     }
 
     /// Whether anything is drawn on triangles.

@@ -58,7 +58,7 @@ impl Frame {
                 let command = Command::Add(Box::new(made.addition));
                 let applied = self.world.apply(&command).map_err(|error| error.to_string())?;
                 self.dress.wear(made.skins);
-                self.dress.tint(made.tints, &made.colors);
+                self.dress.tint((made.tints, made.names), &made.colors);
                 Ok(Applied { is_something: applied.is_something || !made.colors.is_empty(), ..applied })
             }
             Resolved::Group => {

@@ -122,6 +122,11 @@ impl History {
         &self.skins
     }
 
+    /// What bodies are called, by their numbers, of those of which it is known: see [`Scene::body_names`].
+    pub fn body_names(&self) -> &[Option<String>] {
+        self.frame.dress.names()
+    }
+
     /// Which body points are of, and what colour it has.
     pub fn tints(&self) -> &Arc<[Tint]> {
         self.frame.dress.tints()

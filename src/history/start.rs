@@ -165,9 +165,15 @@ impl Start {
         self.file.as_deref().and_then(Path::file_stem).and_then(OsStr::to_str)
     }
 
-    /// Whether something was done in it that is followed until something new is given.
+    /// Whether something was done in it that is followed until something new is given. What a moment lets go of as it opens is not.
     pub fn is_replayed(&self) -> bool {
-        !self.recording.commands.is_empty()
+        let Recording { state, commands, end, .. } = &self.recording;
+        let opens = |entry: &Entry| {
+            let lets_go =
+                matches!(entry.act, Do::Group { .. } | Do::Release | Do::Key { down: false, .. } | Do::Mouse(_));
+            state.is_some() && *end == Some(entry.at) && lets_go
+        };
+        !commands.iter().all(opens)
     }
 
     /// The recording that it is.

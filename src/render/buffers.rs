@@ -84,6 +84,7 @@ pub(super) struct WorldBuffers {
     pub(super) points: GrowingBuffer,
     pub(super) guides: GrowingBuffer,
     pub(super) solids: GrowingBuffer,
+    pub(super) floor: GrowingBuffer,
     pub(super) frame: GrowingBuffer,
     /// What points are coloured by.
     pub(super) values: GrowingBuffer,
@@ -92,6 +93,7 @@ pub(super) struct WorldBuffers {
     /// Those below obstacles, the numbers over them, and the marks over all else.
     pub(super) guide_counts: [u32; 3],
     pub(super) solid_count: u32,
+    pub(super) has_floor: bool,
     /// Bonds and points that no skin and no fill covers, which come first: of small scenes.
     bare: [u32; 2],
     /// Skins and fills cover every bond.
@@ -117,6 +119,7 @@ pub(super) struct WorldBuffers {
     last_values: Vec<f32>,
     last_guides: Vec<u8>,
     last_solids: Vec<[f32; 4]>,
+    last_floor: Vec<[f32; 4]>,
     /// Positions of an `f64` world as they were uploaded.
     staging: [Vec<f32>; 2],
 }
@@ -135,12 +138,14 @@ impl WorldBuffers {
             points: storage("points"),
             guides: storage("guides"),
             solids: storage("solids"),
+            floor: storage("floor"),
             values: storage("values"),
             frame: GrowingBuffer::new(gpu, "frame", wgpu::BufferUsages::UNIFORM, 512),
             point_count: 0,
             bond_count: 0,
             guide_counts: [0; 3],
             solid_count: 0,
+            has_floor: false,
             bare: [0, 0],
             covers_all: false,
             colors: [[0.0; 4]; COLORS],
@@ -157,13 +162,14 @@ impl WorldBuffers {
             last_values: Vec::new(),
             last_guides: Vec::new(),
             last_solids: Vec::new(),
+            last_floor: Vec::new(),
             staging: Default::default(),
         }
     }
 
-    fn all(&mut self) -> [&mut GrowingBuffer; 8] {
-        let WorldBuffers { previous, current, bonds, points, guides, solids, frame, values, .. } = self;
-        [previous, current, bonds, points, guides, solids, frame, values]
+    fn all(&mut self) -> [&mut GrowingBuffer; 9] {
+        let WorldBuffers { previous, current, bonds, points, guides, solids, floor, frame, values, .. } = self;
+        [previous, current, bonds, points, guides, solids, floor, frame, values]
     }
 
     /// Whether a buffer is another one since the last call, so that bindings to it are stale.
@@ -377,6 +383,21 @@ impl WorldBuffers {
             self.last_guides = bytes.to_vec();
         }
         self.guide_counts = counts.map(|count| count as u32);
+        Ok(())
+    }
+
+    /// Uploads the floor with its shadow, unless it is that of the last picture.
+    pub(super) fn set_floor(
+        &mut self,
+        gpu: &Gpu,
+        rows: Vec<[f32; 4]>,
+        counters: &mut RenderCounters,
+    ) -> Result<(), RenderError> {
+        if self.last_floor != rows {
+            self.floor.write(gpu, bytemuck::cast_slice(&rows), counters)?;
+            self.last_floor = rows;
+        }
+        self.has_floor = !self.last_floor.is_empty();
         Ok(())
     }
 

@@ -222,11 +222,14 @@ impl Look {
 ///
 /// Source: W3C, Web Content Accessibility Guidelines 2.2 (2023), contrast ratio.
 pub fn contrast(a: Color, b: Color) -> f32 {
-    let linear = |c: f32| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
-    let luminance =
-        |[red, green, blue, _]: Color| 0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue);
     let [a, b] = [a, b].map(luminance);
     (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
+/// How bright a colour is, from 0 to 1, by the same guidelines.
+pub(super) fn luminance([red, green, blue, _]: Color) -> f32 {
+    let linear = |c: f32| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
+    0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue)
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ mod detail;
 mod ensemble;
 mod error;
 mod fills;
+mod floor;
 mod forms;
 mod frame;
 mod gpu;

@@ -1,4 +1,4 @@
-//! The passes of a picture: guides, obstacles, balls and boxes, fills, skins, bonds, points, region, each a shader of its own over the same bindings.
+//! The passes of a picture: the floor, guides, obstacles, balls and boxes, fills, skins, bonds, points, region, each a shader of its own over the same bindings.
 //!
 //! In the plane what is drawn later lies on top. In space the pixels that a shape fills are drawn first and write their
 //! depth; those at its edges, which it shares with what lies behind, are drawn over them and only look at the depth.
@@ -26,12 +26,13 @@ macro_rules! shader {
 }
 
 /// The shaders as they are compiled: name, and source with what all of them share in front.
-pub const SHADERS: [(&str, &str); 8] = [
+pub const SHADERS: [(&str, &str); 9] = [
     ("guides", shader!("guides")),
     ("bonds", shader!("bonds")),
     ("points", shader!("points")),
     ("region", shader!("region")),
     ("solids", shader!("solids")),
+    ("floor", shader!("floor")),
     ("skin", shader!("skin")),
     ("obstacles", shader!("obstacles")),
     ("fill", shader!("fill")),
@@ -49,6 +50,10 @@ enum Pass {
     Region,
     /// Balls and boxes, in space.
     Solids,
+    /// The floor with its shadow, in space.
+    Floor,
+    /// What of pictures is beside triangles.
+    SkinRind,
     /// Pictures on triangles.
     Skin,
     /// Their free sides.
@@ -76,15 +81,17 @@ impl Pass {
             Pass::Points => 2,
             Pass::Region => 3,
             Pass::Solids => 4,
-            Pass::Skin | Pass::SkinEdges => 5,
-            Pass::Cover | Pass::Rim | Pass::Obstacles => 6,
-            Pass::Fill => 7,
+            Pass::Floor => 5,
+            Pass::SkinRind | Pass::Skin | Pass::SkinEdges => 6,
+            Pass::Cover | Pass::Rim | Pass::Obstacles => 7,
+            Pass::Fill => 8,
         }
     }
 
     fn entry_points(self) -> [&'static str; 2] {
         match self {
             Pass::Dots => ["dot_vertex", "dot_fragment"],
+            Pass::SkinRind => ["rind_vertex", "fragment"],
             Pass::SkinEdges => ["edge_vertex", "edge_fragment"],
             Pass::Cover => ["cover_vertex", "cover_fragment"],
             Pass::Rim => ["vertex", "rim_fragment"],
@@ -178,14 +185,16 @@ pub(super) struct Shown {
 pub(super) struct Passes {
     /// In the order that they are drawn in, each without a map by colours and with one.
     pipelines: Vec<(Pass, [wgpu::RenderPipeline; 2])>,
+    /// Of the floor, below all else. In space alone.
+    floor: Option<wgpu::RenderPipeline>,
     /// Of fills, and in space of their outlines, likewise: below the skins.
     fill: [[wgpu::RenderPipeline; 2]; 2],
-    /// Of the triangles of skins, and of their edges: over the first guides.
-    skin: [wgpu::RenderPipeline; 2],
+    /// Of what of skins is beside triangles, of these, and of their edges: over the first guides.
+    skin: [wgpu::RenderPipeline; 3],
     /// What obstacles cover, their rims, and both as they are shown: below the skins. In the plane alone.
     obstacles: Option<[wgpu::RenderPipeline; 3]>,
     layout: wgpu::BindGroupLayout,
-    bindings: Option<[wgpu::BindGroup; 5]>,
+    bindings: Option<[wgpu::BindGroup; 6]>,
 }
 
 impl Passes {
@@ -212,10 +221,15 @@ impl Passes {
             (pass, [plain, mapped])
         });
         let pipelines = pipelines.collect();
+        let floor = (dimensions == 3).then(|| {
+            let what = (Pass::Floor, Part::All, false);
+            pipeline(&gpu.device, &own_to_world, &modules[Pass::Floor.shader()], what, format, dimensions)
+        });
         // In space triangles hide what lies behind them.
         let solid = if dimensions == 3 { Part::Core } else { Part::All };
         let [worn, covered, filled] = own.map(|own| [&layout, own]);
-        let skin = [(Pass::Skin, solid), (Pass::SkinEdges, Part::All)].map(|(pass, part)| {
+        let parts = [(Pass::SkinRind, Part::All), (Pass::Skin, solid), (Pass::SkinEdges, Part::All)];
+        let skin = parts.map(|(pass, part)| {
             pipeline(&gpu.device, &worn, &modules[pass.shader()], (pass, part, false), format, dimensions)
         });
         let fill = [false, true].map(|maps| {
@@ -232,7 +246,7 @@ impl Passes {
                 pipeline(&gpu.device, layouts, &modules[pass.shader()], what, format, dimensions)
             })
         });
-        Passes { pipelines, fill, skin, obstacles, layout, bindings: None }
+        Passes { pipelines, floor, fill, skin, obstacles, layout, bindings: None }
     }
 
     /// How the world's buffers are bound.
@@ -243,7 +257,8 @@ impl Passes {
     /// Binds the buffers anew: one of them is another than before.
     pub(super) fn rebind(&mut self, gpu: &Gpu, buffers: &WorldBuffers) {
         // The region reads no list.
-        let lists = [&buffers.guides, &buffers.bonds, &buffers.points, &buffers.guides, &buffers.solids];
+        let WorldBuffers { guides, bonds, points, solids, floor, .. } = buffers;
+        let lists = [guides, bonds, points, guides, solids, floor];
         self.bindings = Some(std::array::from_fn(|shader| {
             let entries = buffers.bound(&buffers.frame, lists[shader]);
             let entry =
@@ -280,6 +295,14 @@ impl Passes {
     ) {
         let Some(bindings) = &self.bindings else { return };
         let map = usize::from(shown.map);
+        if let Some(floor) = &self.floor
+            && buffers.has_floor
+        {
+            target.set_pipeline(floor);
+            target.set_bind_group(0, &bindings[Pass::Floor.shader()], &[]);
+            target.draw(0..QUAD, 0..1);
+            counters.draws += 1;
+        }
         for (place, &(pass, ref pipelines)) in self.pipelines.iter().enumerate() {
             if place == 1 {
                 if let Some(pipelines) = &self.obstacles {

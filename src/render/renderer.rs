@@ -5,6 +5,7 @@ use super::counters::RenderCounters;
 use super::ensemble::Pane;
 use super::error::RenderError;
 use super::fills::Fills;
+use super::floor;
 use super::frame::Frame;
 use super::gpu::Gpu;
 use super::guides::guides;
@@ -84,6 +85,7 @@ impl Renderer {
         let (lines, counts) = guides((view, camera, self.obstacles.patches()), part, origin, look);
         self.buffers.set_guides(gpu, bytemuck::cast_slice(&lines), counts, counters)?;
         self.buffers.set_solids(gpu, solids(view, camera, origin), counters)?;
+        self.buffers.set_floor(gpu, floor::rows(view, self.obstacles.patches(), origin, look), counters)?;
         self.has_region = frame.has_region();
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
         self.buffers.select(view, &frame.wanted(camera, origin, look.has_mesh || !look.has_fills), counters);

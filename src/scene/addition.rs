@@ -20,6 +20,8 @@ pub(crate) struct Made {
     pub(crate) skins: Vec<Skin>,
     /// Which bodies new points are of, counted from 0, by the numbers of the world.
     pub(crate) tints: Vec<Tint>,
+    /// What those are called: see [`Scene::body_names`].
+    pub(crate) names: Vec<Option<String>>,
     /// Points with the colours that they get.
     pub(crate) colors: Vec<(Vec<u32>, [u8; 3])>,
 }
@@ -123,9 +125,11 @@ impl AddKeys {
             angles.push(angle(keys, own).item(k).at("angles")?);
         }
         angles.extend(model.angles.list.iter().map(|angle| Angle { points: angle.points.map(offset), ..*angle }));
+        let (tints, names) = self.tints(&alone, first)?;
         Ok(Made {
             skins: self.skins(&alone, (first, count))?,
-            tints: self.tints(&alone, first)?,
+            tints,
+            names,
             colors: self.skins.iter().filter_map(|skin| Some((skin.points.clone(), skin.color?.0))).collect(),
             addition: Addition {
                 position,
@@ -244,15 +248,15 @@ impl AddKeys {
 }
 
 impl AddKeys {
-    /// Which bodies new points are of: explicit ones by the bonds and triangles among them.
-    fn tints(&self, alone: &Scene, first: u32) -> Result<Vec<Tint>, Fault> {
+    /// Which bodies new points are of, explicit ones by the bonds and triangles among them; and what these are called.
+    fn tints(&self, alone: &Scene, first: u32) -> Result<(Vec<Tint>, Vec<Option<String>>), Fault> {
         let own = |point: u32| point.checked_sub(first);
         let bonds = self.bonds.iter().filter_map(|bond| Some(BondKeys { a: own(bond.a)?, b: own(bond.b)?, ..*bond }));
         let bonds: Vec<BondKeys> = bonds.collect();
         let with_bonds = Scene { bonds: bonds.into(), ..alone.clone() };
         let mut tints = with_bonds.all_tints()?;
         tints.iter_mut().for_each(|tint| tint.first += first);
-        Ok(tints)
+        Ok((tints, with_bonds.all_names()?))
     }
 }
 

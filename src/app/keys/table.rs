@@ -93,6 +93,7 @@ pub static TABLE: &[Binding] = &[
         "what can be set: gravity, air, walls, contact, the push, the method",
         &[(Writes("g"), Action::Settings)],
     ),
+    binding("Ctrl+F", "look for a setting by a word", &[(Ctrl("f"), Action::FindSetting)]),
     binding("L", "plots of the energies over time", &[(Writes("l"), Action::Plots)]),
     binding("H", "lessons: how it works, step by step", &[(Writes("h"), Action::Lessons)]),
     binding("F", "fit all points", &[(Writes("f"), Action::Fit)]),

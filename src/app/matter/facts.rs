@@ -54,6 +54,8 @@ pub struct Matter {
     pub(in crate::app) obstacles: usize,
     /// What bonds hold together counts as one, a loose point too.
     pub(in crate::app) bodies: usize,
+    /// What it is called, if it is one body.
+    pub(in crate::app) name: Option<String>,
     /// Of its points `[kg]`.
     pub(in crate::app) mass: f64,
     /// What its triangles cover `[m^2]`.
@@ -74,8 +76,12 @@ pub struct Matter {
 }
 
 impl Matter {
-    /// Of what is meant in a world; `None` where nothing of it is there.
-    pub(in crate::app) fn of(world: &dyn Dynamics, tints: &[Tint], among: &Among) -> Option<Self> {
+    /// Of what is meant in a world, whose bodies are called by `names`; `None` where nothing of it is there.
+    pub(in crate::app) fn of(
+        world: &dyn Dynamics,
+        (tints, names): (&[Tint], &[Option<String>]),
+        among: &Among,
+    ) -> Option<Self> {
         let points = among.points_of(world);
         let bonds = among.bonds_of(world);
         let solids: Vec<[f64; 2]> = world
@@ -104,13 +110,18 @@ impl Matter {
                 .collect(),
         };
         let surfaces = || skins.iter().chain(&solids);
+        let count_of_bodies = bodies(&points, &bonds);
+        let area: f64 = areas(world, &points).iter().map(|(_, area)| area).sum();
+        let is_one = count_of_bodies == 1;
+        let name = is_one.then(|| called(&points, (tints, names)).unwrap_or_else(|| shape(&points, &bonds, area)));
         Some(Matter {
             points: points.len(),
             bonds: bonds.len(),
             obstacles: solids.len(),
-            bodies: bodies(&points, &bonds),
+            bodies: count_of_bodies,
+            name,
             mass: points.iter().map(|point| world.masses()[point.index()]).sum(),
-            area: areas(world, &points).iter().map(|(_, area)| area).sum(),
+            area,
             kinds: [
                 count(|kind| matches!(kind, BondKind::Rigid)),
                 springs.len(),
@@ -150,6 +161,33 @@ fn bodies(points: &[PointId], bonds: &[(u32, Bond)]) -> usize {
         parent[a.max(b)] = a.min(b);
     }
     count
+}
+
+/// What the one body is called that all points are of.
+fn called(points: &[PointId], (tints, names): (&[Tint], &[Option<String>])) -> Option<String> {
+    let body = |point: &PointId| Tint::of(tints, point.0).map(|tint| tint.body);
+    let first = body(points.first()?)?;
+    let is_of_it = |point: &PointId| body(point) == Some(first);
+    points.iter().all(is_of_it).then(|| names.get(first as usize).cloned().flatten()).flatten()
+}
+
+/// What one calls a body of which nothing is known but what holds it together.
+fn shape(points: &[PointId], bonds: &[(u32, Bond)], area: f64) -> String {
+    let is_rigid = bonds.iter().all(|(_, bond)| matches!(bond.kind, BondKind::Rigid));
+    let mut ends = vec![0_u32; points.len()];
+    for place in bonds.iter().flat_map(|(_, bond)| [bond.a, bond.b]).filter_map(|end| points.binary_search(&end).ok()) {
+        ends[place] += 1;
+    }
+    let is_chain = bonds.len() + 1 == points.len() && ends.iter().all(|&count| count <= 2);
+    let name = match () {
+        () if points.len() == 1 => "point",
+        () if area > 0.0 && is_rigid => "rigid body",
+        () if area > 0.0 => "soft body",
+        () if bonds.len() == 1 => "bond",
+        () if is_chain => "rope",
+        () => "net",
+    };
+    name.to_owned()
 }
 
 fn coloring(tints: &[Tint], points: &[PointId]) -> Coloring {

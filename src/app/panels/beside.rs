@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use egui::{Area, Id, RichText, Ui, pos2};
+use egui::{Area, Id, LayerId, Order, Rect, RichText, Ui, pos2};
 
 use super::theme::{colors, floating};
 use super::{Facts, Wish, legend};
@@ -29,6 +29,9 @@ pub(super) fn height(facts: &Facts) -> f32 {
     }
 }
 
+/// Titles go below what ends above this share of the window's height `[1]`.
+const LOWEST: f32 = 0.6;
+
 /// A world beside others, as it is called.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::app) struct Neighbor {
@@ -49,7 +52,16 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
     let mut end = 0.0_f32;
     let lies = |name: &str| context.memory(|memory| memory.area_rect(Id::unique(name))).map_or(0.0, |at| at.bottom());
     let below = lies("scene").max(if has_caption { lies("caption") } else { 0.0 }).max(LEAST) + ROOM;
-    let figures = context.memory(|memory| memory.area_rect(Id::unique("figures")));
+    let lies = |name: &str| {
+        let id = Id::unique(name);
+        let is_shown = |memory: &egui::Memory| memory.areas().is_visible(&LayerId::new(Order::Middle, id));
+        context.memory(|memory| memory.area_rect(id).filter(|_| is_shown(memory)))
+    };
+    // What reaches far down leaves no room below it.
+    let lowest = LOWEST * context.content_rect().height();
+    let corner: Vec<Rect> = ["figures", "legend"].into_iter().filter_map(lies).collect();
+    // What belongs to a tool moves no body.
+    let of_tool: Option<Rect> = lies("matter").filter(|at| at.bottom() < lowest);
     let last = facts.neighbors.len().saturating_sub(1);
     for (place, neighbor) in facts.neighbors.iter().enumerate() {
         let [x, y] = neighbor.at;
@@ -57,8 +69,12 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
         let x = x + ROOM;
         // What lies in the corner is not covered.
         let reach = x + legend::WIDTH.min(neighbor.width);
-        let lies_below = figures.filter(|figures| figures.left() < reach && figures.bottom() > top);
-        let top = lies_below.map_or(top, |figures| figures.bottom() + ROOM);
+        let below_it = |top: f32, at: &Rect| {
+            let is_there = at.left() < reach && at.top() < top + TITLE && at.bottom() > top;
+            if is_there { at.bottom() + ROOM } else { top }
+        };
+        let base = corner.iter().fold(top, below_it);
+        let top = of_tool.iter().fold(base, below_it);
         let area = Area::new(Id::unique(("beside", place))).fixed_pos(pos2(x, top));
         let shown = area.interactable(false).show(context, |ui| {
             floating(ui).show(ui, |ui| {
@@ -75,10 +91,15 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
             });
         });
         if place < neighbor.columns {
-            end = end.max(shown.response.rect.bottom());
+            end = end.max(base + shown.response.rect.height());
         }
     }
     end
+}
+
+/// Whether an area is such a title.
+pub(super) fn is_title(id: Id) -> bool {
+    (0..=MOST_BESIDE).any(|place| Id::unique(("beside", place)) == id)
 }
 
 /// Solvers, each with why the scene cannot be run by it, if it cannot.

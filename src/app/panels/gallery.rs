@@ -111,6 +111,11 @@ pub(in crate::app) fn search_id() -> egui::Id {
     egui::Id::unique("search")
 }
 
+/// The names of the scenes that a search finds, in their order.
+pub(in crate::app) fn names(search: &str) -> Vec<&'static str> {
+    found(search).iter().map(|entry| entry.name).collect()
+}
+
 /// The scenes in whose words all words of a search are: first the one that is called so, then those whose names begin so or hold them.
 fn found(search: &str) -> Vec<&'static Entry> {
     let words: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();

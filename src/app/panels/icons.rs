@@ -30,6 +30,7 @@ pub(super) enum Icon {
     Motor,
     Brush,
     Push,
+    Wind,
     Gear,
     Plot,
     Book,
@@ -149,6 +150,18 @@ fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
             line(&[(-0.4, 0.4), (0.95, -0.95)]);
             filled(&[(1.2, -1.2), (0.95, -0.2), (0.2, -0.95)]);
         }
+        Icon::Wind => {
+            // Three gusts, of which two curl up.
+            let gust = |y: f32, end: f32, curl: f32| {
+                let mut way = vec![(-1.2, y), (end, y)];
+                let about = (1..=9).map(|k| (k as f32 / 9.0) * 1.3 * PI);
+                way.extend(about.map(|turn| (end + 0.4 * turn.sin(), y + curl * 0.4 * (1.0 - turn.cos()))));
+                line(&way);
+            };
+            gust(-0.3, 0.35, -1.0);
+            gust(0.3, 0.75, 1.0);
+            line(&[(-1.0, 0.85), (0.1, 0.85)]);
+        }
         Icon::Gear => {
             ring(0.0, 0.0, 0.4);
             ring(0.0, 0.0, 0.85);
@@ -192,7 +205,7 @@ fn turn(painter: &Painter, at: &impl Fn(f32, f32) -> Pos2, stroke: Stroke, color
 /// The size of a small button.
 pub(super) const SMALL: Vec2 = vec2(30.0, 28.0);
 /// The size of a tool.
-pub(super) const TOOL: Vec2 = vec2(38.0, 36.0);
+pub(super) const TOOL: Vec2 = vec2(38.0, 34.0);
 
 #[cfg(test)]
 mod tests {
@@ -204,7 +217,7 @@ mod tests {
         let context = egui::Context::default();
         let all = [Icon::Play, Icon::Pause, Icon::Step, Icon::Reset, Icon::Before, Icon::After];
         let more = [Icon::Undo, Icon::Redo, Icon::Hand, Icon::Pin, Icon::Cut, Icon::Erase, Icon::Build, Icon::Select];
-        let more = more.into_iter().chain([Icon::Muscle, Icon::Motor, Icon::Brush, Icon::Push]);
+        let more = more.into_iter().chain([Icon::Muscle, Icon::Motor, Icon::Brush, Icon::Push, Icon::Wind]);
         for icon in all
             .into_iter()
             .chain(more)

@@ -73,6 +73,12 @@ impl Lessons {
         Some(At { lesson, step: self.step(lesson) })
     }
 
+    /// What the step is called that is open.
+    pub(in crate::app) fn heading(&self) -> Option<&'static str> {
+        let at = self.open_at()?;
+        Some(&lessons().get(at.lesson)?.steps.get(at.step)?.heading)
+    }
+
     /// A scene is there that no step asked for: a lesson whose scene it is not closes, and one that was left comes back with its own.
     pub(in crate::app) fn meet(&mut self, scene: &Scene) -> Met {
         let is_of = |at: &At| {
@@ -134,7 +140,9 @@ fn panel(
             match open {
                 Some((place, lesson)) => {
                     let at = At { lesson: place, step: state.step(place).min(lesson.steps.len().saturating_sub(1)) };
-                    of_lesson(ui, lesson, at, height, wishes);
+                    let next =
+                        (place + 1 < lessons().len()).then(|| At { lesson: place + 1, step: state.step(place + 1) });
+                    of_lesson(ui, lesson, (at, next), height, wishes);
                 }
                 None => list(ui, state, height, wishes),
             }
@@ -196,8 +204,8 @@ fn line(ui: &mut Ui, words: RichText) {
     ui.add(Label::new(words).wrap().selectable(false));
 }
 
-/// A step, with what leads to others below it.
-fn of_lesson(ui: &mut Ui, lesson: &Lesson, at: At, height: f32, wishes: &mut Vec<Wish>) {
+/// A step, with what leads to others below it, and from the last one to the `next` lesson.
+fn of_lesson(ui: &mut Ui, lesson: &Lesson, (at, next): (At, Option<At>), height: f32, wishes: &mut Vec<Wish>) {
     let Some(step) = lesson.steps.get(at.step) else { return };
     line(ui, RichText::new(&lesson.title).color(colors(ui).weak).size(12.0));
     let height = (height - 96.0).max(60.0);
@@ -210,16 +218,19 @@ fn of_lesson(ui: &mut Ui, lesson: &Lesson, at: At, height: f32, wishes: &mut Vec
     });
     ui.separator();
     ui.horizontal(|ui| {
-        let go = |step| Wish::Learn(At { step, ..at });
         if ui.add_enabled(at.step > 0, Button::new("Back")).clicked() {
-            wishes.push(go(at.step.saturating_sub(1)));
+            wishes.push(Wish::Learn(At { step: at.step.saturating_sub(1), ..at }));
         }
         ui.label(RichText::new(format!("step {} of {}", at.step + 1, lesson.steps.len())).color(colors(ui).weak));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let next = Button::new(RichText::new("Next").color(colors(ui).on_accent)).fill(colors(ui).accent);
-            let is_last = at.step + 1 == lesson.steps.len();
-            if !is_last && ui.add(next).clicked() {
-                wishes.push(go(at.step + 1));
+            let (words, to) = match at.step + 1 < lesson.steps.len() {
+                true => ("Next", Some(At { step: at.step + 1, ..at })),
+                false => ("Next lesson", next),
+            };
+            let Some(to) = to else { return };
+            let button = Button::new(RichText::new(words).color(colors(ui).on_accent)).fill(colors(ui).accent);
+            if ui.add(button).clicked() {
+                wishes.push(Wish::Learn(to));
             }
         });
     });

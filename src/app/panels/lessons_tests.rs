@@ -107,9 +107,26 @@ fn a_lesson_is_chosen_gone_through_and_left_where_it_is() {
     assert_eq!(screen.click("Open the scene again"), [Wish::Learn(At { lesson: 1, step: 2 })]);
     assert_eq!(screen.click("Back"), [Wish::Learn(At { lesson: 1, step: 1 })]);
     assert_eq!(screen.click("All lessons"), []);
-    assert!(screen.place_of("at step 3 of 6").is_some() && screen.place_of(&first.title).is_some());
+    assert!(
+        screen.place_of(&format!("at step 3 of {}", second.steps.len())).is_some()
+            && screen.place_of(&first.title).is_some()
+    );
     assert_eq!(screen.click(&second.title), [Wish::Learn(At { lesson: 1, step: 2 })]);
     assert_eq!(screen.click("Close"), [Wish::Act(Action::Lessons)]);
+    // The last step leads on to the next lesson, the last lesson to none.
+    let last = |lesson: usize| At { lesson, step: lessons()[lesson].steps.len() - 1 };
+    screen.enter(last(0));
+    assert_eq!(screen.click("Next lesson"), [Wish::Learn(At { lesson: 1, step: 2 })], "where it was left");
+    screen.enter(last(lessons().len() - 1));
+    assert!(screen.place_of("Next lesson").is_none() && screen.place_of("Next").is_none());
+}
+
+#[test]
+fn what_is_seen_at_once_stands_first_and_every_step_of_pictures_has_a_formula_and_a_plot() {
+    let titles: Vec<&str> = lessons().iter().map(|lesson| &*lesson.title).collect();
+    assert_eq!(titles[..2], ["A rope that keeps its length", "Verlet from Taylor's series"]);
+    let pictures = lessons().iter().find(|lesson| lesson.name == "pictures").unwrap();
+    assert!(pictures.steps.iter().all(|step| step.formula.is_some() && step.plot.is_some()));
 }
 
 #[test]

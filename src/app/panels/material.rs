@@ -1,11 +1,11 @@
-//! What is selected is made of: shown and changed beside the tools; and what the brush paints with.
+//! What is selected is made of: shown and changed at the right edge; and what the brush paints with, beside the tools.
 
 use egui::collapsing_header::CollapsingState;
 use egui::{
-    Area, Button, Color32, CornerRadius, DragValue, Id, Pos2, Rect, Response, RichText, ScrollArea, Slider, Stroke, Ui,
+    Align2, Area, Button, Color32, CornerRadius, DragValue, Id, Label, Rect, Response, RichText, ScrollArea, Sense,
+    Slider, Stroke, Ui,
 };
 
-use super::places::ToolRooms;
 use super::theme::{colors, floating};
 use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
@@ -15,9 +15,9 @@ use crate::app::tools::RADII;
 
 /// Width of the panel `[points]`.
 const WIDTH: f32 = 226.0;
-/// What its frame takes beside that, and its usual height `[points]`.
+/// What its frame takes beside that, and frame and header above what is scrolled `[points]`.
 const FRAME: f32 = 18.0;
-const USUAL: f32 = 440.0;
+const HEAD: f32 = 50.0;
 /// Width of the names before fields `[points]`.
 const NAMES: f32 = 74.0;
 /// How fast a number changes as it is dragged, as a share of it for each point.
@@ -47,42 +47,36 @@ impl Sink<'_> {
     }
 }
 
-/// Shows it at the right of the tools, or at the right edge where it would lie over what is selected; it stays there until something else is.
-pub(super) fn show(
-    context: &egui::Context,
-    (rooms, tools): (&ToolRooms, Rect),
-    state: &mut PanelState,
-    facts: &Facts,
-    wishes: &mut Vec<Wish>,
-) {
+/// Shows it at the right edge, where it always is. Where it would cover the middle of the window it begins folded.
+pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
     if !context.input(|input| input.pointer.any_down()) {
         state.gesture = None;
     }
     let mut sink = Sink { gesture: &mut state.gesture, wishes };
-    let id = Id::unique("matter");
-    let corners = [tools.right_top() + egui::vec2(8.0, 0.0), rooms.right.right_top() - egui::vec2(WIDTH + FRAME, 0.0)];
-    if let Some(selected) = state.selected_at.filter(|_| facts.matter.is_some()) {
-        state.selected_at = None;
-        let covers = |corner: &Pos2| {
-            let lies = Rect::from_min_size(*corner, egui::vec2(WIDTH + FRAME, USUAL)).intersect(selected);
-            if lies.is_positive() { lies.area() } else { 0.0 }
-        };
-        state.matter_is_right = covers(&corners[1]) < covers(&corners[0]);
-    }
-    let is_right = state.matter_is_right && facts.matter.is_some();
-    let room = if is_right { rooms.right } else { rooms.left };
-    Area::new(id).fixed_pos(corners[usize::from(is_right)]).constrain_to(room).show(context, |ui| {
+    let corner = room.right_top();
+    let is_open = corner.x - WIDTH - FRAME > context.content_rect().center().x;
+    Area::new(Id::unique("matter")).pivot(Align2::RIGHT_TOP).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_width(WIDTH);
-            let height = (room.height() - 24.0).max(120.0);
-            ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| match &facts.matter {
-                Some(matter) => {
-                    let fold = CollapsingState::load_with_default_open(ui.ctx(), Id::unique("matter is open"), true);
-                    let header = fold
-                        .show_header(ui, |ui| ui.label(RichText::new(title(matter)).color(colors(ui).text).strong()));
-                    header.body_unindented(|ui| of_selection(ui, matter, facts, &mut sink));
-                }
-                None => of_nothing(ui, facts, &mut sink),
+            let fold =
+                CollapsingState::load_with_default_open(ui.ctx(), Id::unique(("matter is open", is_open)), is_open);
+            let mut is_clicked = false;
+            let mut header = fold.show_header(ui, |ui| {
+                let words = facts.matter.as_deref().map_or_else(|| "Select".to_owned(), title);
+                let words = Label::new(RichText::new(words).color(colors(ui).text).strong()).truncate();
+                is_clicked = ui.add(words.selectable(false).sense(Sense::click())).clicked();
+            });
+            if is_clicked {
+                header.toggle();
+            }
+            header.body_unindented(|ui| {
+                let height = (room.height() - HEAD).max(120.0);
+                ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
+                    match &facts.matter {
+                        Some(matter) => of_selection(ui, matter, facts, &mut sink),
+                        None => of_nothing(ui, facts, &mut sink),
+                    }
+                });
             });
         });
     });
@@ -116,7 +110,6 @@ const PASTE: (&str, &str, Action) = ("Paste", "what was copied, into the middle 
 
 /// How to select, where nothing is.
 fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
-    ui.label(RichText::new("Select").color(colors(ui).text).strong());
     ui.label(RichText::new("click a body or an obstacle, or drag beside them").color(colors(ui).weak));
     ui.horizontal(|ui| {
         for (is_lasso, name) in [(false, "Box"), (true, "Free stroke")] {
@@ -137,6 +130,9 @@ fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
 }
 
 fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>) {
+    if let Some(parts) = parts(matter) {
+        ui.label(RichText::new(parts).color(colors(ui).weak));
+    }
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
         // One body is selected as one anyway.
@@ -183,11 +179,29 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     }
 }
 
-/// What is selected, counted.
+/// What is selected: a body by its name, several counted, with their points.
 fn title(matter: &Matter) -> String {
-    let all = [(matter.points, "point"), (matter.bonds, "bond"), (matter.obstacles, "obstacle")];
-    let all = all.into_iter().filter(|(count, _)| *count > 0).map(|(count, name)| counted(count, name));
-    all.collect::<Vec<_>>().join(", ")
+    let bodies = match &matter.name {
+        Some(name) => Some(name.clone()),
+        None if matter.points == 0 => None,
+        // Loose points are no bodies to whoever plays.
+        None if matter.bodies == matter.points => Some(counted(matter.points, "point")),
+        None => Some(format!("{}, {}", counted(matter.bodies, "body"), counted(matter.points, "point"))),
+    };
+    let obstacles = match (matter.obstacles, &bodies) {
+        (0, _) => None,
+        (1, None) => Some("obstacle".to_owned()),
+        (count, _) => Some(counted(count, "obstacle")),
+    };
+    bodies.into_iter().chain(obstacles).collect::<Vec<_>>().join(", ")
+}
+
+/// What is not in the title of it, counted.
+fn parts(matter: &Matter) -> Option<String> {
+    let points = matter.name.as_ref().filter(|_| matter.points > 1).map(|_| counted(matter.points, "point"));
+    let bonds = (matter.bonds > 0).then(|| counted(matter.bonds, "bond"));
+    let all: Vec<String> = points.into_iter().chain(bonds).collect();
+    (!all.is_empty()).then(|| all.join(", "))
 }
 
 /// Buttons for matter by name, in their colours. Returns the one that was clicked.

@@ -3,9 +3,8 @@
 
 use std::sync::Arc;
 
-use egui::{Event, Pos2, Rect, Shape, pos2, vec2};
+use egui::{Event, Pos2, Rect, Shape, vec2};
 
-use super::places::ToolRooms;
 use super::pointer::{button, click};
 use super::{Facts, PanelState, Wish, material};
 use crate::app::action::{Action, Tool};
@@ -29,12 +28,14 @@ struct Screen {
     context: egui::Context,
     state: PanelState,
     facts: Facts,
+    width: f32,
 }
 
 impl Screen {
     fn new(matter: Option<Arc<Matter>>) -> Self {
         let facts = Facts { dimensions: 2, tool: Tool::Select, matter, ..Facts::default() };
-        let mut screen = Screen { context: egui::Context::default(), state: PanelState::default(), facts };
+        let mut screen =
+            Screen { context: egui::Context::default(), state: PanelState::default(), facts, width: 1280.0 };
         (0..2).for_each(|_| _ = screen.frame(Vec::new()));
         screen
     }
@@ -42,13 +43,11 @@ impl Screen {
     /// A frame with events. Returns what is asked for, and what is written where.
     fn frame(&mut self, events: Vec<Event>) -> (Vec<Wish>, Vec<(String, Pos2)>) {
         let mut wishes = Vec::new();
-        let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 800.0)));
+        let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, vec2(self.width, 800.0)));
         let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
         let mut output = self.context.run_ui(input, |ui| {
             let room = ui.available_rect_before_wrap();
-            let tools = Rect::from_min_size(pos2(10.0, 100.0), vec2(50.0, 400.0));
-            let rooms = ToolRooms { tools: room, left: room, right: room };
-            material::show(ui.ctx(), (&rooms, tools), &mut self.state, &self.facts, &mut wishes);
+            material::show(ui.ctx(), room, &mut self.state, &self.facts, &mut wishes);
         });
         output.textures_delta.clear();
         let mut texts = Vec::new();
@@ -124,14 +123,46 @@ fn a_drag_of_a_number_goes_on_and_mixed_ones_say_so() {
 }
 
 #[test]
-fn it_lies_where_what_is_selected_is_not() {
+fn it_stays_at_the_right_edge_whatever_is_selected_and_names_it() {
     let mut screen = Screen::new(Some(matter()));
-    let selected = |left: f32| Some(Rect::from_min_size(pos2(left, 200.0), vec2(200.0, 200.0)));
-    let left = screen.place("Steel").x;
-    screen.state.selected_at = selected(150.0);
-    let right = screen.place("Steel").x;
-    assert!(left < 300.0 && right > 1000.0, "{left} {right}");
-    assert_eq!(screen.place("Steel").x, right, "it stays there");
-    screen.state.selected_at = selected(1050.0);
-    assert_eq!(screen.place("Steel").x, left);
+    let at = screen.place("Steel");
+    assert!(at.x > 1280.0 - 250.0, "{at}");
+    assert_eq!(matter().name.as_deref(), Some("block"), "by what made it");
+    assert!(screen.place("block").y < screen.place("9 points, 20 bonds").y);
+    screen.facts.matter = Some(Arc::new(Matter { name: None, bodies: 3, points: 240, ..(*matter()).clone() }));
+    assert!((screen.place("Steel").x - at.x).abs() < 1.0);
+    screen.place("3 bodies, 240 points");
+    screen.facts.matter = Some(Arc::new(Matter { obstacles: 1, ..Matter::default() }));
+    screen.place("obstacle");
+    screen.facts.matter = Some(Arc::new(Matter { points: 4, bodies: 4, obstacles: 2, ..Matter::default() }));
+    screen.place("4 points, 2 obstacles");
+    // Where it would cover the middle of the window it begins folded, and a click on its head opens it.
+    let mut screen = Screen { width: 480.0, ..Screen::new(Some(matter())) };
+    (0..3).for_each(|_| _ = screen.frame(Vec::new()));
+    assert!(!screen.frame(Vec::new()).1.iter().any(|(text, _)| text == "Steel"));
+    let head = screen.place("block");
+    click(head).into_iter().for_each(|events| _ = screen.frame(events));
+    (0..30).for_each(|_| _ = screen.frame(Vec::new()));
+    screen.place("Steel");
+}
+
+#[test]
+fn what_nothing_made_is_named_by_its_shape() {
+    let named = |text: &str, points: std::ops::Range<u32>| {
+        let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        stage.obey(Order::Inspect(Among { points: points.map(PointId).collect(), ..Among::default() }));
+        let mut shown = Shown::default();
+        stage.show(&mut shown);
+        shown.matter.unwrap().name.clone()
+    };
+    let alone = r#"{"wobble": 1, "points": {"position": [[0, 0], [1, 0], [2, 0.1], [1, 1], [5, 5]]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}]}"#;
+    assert_eq!(named(alone, 0..4).as_deref(), Some("rope"));
+    assert_eq!(named(alone, 4..5).as_deref(), Some("point"));
+    assert_eq!(named(alone, 0..5), None, "two are counted");
+    let loop_of_four = alone.replace(r#"{"a": 2, "b": 3}]"#, r#"{"a": 2, "b": 3}, {"a": 3, "b": 0}]"#);
+    assert_eq!(named(&loop_of_four, 0..4).as_deref(), Some("net"));
+    let made = r#"{"wobble": 1, "bodies": [{"make": "rope", "count": 5, "to": [1.8, 0]},
+        {"make": "disc", "radius": 1, "spacing": 0.5, "origin": [0, 5], "material": {"kind": "spring", "stiffness": 100, "mass": 1}}]}"#;
+    assert_eq!([named(made, 0..5), named(made, 5..9)].map(|name| name.unwrap()), ["rope", "disc"]);
 }

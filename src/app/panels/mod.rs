@@ -32,6 +32,7 @@ mod plots;
 mod plots_tests;
 #[cfg(test)]
 mod pointer;
+mod presses;
 mod primitives;
 mod push;
 mod save_to;
@@ -56,9 +57,9 @@ use super::tools::{Brush, Drives, Links, PushWay};
 use crate::render::{Look, Overlay, Palette};
 use crate::scene::{BesideKeys, SolverName};
 use crate::sim::Key;
-pub(super) use asking::show as ask;
+pub(super) use asking::{Question, show as ask};
 pub(super) use beside::{Misfits, Neighbor, solvers};
-pub(super) use gallery::{THUMBNAIL, search_id};
+pub(super) use gallery::{THUMBNAIL, names as found_scenes, search_id};
 use icons::Icon;
 pub(super) use lessons::{At, Lessons, Met};
 pub(super) use notes::Notes;
@@ -67,6 +68,7 @@ pub(super) use parameters::all as parameters;
 use places::Places;
 pub(super) use places::{Laid, covered, kept_in};
 pub(super) use plots::{PlotsAt, figure};
+pub(super) use presses::listen;
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
 pub(super) use settings::{Setting, Settings};
 pub(super) use sheet::show as sheet;
@@ -171,15 +173,13 @@ pub(super) struct PanelState {
     pub(super) has_settings: bool,
     /// Settings and lessons have room beside each other.
     pub(super) has_room_for_both: bool,
-    /// Where what was selected last is seen, until the panel of its matter has found its side `[points]`.
-    pub(super) selected_at: Option<egui::Rect>,
-    /// That panel lies at the right.
-    pub(super) matter_is_right: bool,
     /// What is plotted; `None`: the panel is closed, and nothing is measured.
     pub(super) plots: Option<Plots>,
     /// Where their panel lies.
     pub(super) plots_at: PlotsAt,
     pub(super) lessons: Lessons,
+    /// The field of that search is to get the focus.
+    pub(super) finds_setting: bool,
     /// What is looked for in the settings.
     pub(super) settings_search: String,
     /// The setting that is being dragged.
@@ -297,7 +297,10 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     // Beside worlds that lie side by side plots take room, as panels do: there is no place that none of them is in.
     let has_plots = state.plots.is_some() && has_panels;
     let are_docked = has_plots && !stands_upright && !facts.neighbors.is_empty() && !state.plots_at.is_dragged();
-    let all_edge = panels_edge + takes(are_docked, plots::WIDTH);
+    // Along the lower edge, where that leaves more to each of them.
+    let (worlds, high) = (facts.neighbors.len(), plots::low_height(room));
+    let is_low = are_docked && places.are_larger_above(worlds, panels_edge, [plots::WIDTH, high]);
+    let all_edge = panels_edge + takes(are_docked && !is_low, plots::WIDTH);
     if !state.hides_hud && room.width() > 560.0 && !is_covered {
         hud::show(&context, &mut places, facts);
     }
@@ -314,10 +317,13 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     } else if has_settings {
         settings::show(&context, places.beside(), state, facts, &mut wishes);
     }
-    let mut plotted = None;
+    let (mut plotted, mut strip) = (None, None);
     if let Some(plots) = state.plots.as_mut().filter(|_| has_panels) {
         if stands_upright {
-            places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes);
+            places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes).top();
+        } else if is_low {
+            let rect = plots::show_below(&context, places.low_strip(panels_edge), plots, &mut wishes);
+            (plotted, strip) = (Some(rect), Some(rect.top()));
         } else {
             let points = (&facts.points[..], &mut state.plots_at, are_docked);
             let high = places.right.max(places.bar_bottom());
@@ -355,7 +361,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         false => room,
     });
     let is_shared = !facts.neighbors.is_empty() && has_panels;
-    (wishes, Laid { size: places.size(all_edge, is_shared), corner: places.corner(&context), free })
+    (wishes, Laid { size: places.size(all_edge, is_shared, strip), corner: places.corner(&context), free })
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.

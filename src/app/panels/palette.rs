@@ -7,9 +7,10 @@ use super::places::ToolRooms;
 use super::theme::floating;
 use super::{Facts, PanelState, Wish, described, drives, material, primitives, push};
 use crate::app::action::{Action, Tool};
+use crate::app::tools::PushWay;
 
 /// Their height before they were shown `[points]`.
-const HEIGHT: f32 = 408.0;
+const HEIGHT: f32 = 418.0;
 
 /// From a tool to what is said of it, beyond the edge of the panel `[points]`.
 const TO_TOOLTIP: f32 = 14.0;
@@ -25,8 +26,32 @@ fn words(tool: Tool) -> (Icon, &'static str) {
         Tool::Build => (Icon::Build, "build: drag a body or an obstacle out"),
         Tool::Muscle => (Icon::Muscle, "make a bond a muscle: it gets longer and shorter"),
         Tool::Paint => (Icon::Brush, "a brush that makes bodies of jelly, rubber, cloth, wood or steel"),
-        Tool::Push => (Icon::Push, "a force that stays: drag an arrow from a body; or wind"),
+        Tool::Push => (Icon::Push, "a force that stays: drag an arrow from a body"),
         Tool::Motor => (Icon::Motor, "hinge a body to another or to the ground, with a motor"),
+    }
+}
+
+/// The last of them: the tool for forces, set to wind.
+const WIND: &str = "wind: drag an arrow through the air";
+
+/// A button with what is said of it beside it: below it lies the next one.
+fn choice(
+    ui: &mut egui::Ui,
+    (sign, name): (Icon, &str),
+    action: Action,
+    (can, is_on): (bool, bool),
+    wishes: &mut Vec<Wish>,
+) {
+    let said = described(name, action);
+    let add = |ui: &mut egui::Ui| icons::button(ui, sign, name, icons::TOOL, is_on);
+    let button = ui.add_enabled_ui(can, add).inner;
+    let why = "in the plane only: this scene is in space";
+    for (mut tooltip, words) in [(Tooltip::for_enabled(&button), &*said), (Tooltip::for_disabled(&button), why)] {
+        tooltip.popup = tooltip.popup.align(RectAlign::RIGHT).gap(TO_TOOLTIP);
+        tooltip.show(|ui| ui.label(words));
+    }
+    if button.clicked() {
+        wishes.push(Wish::Act(action));
     }
 }
 
@@ -40,40 +65,31 @@ pub(super) fn show(
 ) {
     let id = Id::unique("tools");
     let height = context.memory(|memory| memory.area_rect(id)).map_or(HEIGHT, |rect| rect.height());
-    // In the middle, but below the buttons.
-    let middle = rooms.tools.center().y.max(rooms.left.top() + 0.5 * height);
+    // In the middle, but above plots that lie there and below the buttons.
+    let middle = rooms.tools.center().y.min(rooms.lowest - 0.5 * height).max(rooms.left.top() + 0.5 * height);
     let place = Area::new(id).anchor(Align2::LEFT_CENTER, [10.0, middle - context.content_rect().center().y]);
     let shown = place.show(context, |ui| {
         floating(ui).show(ui, |ui| {
-            ui.spacing_mut().item_spacing.y = 4.0;
+            ui.spacing_mut().item_spacing.y = 3.0;
+            let is_plane = facts.dimensions == 2;
+            let blows = facts.tool == Tool::Push && (facts.push == PushWay::Wind || !is_plane);
             for tool in Tool::ALL {
                 let (sign, name) = words(tool);
-                let can = !matches!(tool, Tool::Cut | Tool::Build | Tool::Motor) || facts.dimensions == 2;
-                let said = described(name, Action::Take(tool));
-                let why = "in the plane only: this scene is in space";
-                let add = |ui: &mut egui::Ui| icons::button(ui, sign, name, icons::TOOL, tool == facts.tool);
-                let button = ui.add_enabled_ui(can, add).inner;
-                // Beside the tool: below it lies the next one.
-                for (mut tooltip, words) in
-                    [(Tooltip::for_enabled(&button), &*said), (Tooltip::for_disabled(&button), why)]
-                {
-                    tooltip.popup = tooltip.popup.align(RectAlign::RIGHT).gap(TO_TOOLTIP);
-                    tooltip.show(|ui| ui.label(words));
-                }
-                if button.clicked() {
-                    wishes.push(Wish::Act(Action::Take(tool)));
-                }
+                let can = !matches!(tool, Tool::Cut | Tool::Build | Tool::Motor | Tool::Push) || is_plane;
+                let is_on = tool == facts.tool && !blows;
+                choice(ui, (sign, name), Action::Take(tool), (can, is_on), wishes);
             }
+            choice(ui, (Icon::Wind, WIND), Action::Wind, (true, blows), wishes);
         });
     });
     if facts.tool == Tool::Build && facts.dimensions == 2 {
-        primitives::show(context, shown.response.rect, facts, wishes);
+        primitives::show(context, (shown.response.rect, rooms.left), facts, wishes);
     }
     if matches!(facts.tool, Tool::Muscle | Tool::Motor) {
         drives::show(context, shown.response.rect, facts, wishes);
     }
     match facts.tool {
-        Tool::Select => material::show(context, (rooms, shown.response.rect), state, facts, wishes),
+        Tool::Select => material::show(context, rooms.right, state, facts, wishes),
         Tool::Push => push::show(context, shown.response.rect, facts, wishes),
         Tool::Paint => material::show_brush(context, shown.response.rect, facts, wishes),
         _ => {}

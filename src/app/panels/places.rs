@@ -12,16 +12,23 @@ const EDGE: f32 = 10.0;
 /// Below the buttons so much is for what is said: two lines, or three where they are short `[points]`.
 const SAID: f32 = 58.0;
 const SAID_NARROW: f32 = 78.0;
+/// The caption of a scene is no higher than this `[points]`.
+const MOST_SAID: f32 = 112.0;
 /// From the tools to the numbers beside them `[points]`.
 const BESIDE_TOOLS: f32 = TOOLS + 44.0;
 /// What begins nearer than this to the left edge lies below what stands beside the tools `[points]`.
 const NEAR: f32 = 320.0;
-/// Widest line of what is said `[points]`.
+/// Widest line of what is said, and the narrowest gap that it stands in `[points]`.
 const WIDEST: f32 = 760.0;
+const LEAST_SAID: f32 = 190.0;
+/// From this width on what is said has two lines at most `[points]`.
+const WORDS: f32 = 420.0;
 /// Width of the usual picture in its heights `[1]`.
 const USUAL: f32 = 1.3;
 /// Narrower rooms have no place for panels on both sides `[points]`.
 const NARROW: f32 = 900.0;
+/// Nor do they begin lower than this share of the height `[1]`.
+const LOWEST: f32 = 0.65;
 /// Bodies are not shown in less than this share of the width `[1]`.
 const LEAST: f32 = 0.4;
 
@@ -108,13 +115,31 @@ impl Places {
         let right = beside(at_right.is_some() && above.is_none());
         let top = above.map_or(self.right, |plots| plots.bottom() + APART);
         let right = right.with_max_x(end).with_min_y(top.min(right.bottom() - 160.0));
-        ToolRooms { tools: self.room.with_max_y(low), left, right }
+        let lies_below = plots.filter(|plots| plots.left() < self.room.left() + TOOLS);
+        let lowest = lies_below.map_or(low, |plots| low.min(plots.top() - APART));
+        ToolRooms { tools: self.room.with_max_y(low), lowest, left, right }
     }
 
     /// The same, left of what takes so much of the right edge.
     pub(super) fn low_beside(&self, at_right: f32) -> Rect {
         let low = self.low();
         low.with_max_x((low.right() - at_right).max(low.left() + LEAST * low.width()))
+    }
+
+    /// Whether so many worlds side by side are larger above plots of a height than beside those of a width, left of what takes so much of
+    /// the right edge.
+    pub(super) fn are_larger_above(&self, count: usize, at_right: f32, [wide, high]: [f32; 2]) -> bool {
+        let (width, height) = (self.room.width() - at_right, self.room.height());
+        let side = |width: f32, height: f32| {
+            let of = |columns: usize| (width / columns as f32).min(height / count.div_ceil(columns) as f32);
+            (1..=count).map(of).fold(0.0, f32::max)
+        };
+        side(width, height - high - NUMBERS) > side(width - wide - GAP, height)
+    }
+
+    /// Along the lower edge, right of the tools and left of what takes so much of the right edge.
+    pub(super) fn low_strip(&self, at_right: f32) -> Rect {
+        self.low_beside(at_right).with_min_x(self.room.left() + TOOLS + EDGE)
     }
 
     /// The room above what lies at the lower edge.
@@ -129,18 +154,23 @@ impl Places {
         let right = (right - at_right).max(left + LEAST * (right - left));
         let said = if self.room.width() < NARROW { SAID_NARROW } else { SAID };
         let [caption, above] = ends;
-        let top = (caption.max(self.bar_bottom() + said) + titles).max(above).min(self.room.center().y);
+        // What a tool's panel pushed down moves no body.
+        let caption = caption.min(self.bar_bottom() + MOST_SAID);
+        let lowest = self.room.top() + LOWEST * self.room.height();
+        let top = (caption.max(self.bar_bottom() + said) + titles).max(above).min(lowest);
         let all = Rect::from_min_max(pos2(left, top), pos2(right, self.above_dock().max(top + 40.0)));
         plots.map_or(all, |plots| largest_beside(all, plots.expand(APART)))
     }
 
-    /// The size of the world: of several side by side, beside what takes so much of the right edge, above what lies at the lower one.
-    pub(super) fn size(&self, at_right: f32, is_shared: bool) -> [f32; 2] {
+    /// The size of the world: of several side by side, beside what takes so much of the right edge, above what lies at the lower one, and
+    /// above plots that begin there.
+    pub(super) fn size(&self, at_right: f32, is_shared: bool, plots: Option<f32>) -> [f32; 2] {
         let [width, height] = [self.room.width(), self.room.height()];
         if !is_shared {
             return [width, height];
         }
         let high = if self.has_dock() { self.below - APART - self.room.top() } else { height };
+        let high = plots.map_or(high, |top| high.min(top - APART - self.room.top()));
         [(width - at_right).max(LEAST * width), high.max(LEAST * height)]
     }
 
@@ -154,30 +184,68 @@ impl Places {
         lie.map(|rect| rect.left_bottom()).reduce(|a, b| pos2(a.x.min(b.x), a.y.max(b.y)))
     }
 
-    /// Where something is said, so high: below the buttons, between what lies at both sides there. Returns the middle of its upper edge,
-    /// and how wide it may be.
+    /// Where something is said, so high or lower: below the buttons, between what lies there. Returns the middle of its upper edge, and how
+    /// wide it may be.
     pub(super) fn said(&self, context: &Context, top: f32) -> (egui::Pos2, f32) {
-        let (mut left, mut right) = (self.room.left() + BESIDE_TOOLS, self.room.right() - EDGE);
-        let middle = self.room.center().x;
-        for (id, rect) in areas(context) {
-            let is_beside = rect.top() < top + SAID && rect.bottom() > top && !super::notes::is_own(id);
-            if is_beside && rect.center().x < middle && rect.right() < middle {
-                left = left.max(rect.right() + APART);
-            } else if is_beside && rect.left() > middle {
-                right = right.min(rect.left() - APART);
-            }
-        }
-        // Where there is hardly any room between them it lies over them.
-        let (left, right) = if right - left < 200.0 { (middle - 100.0, middle + 100.0) } else { (left, right) };
-        let width = (right - left).min(WIDEST);
-        (pos2(middle.clamp(left + 0.5 * width, right - 0.5 * width), top), width)
+        let lie: Vec<Rect> =
+            areas(context).into_iter().filter(|(layer, _)| is_in_the_way(*layer)).map(|(_, at)| at).collect();
+        let room = self.room.with_min_x(self.room.left() + BESIDE_TOOLS).with_max_x(self.room.right() - EDGE);
+        between((room, self.room.center().x), &lie, top)
     }
+}
+
+/// Whether what is said goes aside for an area: not for its own lines, for titles, which go below them, nor for menus and tooltips.
+fn is_in_the_way(layer: LayerId) -> bool {
+    layer.order == Order::Middle && !super::notes::is_own(layer.id) && !super::beside::is_title(layer.id)
+}
+
+/// The middle of the upper edge of a line in a room from `top` on, and how wide it may be: in the widest gap between what lies there, as
+/// near to `middle` as may be; below what leaves no gap.
+fn between((room, middle): (Rect, f32), lie: &[Rect], top: f32) -> (egui::Pos2, f32) {
+    let mut top = top;
+    // Each time it goes below one of them at least.
+    for _ in 0..=lie.len() {
+        let beside =
+            |high: f32| lie.iter().filter(|at| at.top() < top + high && at.bottom() > top).collect::<Vec<&Rect>>();
+        let (left, right) = widest_gap(room, &beside(SAID));
+        // In a narrow gap the same words take more lines.
+        let beside = beside(if right - left < WORDS { MOST_SAID } else { SAID });
+        let (left, right) = widest_gap(room, &beside);
+        if right - left >= LEAST_SAID {
+            let width = (right - left).min(WIDEST);
+            return (pos2(middle.clamp(left + 0.5 * width, right - 0.5 * width), top), width);
+        }
+        let Some(low) = beside.iter().map(|at| at.bottom()).min_by(f32::total_cmp) else { break };
+        if low + APART > room.center().y {
+            break;
+        }
+        top = low + APART;
+    }
+    // Where there is no room at all it lies over them.
+    (pos2(middle, top), LEAST_SAID.min(room.width()))
+}
+
+/// The widest part of a room's width that nothing lies in.
+fn widest_gap(room: Rect, lie: &[&Rect]) -> (f32, f32) {
+    let mut taken: Vec<[f32; 2]> = lie.iter().map(|at| [at.left() - APART, at.right() + APART]).collect();
+    taken.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let (mut from, mut best) = (room.left(), (room.left(), room.left()));
+    for [left, right] in taken.into_iter().chain([[room.right(); 2]]) {
+        let end = left.min(room.right());
+        if end - from > best.1 - best.0 {
+            best = (from, end);
+        }
+        from = from.max(right);
+    }
+    best
 }
 
 /// The rooms for the tools, and for what belongs to the one that is taken: beside them, or at the right edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ToolRooms {
     pub(super) tools: Rect,
+    /// How low the tools may reach.
+    pub(super) lowest: f32,
     pub(super) left: Rect,
     pub(super) right: Rect,
 }
@@ -219,11 +287,11 @@ pub(in crate::app) fn kept_in(rect: Rect, pointer: Option<egui::Pos2>, room: Rec
 const NEAR_POINTER: f32 = 60.0;
 
 /// All that floats, from below.
-fn areas(context: &Context) -> Vec<(egui::Id, Rect)> {
+fn areas(context: &Context) -> Vec<(LayerId, Rect)> {
     context.memory(|memory| {
         let shown = memory.areas().visible_layer_ids();
         let floats = memory.layer_ids().filter(|layer| layer.order != Order::Background && shown.contains(layer));
-        floats.filter_map(|layer| Some((layer.id, memory.area_rect(layer.id)?))).collect()
+        floats.filter_map(|layer| Some((layer, memory.area_rect(layer.id)?))).collect()
     })
 }
 
@@ -252,6 +320,22 @@ mod tests {
         assert_eq!(kept_in(wide, Some(middle), room).right(), 800.0, "no side has room for it");
         let away = beside(pos2(900.0, 300.0));
         assert_eq!(kept_in(away, Some(middle), room), away, "it belongs to something out of view");
+    }
+
+    #[test]
+    fn what_is_said_stands_in_the_widest_gap_or_below_what_leaves_none() {
+        let room = Rect::from_min_max(pos2(110.0, 0.0), pos2(1270.0, 650.0));
+        let at = |left: f32, right: f32, bottom: f32| Rect::from_min_max(pos2(left, 60.0), pos2(right, bottom));
+        let said = |lie: &[Rect]| between((room, 640.0), lie, 60.0);
+        let (middle, width) = said(&[]);
+        assert_eq!((middle, width), (pos2(640.0, 60.0), WIDEST));
+        let (middle, width) = said(&[at(450.0, 694.0, 100.0)]);
+        assert_eq!((middle.y, width), (60.0, 1270.0 - 700.0), "right of it");
+        assert!(middle.x - 0.5 * width >= 700.0);
+        let (middle, _) = said(&[at(110.0, 640.0, 100.0), at(660.0, 1200.0, 140.0)]);
+        assert_eq!(middle.y, 106.0, "below the first, beside the second");
+        let (middle, _) = said(&[at(110.0, 1200.0, 600.0)]);
+        assert_eq!(middle.y, 60.0, "over what leaves no room at all");
     }
 
     #[test]

@@ -4,6 +4,7 @@ use egui::collapsing_header::CollapsingState;
 use egui::{Align, Align2, Area, AsIdSalt, Color32, Id, Layout, Pos2, Rect, RichText, Ui, Vec2, pos2, vec2};
 use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Line, Plot, PlotPoints};
 
+use super::places::APART;
 use super::theme::{Colors, colors, floating};
 use super::{Wish, described};
 use crate::app::action::Action;
@@ -26,6 +27,8 @@ const LEFT: [f32; 2] = [76.0, 10.0];
 const HEAD: f32 = 118.0;
 /// Points so near to it are covered by what lies about them `[points]`.
 const ROOM: f32 = 12.0;
+/// Width of what lies in the upper right corner, figures and legends, with some room `[points]`.
+const CORNER: f32 = 296.0;
 /// Width of what was measured once alone `[points]`.
 const DOT: f32 = 7.0;
 /// Half of the room less this is free for the plot: the primitives beside the tools end there `[points]`.
@@ -95,7 +98,9 @@ pub(super) fn show(
         false => at.corner.unwrap_or_else(found),
     };
     at.corner = at.corner.or_else(|| (!points.is_empty() && !is_docked).then(found));
-    let corner = pos2(corner.x.min(room.right() - size.x), corner.y.max(room.top() + size.y).min(room.bottom()));
+    let corner =
+        pos2(corner.x.min(room.right() - size.x - APART), corner.y.max(room.top() + size.y).min(room.bottom()));
+    let corner = if at.is_dragged { corner } else { below_corner(corner, size, (room, top)) };
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
     let shown = area.show(context, |ui| panel(ui, [SIZE[0], high], plots, wishes));
     if shown.response.dragged() {
@@ -104,11 +109,21 @@ pub(super) fn show(
     shown.response.rect
 }
 
-/// Shows it along the lower edge of a room. Returns where it begins `[points]`.
-pub(super) fn show_below(context: &egui::Context, room: Rect, plots: &mut Plots, wishes: &mut Vec<Wish>) -> f32 {
-    let size = [(room.width() - 36.0).max(180.0), (LOW * room.height()).clamp(70.0, SIZE[1])];
+/// Shows it along the lower edge of a room. Returns where it lies `[points]`.
+pub(super) fn show_below(context: &egui::Context, room: Rect, plots: &mut Plots, wishes: &mut Vec<Wish>) -> Rect {
+    let size = [(room.width() - 36.0).max(180.0), low(room)];
     let area = Area::new(Id::unique("plots below")).pivot(Align2::CENTER_BOTTOM).fixed_pos(room.center_bottom());
-    area.show(context, |ui| panel(ui, size, plots, wishes)).response.rect.top()
+    area.show(context, |ui| panel(ui, size, plots, wishes)).response.rect
+}
+
+/// Height of a plot there `[points]`.
+fn low(room: Rect) -> f32 {
+    (LOW * room.height()).clamp(70.0, SIZE[1])
+}
+
+/// About how high the panel is there `[points]`.
+pub(super) fn low_height(room: Rect) -> f32 {
+    low(room) + HEAD
 }
 
 /// The panel with a plot of this size.
@@ -125,6 +140,17 @@ fn panel(ui: &mut Ui, size: [f32; 2], plots: &mut Plots, wishes: &mut Vec<Wish>)
             plot(ui, size, plots);
         });
     });
+}
+
+/// The same corner, further down where the panel would lie over what came to the right edge above `top` since; beside it where it is low.
+fn below_corner(corner: Pos2, size: Vec2, (room, top): (Rect, f32)) -> Pos2 {
+    if corner.y - size.y >= top || corner.x + size.x < room.right() - CORNER {
+        return corner;
+    }
+    match top + size.y <= room.bottom() {
+        true => pos2(corner.x, top + size.y),
+        false => pos2((room.right() - CORNER - size.x).max(room.left() + LEFT[0]), room.bottom()),
+    }
 }
 
 /// The left lower corner of a panel of this size in a room, whose right edge is free from `top` on: of its places there, at the lower edge and

@@ -33,16 +33,27 @@ fn words(primitive: Primitive) -> &'static str {
     }
 }
 
-/// Shows them at the right of the tools.
-pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+/// Height of a row, and of the frame `[points]`.
+const ROW: f32 = 38.0;
+const FRAME: f32 = 10.0;
+
+/// How many stand in a row, where there is so much height for all `[points]`.
+fn columns(height: f32) -> usize {
+    let rows = |columns: &usize| Primitive::ALL.len().div_ceil(*columns) as f32;
+    (2..=4).find(|columns| rows(columns) * ROW + FRAME <= height).unwrap_or(4)
+}
+
+/// Shows them at the right of the tools, above the lower edge of a room.
+pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: &Facts, wishes: &mut Vec<Wish>) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
+    let columns = columns(room.bottom() - corner.y);
     Area::new(Id::unique("primitives")).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
-            for pair in Primitive::ALL.chunks(2) {
+            for row in Primitive::ALL.chunks(columns) {
                 ui.horizontal(|ui| {
                     ui.spacing_mut().item_spacing.x = 4.0;
-                    pair.iter().for_each(|&primitive| choice(ui, primitive, facts, wishes));
+                    row.iter().for_each(|&primitive| choice(ui, primitive, facts, wishes));
                 });
             }
             if facts.primitive == Primitive::Bonds {

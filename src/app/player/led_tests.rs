@@ -140,6 +140,8 @@ fn what_is_opened_in_the_middle_of_a_grab_is_let_go_and_pushes_again() {
         begins.recording().commands.iter().all(|entry| entry.at == stage.history().world().time()),
         "without a past"
     );
+    assert!(!begins.is_replayed(), "what it lets go of is no motion that was recorded");
+    assert!(Start::load(recording.to_str().unwrap()).unwrap().is_replayed());
     for file in [&path, &recording, &moment] {
         let start = Start::load(file.to_str().unwrap()).unwrap();
         assert_eq!(start.recording().view.as_ref(), Some(&view), "the camera is where it was");

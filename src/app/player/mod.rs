@@ -97,6 +97,8 @@ pub struct Player {
     playing: bool,
     played_by: u64,
     advances: u64,
+    /// Edits that were asked for, those before the last that was saved, and those that are known to be saved.
+    edits: [u64; 3],
 }
 
 impl Player {
@@ -121,6 +123,7 @@ impl Player {
             playing: true,
             played_by: 0,
             advances: 0,
+            edits: [0; 3],
         }
     }
 
@@ -185,6 +188,11 @@ impl Player {
         if let Order::Save(path) | Order::Moment(path) | Order::Picture(path, _) | Order::Table(path, _) = &order {
             self.written = Some((self.serial, path.clone()));
         }
+        let [asked, saving, _] = &mut self.edits;
+        *asked += u64::from(order.is_edit());
+        if let Order::Save(_) | Order::Moment(_) = order {
+            *saving = *asked;
+        }
         // One whose history could not begin does nothing.
         let _ = self.orders.send((self.serial, order));
     }
@@ -248,6 +256,17 @@ impl Player {
     /// Whether something that was asked for has not been done for long.
     pub fn is_busy(&self) -> bool {
         self.waiting_since.is_some_and(|since| since.elapsed() > LONG)
+    }
+
+    /// Whether something was built or changed since it was saved last. What is recorded to a file is saved as it is done.
+    pub fn is_unsaved(&self) -> bool {
+        let [asked, _, saved] = self.edits;
+        asked > saved && self.record.is_none()
+    }
+
+    /// What was to be saved last is.
+    pub fn note_saved(&mut self) {
+        self.edits[2] = self.edits[1];
     }
 
     /// What it is recorded to.

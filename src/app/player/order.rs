@@ -118,6 +118,16 @@ pub enum Order {
 }
 
 impl Order {
+    /// Whether something is built or changed by it that would be missed: what a hand throws about is not.
+    pub(super) fn is_edit(&self) -> bool {
+        match self {
+            Order::Give(commands, name) => name.is_some() && !commands.is_empty(),
+            Order::GiveOn(..) | Order::Change { .. } | Order::Solver(_) | Order::Method(..) | Order::Add(_) => true,
+            Order::Haul(_) => true,
+            _ => false,
+        }
+    }
+
     /// Whether the world goes to another time by it, where what was done is done already.
     pub(super) fn goes(&self) -> bool {
         matches!(

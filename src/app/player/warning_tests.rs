@@ -53,3 +53,15 @@ fn a_pin_that_is_led_further_than_bonds_reach_says_how_far() {
     let lines = lead(2.8);
     assert!(lines.len() == 1 && lines[0].contains("further apart than the bonds"), "{lines:?}");
 }
+
+#[test]
+fn every_scene_of_the_gallery_opens_without_a_warning() {
+    // The largest takes too long for a test; it has neither contact nor obstacles.
+    for entry in crate::scene::gallery().iter().filter(|entry| entry.name != "million-cloth") {
+        let mut stage = Stage::new(entry.scene().unwrap().into()).unwrap();
+        let mut shown = super::Shown::default();
+        stage.show(&mut shown);
+        assert_eq!(shown.scenery.warnings, [""; 0], "{}", entry.name);
+        assert_eq!(warned(&mut stage), [""; 0], "{}", entry.name);
+    }
+}

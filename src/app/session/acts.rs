@@ -42,7 +42,7 @@ impl Session {
             // What is drawn click by click is not done yet.
             Action::Undo if self.hand.is_drawing() => self.hand.step_back(),
             Action::StepBack => self.hand.step_back(),
-            Action::Finish if self.asked.is_some() => self.answered(true),
+            Action::Finish if self.asked.is_some() => self.answered(0),
             Action::Finish => {
                 let deed = self.with_scope(|hand, scope| hand.finish(scope));
                 self.do_deed(deed);
@@ -85,6 +85,7 @@ impl Session {
             Action::Save => self.save(),
             Action::Screenshot => self.take_screenshot(),
             Action::Settings => self.panels.has_settings = !self.panels.has_settings,
+            Action::FindSetting => (self.panels.has_settings, self.panels.finds_setting) = (true, true),
             Action::Plots => self.toggle_plots(),
             Action::Lessons => self.toggle_lessons(),
             Action::TogglePanels => self.panels.hides_panels = !self.panels.hides_panels,
@@ -165,7 +166,7 @@ impl Session {
             return;
         }
         if self.asked.is_some() {
-            return self.answered(false);
+            return self.unanswered();
         }
         if self.hand.is_drawing() {
             return self.leave_drawing();
@@ -196,9 +197,13 @@ impl Session {
         self.hand.take(tool);
         // It is of the hand.
         self.place_hint();
-        if tool == Tool::Push && self.scene.dimensions() != 2 {
-            // Forces are of the plane.
-            self.hand.set_push_way(PushWay::Wind);
+        if tool == Tool::Push {
+            // Forces are of the plane, and wind has a button of its own.
+            match self.hand.push_way() {
+                _ if self.scene.dimensions() != 2 => self.hand.set_push_way(PushWay::Wind),
+                PushWay::Wind => self.hand.set_push_way(PushWay::default()),
+                _ => {}
+            }
         }
         let words = match tool {
             Tool::Pin => "pin: click a point to hold it where it is, or a pin to let it go",

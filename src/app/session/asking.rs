@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::app::count::grouped;
-use crate::app::panels::{short, speed};
+use crate::app::panels::{Question, short, speed};
 use crate::history::Do;
 use crate::scene::BodyKeys;
 
@@ -19,11 +19,20 @@ const POINT: f64 = 3e-6;
 /// A frame `[s]`.
 const FRAME: f64 = 1.0 / 60.0;
 
+/// What an answer does, by its place.
+pub(super) type Act = Box<dyn FnOnce(&mut Session, usize)>;
+
 /// Something that waits for an answer.
 pub(super) struct Asked {
-    pub(super) words: String,
-    act: Box<dyn FnOnce(&mut Session)>,
+    pub(super) question: Question,
+    /// What is asked is whether the program is left.
+    pub(super) is_of_leaving: bool,
+    /// What is done then.
+    pub(super) act: Act,
 }
+
+/// The answers to something large that would come.
+const ANSWERS: &[(&str, &str)] = &[("Add", "Enter"), ("Cancel", "Esc")];
 
 /// What is asked where so many points come to so many others, which take so long in a frame `[s]` and reach such a share of their speed;
 /// `None`: nothing. It speaks as the bar below does once they are there.
@@ -70,20 +79,30 @@ impl Session {
         match question(coming, figures.points, (figures.work, figures.pace)) {
             None => act(self),
             Some(words) => {
-                self.asked = Some(Asked { words, act: Box::new(act) });
+                let answered = |session: &mut Session, answer: usize| {
+                    if answer == 0 {
+                        act(session);
+                    }
+                };
+                let question = Question { words, answers: ANSWERS };
+                self.asked = Some(Asked { question, is_of_leaving: false, act: Box::new(answered) });
                 self.panels_dirty = true;
             }
         }
         self.dirty = true;
     }
 
-    /// The question was answered.
-    pub(super) fn answered(&mut self, yes: bool) {
+    /// The question was answered, by the place of the answer.
+    pub(super) fn answered(&mut self, answer: usize) {
         let Some(asked) = self.asked.take() else { return };
-        if yes {
-            (asked.act)(self);
-        }
+        (asked.act)(self, answer);
         self.touch();
+    }
+
+    /// By the last answer, which does nothing.
+    pub(super) fn unanswered(&mut self) {
+        let last = self.asked.as_ref().map(|asked| asked.question.answers.len() - 1);
+        last.into_iter().for_each(|last| self.answered(last));
     }
 }
 

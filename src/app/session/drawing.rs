@@ -41,10 +41,13 @@ impl Session {
         let context = self.egui.egui_ctx().clone();
         if let Some(thumbnails) = &mut self.thumbnails {
             thumbnails.load(&context, &mut self.panels.thumbnails);
+            if self.panels.sheet == Some(panels::Sheet::Gallery) {
+                thumbnails.want(panels::found_scenes(&self.panels.search));
+            }
         }
         let mut wishes = Vec::new();
         let mut laid = Laid::default();
-        let (mut answer, mut yes) = (None, None);
+        let (mut answer, mut answered) = (None, None);
         let can_add = self.scene.dimensions() == 2;
         let output = context.run_ui(input, |ui| {
             ui.fonts_mut(|fonts| {
@@ -56,7 +59,7 @@ impl Session {
             // A sheet lies over the canvas too: it comes back with it.
             let import = self.import.as_mut().filter(|_| self.panels.sheet.is_none());
             answer = import.and_then(|import| import.show(ui.ctx(), can_add));
-            yes = self.asked.as_ref().and_then(|asked| panels::ask(ui.ctx(), &asked.words));
+            answered = self.asked.as_ref().and_then(|asked| panels::ask(ui.ctx(), &asked.question));
             if self.loading.as_ref().is_some_and(|loading| loading.show(ui.ctx())) {
                 self.loading = None;
             }
@@ -85,8 +88,8 @@ impl Session {
         if let Some(answer) = answer {
             self.answer(answer);
         }
-        if let Some(yes) = yes {
-            self.answered(yes);
+        if let Some(place) = answered {
+            self.answered(place);
         }
     }
 
@@ -169,6 +172,9 @@ impl Session {
     /// What is open, as it is called in a list: a recording by its file.
     pub(super) fn title(&self) -> String {
         let start = self.player.start();
+        if let Some(heading) = self.panels.lessons.heading() {
+            return heading.to_owned();
+        }
         let name = start.name().map(str::to_owned);
         let name = name.or_else(|| self.entry().map(|entry| entry.title.to_owned()));
         let name = name.unwrap_or_else(|| self.scene.name().to_owned());

@@ -86,9 +86,13 @@ impl Session {
                 self.say(format!("written: {}", path.display()));
                 if is_recording(&path) {
                     self.remember(&path);
+                    self.have_saved(true);
                 }
             }
-            Note::NotWritten(why) => self.complain(&why),
+            Note::NotWritten(why) => {
+                self.have_saved(false);
+                self.complain(&why);
+            }
             Note::NotKept(why) => self.complain(&format!(
                 "what you do here would be lost if the program were killed, until this can be written again: {why}"
             )),

@@ -80,12 +80,14 @@ impl Session {
 
     /// Saves all that was done, and how it is looked at.
     pub(super) fn save_to(&mut self, path: PathBuf) {
+        self.leave_once_written();
         self.tell_view();
         self.player.ask(Order::Save(path));
     }
 
     /// Saves this moment as a scene, and how it is looked at.
     pub(super) fn save_moment(&mut self, path: PathBuf) {
+        self.leave_once_written();
         self.tell_view();
         self.player.ask(Order::Moment(path));
     }

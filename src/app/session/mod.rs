@@ -11,6 +11,7 @@ mod fresh;
 mod hearing;
 mod keeping;
 mod learning;
+mod leaving;
 mod leftovers;
 mod lost;
 mod plotting;
@@ -39,7 +40,7 @@ use super::loading::Loading;
 use super::matter::Matter;
 use super::meter::Meter;
 use super::opening::Free;
-use super::panels::{At, Misfits, PanelState, Sheet, theme};
+use super::panels::{At, Misfits, PanelState, Sheet, listen, theme};
 use super::player::{Figures, Order, Player, Shown, too_many_to_meet};
 use super::pointer::Pointer;
 use super::preferences::Preferences;
@@ -54,6 +55,7 @@ use crate::scene::{MOST_MEETING, Parameter, Scene, SolverName, gallery};
 use crate::sim::{Cursor, Key, MouseForce, SceneChange};
 use asking::Asked;
 use copies::{Copied, Row};
+use leaving::Leaving;
 use lost::Lost;
 use shelf::{Left, Shelf};
 
@@ -175,6 +177,7 @@ pub(super) struct Session {
     adding: Option<Import>,
     /// What waits for an answer before it comes.
     asked: Option<Asked>,
+    leaving: Leaving,
     /// A file that is being chosen in the system's dialog, and what is on its way from the clipboard.
     dialog: Option<Fetch>,
     pasted: Option<Fetch>,
@@ -280,6 +283,7 @@ impl Session {
             loading: None,
             adding: None,
             asked: None,
+            leaving: Leaving::Not,
             dialog: None,
             pasted: None,
             saving: None,
@@ -566,6 +570,7 @@ impl Session {
         if !self.wants_frame() {
             return Ok(());
         }
+        self.stay_without_name();
         self.advance(start);
         self.inspect();
         self.dirty = false;
@@ -709,6 +714,7 @@ fn listed(warnings: &[&str]) -> String {
 fn panels_for(window: &Arc<Window>, canvas: &Canvas, palette: Palette) -> egui_winit::State {
     let context = egui::Context::default();
     theme::apply(&context, palette);
+    listen(&context);
     let scale = Some(window.scale_factor() as f32);
     let side = Some(canvas.largest_side() as usize);
     egui_winit::State::new(context, egui::ViewportId::ROOT, &**window, scale, None, side)

@@ -15,8 +15,6 @@ const NOTHING: &str = "select something first: the tool for that is 6";
 
 /// What the pointer is on is looked for among so many points: more would take longer than a frame.
 const MOST_HOVERED: usize = 100_000;
-/// Of so many points at most it is looked where they are seen.
-const MOST_LOOKED_AT: usize = 1_000;
 
 impl Session {
     /// What is selected, if anything is.
@@ -72,23 +70,10 @@ impl Session {
         let chosen = self.with_scope(|hand, scope| hand.chosen(scope)).unwrap_or_default();
         if chosen != self.inspected {
             self.inspected = chosen.clone();
-            self.panels.selected_at = self.rect_of(&chosen.points);
             let Chosen { points, obstacles } = chosen;
             self.player.ask(Order::Inspect(Among { points, obstacles, bonds: None }));
             self.panels_dirty = true;
         }
-    }
-
-    /// The box that points are seen in `[points]`, of some of many.
-    fn rect_of(&self, points: &[PointId]) -> Option<egui::Rect> {
-        let (camera, scale) = (self.camera_here(), f64::from(self.egui.egui_ctx().pixels_per_point()));
-        let step = points.len() / MOST_LOOKED_AT + 1;
-        let seen = points.iter().step_by(step).filter_map(|point| {
-            let [x, y] = camera.screen_from_world(self.shown().place(point.index()).into())?;
-            Some(egui::pos2((x / scale) as f32, (y / scale) as f32))
-        });
-        let rect = egui::Rect::from_points(&seen.collect::<Vec<_>>());
-        rect.is_finite().then_some(rect)
     }
 
     /// What is selected gets another matter.

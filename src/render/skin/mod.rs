@@ -1,8 +1,10 @@
 //! Skins: pictures on the triangles of bodies, drawn under their bonds.
 //!
 //! A triangle is drawn as long as all of its sides are bonds: where one broke, the skin is open. Along the sides that are then
-//! free, and along bonds that are no triangle's, goes a stroke in the picture's colours: triangles alone have ragged edges.
+//! free, and along bonds that are no triangle's, goes a stroke in the picture's colours: triangles alone have ragged edges. In the plane, where
+//! the picture ends beside a side, it is drawn on up to its own edge instead (`rind.rs`).
 
+mod rind;
 mod sides;
 pub(super) mod texture;
 
@@ -17,6 +19,7 @@ use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
 use super::view::View;
 use crate::picture::{Picture, Skin};
+use rind::Rind;
 use sides::Sides;
 
 /// A corner as the shader reads it: `Corner` in skin.wgsl.
@@ -42,13 +45,17 @@ pub(super) struct Skins {
 struct Worn {
     picture: Arc<Picture>,
     paint: wgpu::BindGroup,
+    rind: GrowingBuffer,
     triangles: GrowingBuffer,
     edges: GrowingBuffer,
-    /// Vertices of both.
-    counts: [u32; 2],
-    /// The world's bindings, with the corners of triangles and of edges.
-    bindings: Option<[wgpu::BindGroup; 2]>,
+    /// Vertices of all three.
+    counts: [u32; 3],
+    /// The world's bindings, with the corners of each.
+    bindings: Option<[wgpu::BindGroup; 3]>,
 }
+
+/// Marks corners of triangles of which only what the picture covers is shown: `CLIPPED` in skin.wgsl.
+const CLIPPED: u32 = 1 << 31;
 
 /// Vertices of a stroke.
 const QUAD: u32 = 6;
@@ -99,7 +106,7 @@ impl Skins {
         }
         let sides = Sides::of(view);
         for (worn, skin) in self.worn.iter_mut().zip(view.skins) {
-            worn.dress(gpu, skin, &sides, counters)?;
+            worn.dress(gpu, (skin, view.dimensions == 2), &sides, counters)?;
         }
         self.topology = Some(view.topology);
         Ok(())
@@ -114,7 +121,8 @@ impl Skins {
         };
         let list = || GrowingBuffer::new(gpu, "skin", wgpu::BufferUsages::STORAGE, 64);
         let picture = Arc::clone(&skin.picture);
-        Ok(Worn { picture, paint, triangles: list(), edges: list(), counts: [0; 2], bindings: None })
+        let [rind, triangles, edges] = [list(), list(), list()];
+        Ok(Worn { picture, paint, rind, triangles, edges, counts: [0; 3], bindings: None })
     }
 
     fn paint(
@@ -138,11 +146,12 @@ impl Skins {
     /// Binds the world's buffers anew, where `all` of them or a skin's own are others than before.
     pub(super) fn rebind(&mut self, gpu: &Gpu, layout: &wgpu::BindGroupLayout, buffers: &WorldBuffers, all: bool) {
         for worn in &mut self.worn {
-            let is_other = [worn.triangles.take_unbound(), worn.edges.take_unbound()].contains(&true);
+            let lists = [&mut worn.rind, &mut worn.triangles, &mut worn.edges];
+            let is_other = lists.map(GrowingBuffer::take_unbound).contains(&true);
             if !(all || is_other || worn.bindings.is_none()) {
                 continue;
             }
-            worn.bindings = Some([&worn.triangles, &worn.edges].map(|list| {
+            worn.bindings = Some([&worn.rind, &worn.triangles, &worn.edges].map(|list| {
                 let entries = buffers.bound(&buffers.frame, list);
                 let entries: Vec<_> = (0..)
                     .zip(entries)
@@ -157,11 +166,11 @@ impl Skins {
         }
     }
 
-    /// Draws all skins: triangles, then edges.
+    /// Draws all skins: what is beside triangles, these, then edges.
     pub(super) fn draw(
         &self,
         target: &mut wgpu::RenderPass<'_>,
-        pipelines: &[wgpu::RenderPipeline; 2],
+        pipelines: &[wgpu::RenderPipeline; 3],
         counters: &mut RenderCounters,
     ) {
         for worn in &self.worn {
@@ -175,17 +184,17 @@ impl Skins {
                     counters.draws += 1;
                 }
             }
-            counters.triangles_drawn += u64::from(worn.counts[0] / 3);
+            counters.triangles_drawn += u64::from(worn.counts[1] / 3);
         }
     }
 }
 
 impl Worn {
-    /// Uploads the triangles whose sides are all there, and the edges.
+    /// Uploads the triangles whose sides are all there, the edges, and in the plane what is beside them.
     fn dress(
         &mut self,
         gpu: &Gpu,
-        skin: &Skin,
+        (skin, is_plane): (&Skin, bool),
         sides: &Sides,
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
@@ -194,13 +203,23 @@ impl Worn {
             Corner { point, u, v }
         };
         let whole = sides.whole(&skin.triangles);
-        let triangles: Vec<Corner> = whole.iter().flatten().map(corner).collect();
+        let mut triangles: Vec<Corner> = whole.iter().flatten().map(corner).collect();
         let has_picture = |point: u32| (point.wrapping_sub(skin.first) as usize) < skin.texture.len();
-        let edges = sides.edges(&skin.triangles, &whole, has_picture);
+        let mut edges = sides.edges(&skin.triangles, &whole, has_picture);
+        let mut rind = Rind::default();
+        if is_plane {
+            let mut free = edges.clone();
+            free.sort_unstable();
+            rind = Rind::of(skin, &whole, &free);
+            let is_clipped = rind.clipped.iter().flat_map(|triangle| 3 * triangle..3 * triangle + 3);
+            is_clipped.for_each(|corner| triangles[corner].point |= CLIPPED);
+            edges.retain(|side| rind.sides.binary_search(side).is_err());
+        }
         let edges: Vec<Corner> = edges.iter().flatten().map(corner).collect();
+        self.rind.write(gpu, bytemuck::cast_slice(&rind.corners), counters)?;
         self.triangles.write(gpu, bytemuck::cast_slice(&triangles), counters)?;
         self.edges.write(gpu, bytemuck::cast_slice(&edges), counters)?;
-        self.counts = [triangles.len() as u32, QUAD * (edges.len() / 2) as u32];
+        self.counts = [rind.corners.len() as u32, triangles.len() as u32, QUAD * (edges.len() / 2) as u32];
         Ok(())
     }
 }

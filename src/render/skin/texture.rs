@@ -1,4 +1,4 @@
-//! A picture as the GPU reads it: with mipmaps, and opaque.
+//! A picture as the GPU reads it: with mipmaps, and a colour for what is clear too.
 //!
 //! Triangles end half a pixel or so beyond the ink. What is clear there has a colour that nobody chose; so every clear
 //! pixel gets one from what lies around it: colours are averaged upwards, level by level, weighted by how opaque they are, and
@@ -46,7 +46,10 @@ pub(super) fn upload(
 ) -> Result<wgpu::TextureView, RenderError> {
     let most = gpu.device.limits().max_texture_dimension_2d as usize;
     let mut levels = pull(picture);
+    let opaque: Vec<Vec<f32>> =
+        levels.iter().map(|level| level.pixels.iter().map(|pixel| pixel[3]).collect()).collect();
     push(&mut levels);
+    let too_large = levels.iter().take_while(|level| level.width > most || level.height > most).count();
     levels.retain(|level| level.width <= most && level.height <= most);
     let size = |level: &Level| wgpu::Extent3d {
         width: level.width as u32,
@@ -63,8 +66,12 @@ pub(super) fn upload(
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
     });
-    for (number, level) in (0..).zip(&levels) {
-        let bytes: Vec<u8> = level.pixels.iter().flat_map(stored).collect();
+    for ((number, level), opaque) in (0..).zip(&levels).zip(&opaque[too_large..]) {
+        let with_opacity = |(pixel, alpha): (&Pixel, &f32)| {
+            let [r, g, b, _] = stored(pixel);
+            [r, g, b, (255.0 * alpha + 0.5) as u8]
+        };
+        let bytes: Vec<u8> = level.pixels.iter().zip(opaque).flat_map(with_opacity).collect();
         gpu.queue.write_texture(
             wgpu::TexelCopyTextureInfo { mip_level: number, ..texture.as_image_copy() },
             &bytes,

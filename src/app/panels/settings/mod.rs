@@ -81,7 +81,8 @@ pub(super) fn show_below(
 ) -> f32 {
     let size = [(room.width() - 36.0).max(180.0), (super::lessons::LOW * room.height() - HEAD).max(120.0)];
     let place = (Align2::CENTER_BOTTOM, room.center_bottom());
-    panel(context, (place, size), state, (facts, wishes), |ui, facts, sections, sink| {
+    // As high whatever is found: it stands on the lower edge, and the field would move.
+    panel(context, (place, size, true), state, (facts, wishes), |ui, facts, sections, sink| {
         let (left, right) = sections.split_at(sections.len().div_ceil(2));
         ui.columns(2, |columns| {
             for (column, list) in columns.iter_mut().zip([left, right]) {
@@ -91,19 +92,19 @@ pub(super) fn show_below(
     })
 }
 
-/// Shows it at the lower right corner of a room.
+/// Shows it at the upper right corner of a room.
 pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
-    let corner = room.right_bottom() - egui::vec2(10.0, 0.0);
+    let corner = room.right_top() - egui::vec2(10.0, 0.0);
     let size = [WIDTH, (room.height() - HEAD).max(120.0)];
-    panel(context, ((Align2::RIGHT_BOTTOM, corner), size), state, (facts, wishes), |ui, facts, sections, sink| {
+    panel(context, ((Align2::RIGHT_TOP, corner), size, false), state, (facts, wishes), |ui, facts, sections, sink| {
         all_of(ui, sections, facts, sink);
     });
 }
 
-/// A panel at a place, so wide and what is scrolled so high at most `[points]`. Returns where it begins.
+/// A panel at a place, so wide and what is scrolled so high at most `[points]`; `is_fixed`: always. Returns where it begins.
 fn panel(
     context: &egui::Context,
-    ((pivot, corner), [width, height]): ((Align2, egui::Pos2), [f32; 2]),
+    ((pivot, corner), [width, height], is_fixed): ((Align2, egui::Pos2), [f32; 2], bool),
     state: &mut PanelState,
     (facts, wishes): (&Facts, &mut Vec<Wish>),
     all: impl FnOnce(&mut Ui, &Facts, &[Section], &mut Sink<'_>),
@@ -111,7 +112,7 @@ fn panel(
     if !context.input(|input| input.pointer.any_down()) {
         state.gesture = None;
     }
-    let search = &mut state.settings_search;
+    let (search, is_wanted) = (&mut state.settings_search, std::mem::take(&mut state.finds_setting));
     let mut sink = Sink { gesture: &mut state.gesture, wishes, dimensions: facts.dimensions };
     let area = Area::new(Id::unique("settings")).pivot(pivot).fixed_pos(corner);
     let shown = area.show(context, |ui| {
@@ -123,14 +124,18 @@ fn panel(
                     if ui.button("Close").on_hover_text(described("close the settings", Action::Settings)).clicked() {
                         sink.wishes.push(Wish::Act(Action::Settings));
                     }
-                    let field =
-                        TextEdit::singleline(search).hint_text("search: wind, sweeps").desired_width(f32::INFINITY);
-                    let field = ui.add(field);
+                    let hint = "search: wind, sweeps";
+                    let field = ui.add(TextEdit::singleline(search).hint_text(hint).desired_width(f32::INFINITY));
                     field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, SEARCH));
+                    if is_wanted {
+                        field.request_focus();
+                    }
+                    field.on_hover_text(described("search the settings", Action::FindSetting));
                 });
             });
             let found = sections::found(facts, search);
-            ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
+            let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+            scroll.auto_shrink([true, !is_fixed]).show(ui, |ui| {
                 all(ui, facts, &found, &mut sink);
                 if found.is_empty() {
                     ui.label(RichText::new("nothing that can be set here is called so").color(colors(ui).weak));

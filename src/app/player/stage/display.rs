@@ -17,7 +17,8 @@ impl Stage {
     /// Looks what is shown is made of now.
     pub(super) fn inspect(&mut self) {
         let is_wanted = !self.among.is_empty();
-        let matter = is_wanted.then(|| Matter::of(self.history.world(), self.history.tints(), &self.among)).flatten();
+        let known = (&**self.history.tints(), self.history.body_names());
+        let matter = is_wanted.then(|| Matter::of(self.history.world(), known, &self.among)).flatten();
         self.matter = matter.map(Arc::new);
     }
 

@@ -1,0 +1,106 @@
+//! The window is to be closed: what becomes of work that was not saved is asked first.
+
+use super::Session;
+use super::asking::Asked;
+use crate::app::count::counted;
+use crate::app::panels::{Question, Sheet};
+
+/// How far the program is with leaving.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Leaving {
+    /// Nobody wants that.
+    #[default]
+    Not,
+    /// Once a file has been named, and is written.
+    Naming,
+    /// Once the file is written.
+    Writing,
+    /// As soon as may be.
+    Now,
+}
+
+/// The answers, the first by Enter, the last by Esc.
+const ANSWERS: &[(&str, &str)] = &[("Save", "Enter"), ("Don't save", "Ctrl+Q once more"), ("Cancel", "Esc")];
+
+/// What is asked where the scene that is open has work in it that was not saved, and so many that were left for it; `None`: nothing.
+fn question(title: &str, has_work: bool, left: usize) -> Option<String> {
+    let others = counted(left, "other scene");
+    match (has_work, left) {
+        (false, 0) => None,
+        (true, 0) => Some(format!("{title}: save what you did?")),
+        (true, _) => Some(format!("{title}: save what you did? {others} that you worked on will not be saved.")),
+        (false, _) => {
+            let was = if left == 1 { "was" } else { "were" };
+            Some(format!("{others} that you worked on {was} not saved (Ctrl+Z goes back there). Save {title}?"))
+        }
+    }
+}
+
+impl Session {
+    /// Somebody wants to leave; `insists`: whatever is asked already. Returns whether that may be at once: else it is asked what becomes of
+    /// what was not saved.
+    pub(in crate::app) fn may_leave(&mut self, insists: bool) -> bool {
+        if self.asked.as_ref().is_some_and(|asked| asked.is_of_leaving) {
+            return insists;
+        }
+        let left = self.shelf.players().filter(|player| player.is_unsaved()).count();
+        let Some(words) = question(&self.title(), self.player.is_unsaved(), left) else { return true };
+        // A sheet would lie over the question.
+        self.panels.sheet = None;
+        let answered = |session: &mut Session, answer: usize| match answer {
+            0 => {
+                session.leaving = Leaving::Naming;
+                session.save();
+            }
+            1 => session.leaving = Leaving::Now,
+            _ => {}
+        };
+        let question = Question { words, answers: ANSWERS };
+        self.asked = Some(Asked { question, is_of_leaving: true, act: Box::new(answered) });
+        self.touch();
+        false
+    }
+
+    /// Whether the program leaves now.
+    pub(in crate::app) fn leaves(&self) -> bool {
+        self.leaving == Leaving::Now
+    }
+
+    /// A file was named for what is saved.
+    pub(super) fn leave_once_written(&mut self) {
+        if self.leaving == Leaving::Naming {
+            self.leaving = Leaving::Writing;
+        }
+    }
+
+    /// A file was written with all that was done or with this moment, or could not be.
+    pub(super) fn have_saved(&mut self, is_written: bool) {
+        if is_written {
+            self.player.note_saved();
+        }
+        if self.leaving == Leaving::Writing {
+            self.leaving = if is_written { Leaving::Now } else { Leaving::Not };
+        }
+    }
+
+    /// Whoever closes what asks for a name stays.
+    pub(super) fn stay_without_name(&mut self) {
+        if self.leaving == Leaving::Naming && self.panels.sheet != Some(Sheet::SaveTo) && self.saving.is_none() {
+            self.leaving = Leaving::Not;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::question;
+
+    #[test]
+    fn work_that_was_not_saved_is_asked_about() {
+        assert_eq!(question("jelly", false, 0), None);
+        assert_eq!(question("jelly", true, 0).as_deref(), Some("jelly: save what you did?"));
+        assert!(question("jelly", true, 2).is_some_and(|words| words.contains("2 other scenes that you worked on")));
+        let words = question("jelly", false, 1).unwrap_or_default();
+        assert!(words.starts_with("1 other scene that you worked on was not saved"), "{words}");
+    }
+}
