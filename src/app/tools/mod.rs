@@ -23,6 +23,7 @@ mod haul_tests;
 mod holding;
 mod hover;
 mod hub;
+mod jam;
 mod knot;
 mod lead;
 mod marks;

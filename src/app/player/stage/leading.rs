@@ -58,6 +58,7 @@ impl Stage {
     /// Obstacles go on their way, as fast as time went since they did last, and as far as what they push has room.
     pub(super) fn haul(&mut self, way: HaulWay) -> Option<Note> {
         let before = self.hauled.take().filter(|_| way.goes_on);
+        self.jam = None;
         let hauled = before.unwrap_or_else(|| way.begin());
         let Some(mut rest) = way.rest(hauled) else {
             self.hauled = before;
@@ -71,8 +72,8 @@ impl Stage {
         let given = if before.is_some() { self.do_on(acts, rest.name) } else { self.do_now(acts, Some(rest.name)) };
         match given {
             Ok((applied, note)) => {
-                let gone = applied.last().map_or(1.0, |applied| applied.gone);
-                self.hauled = Some(hauled.then(&rest, gone));
+                let (gone, jam) = applied.into_iter().last().map_or((1.0, None), |applied| (applied.gone, applied.jam));
+                (self.hauled, self.jam) = (Some(hauled.then(&rest, gone)), jam);
                 note
             }
             Err(note) => {
