@@ -1,10 +1,11 @@
 // Skins: pictures on triangles, and along their free sides a stroke in the picture's own colours, which smooths the edge.
 
-// A corner of a triangle: its point, and where that lies in the picture.
+// A corner of a triangle: its point, where that lies in the picture, and what the picture is multiplied by there.
 struct Corner {
     point: u32,
     u: f32,
     v: f32,
+    tint: u32,
 }
 
 @group(0) @binding(3) var<storage, read> corners: array<Corner>;
@@ -14,6 +15,7 @@ struct Corner {
 struct Skin {
     @builtin(position) position: vec4<f32>,
     @location(0) at: vec2<f32>,
+    @location(1) tint: vec3<f32>,
 }
 
 @vertex
@@ -22,13 +24,14 @@ fn vertex(@builtin(vertex_index) index: u32) -> Skin {
     var out: Skin;
     out.position = frame.clip_from_world * vec4(position_of(corner.point), 1.0);
     out.at = vec2(corner.u, corner.v);
+    out.tint = unpack4x8unorm(corner.tint).rgb;
     return out;
 }
 
 @fragment
 fn fragment(in: Skin) -> @location(0) vec4<f32> {
     let color = textureSample(picture, smooth_sampler, in.at);
-    return vec4(color.rgb, 1.0);
+    return vec4(color.rgb * in.tint, 1.0);
 }
 
 // Width of the stroke along free sides [px].
@@ -47,11 +50,12 @@ fn edge_vertex(@builtin(vertex_index) index: u32) -> Stroke {
     let a = corners[first];
     let b = corners[first + 1u];
     let middle = 0.5 * vec2(a.u + b.u, a.v + b.v);
-    let color = textureSampleLevel(picture, smooth_sampler, middle, 0.0);
+    let tint = 0.5 * (unpack4x8unorm(a.tint) + unpack4x8unorm(b.tint)).rgb;
+    let color = textureSampleLevel(picture, smooth_sampler, middle, 0.0).rgb * tint;
     // About the luminance of a colour in sRGB.
-    let luminance = dot(color.rgb * color.rgb * (0.3 * color.rgb + 0.7), vec3(0.2126, 0.7152, 0.0722));
+    let luminance = dot(color * color * (0.3 * color + 0.7), vec3(0.2126, 0.7152, 0.0722));
     let rim = 1.0 - smoothstep(DARK.x, DARK.y, luminance);
-    let shown = vec4(mix(color.rgb, LIGHT, rim), 1.0);
+    let shown = vec4(mix(color, LIGHT, rim), 1.0);
     return stroke(index % 6u, position_of(a.point), position_of(b.point), shown, mix(EDGE, RIM, rim));
 }
 

@@ -7,7 +7,7 @@ use super::error::{Fault, SceneError, Source, Within};
 use super::keys::{AddKeys, BondKeys, BondList, DrawnKeys, ObstacleKeys, PointKeys, Scene};
 use super::model::{angle, anticlockwise, force, material, of_length, rest_length, skin};
 use super::support;
-use crate::picture::{Skin, Tint};
+use crate::picture::{Coat, Skin, Tint};
 use crate::sim::vector::{embed, truncate};
 use crate::sim::{self, Addition, Angle, Bond, Dynamics, Model, PointId, SkinMaterial};
 
@@ -21,7 +21,7 @@ pub(crate) struct Made {
     /// Which bodies new points are of, counted from 0, by the numbers of the world.
     pub(crate) tints: Vec<Tint>,
     /// Points with the colours that they get.
-    pub(crate) colors: Vec<(Vec<u32>, [u8; 3])>,
+    pub(crate) coats: Vec<(Vec<u32>, Coat)>,
 }
 
 /// Pinned points with the knots of their tracks.
@@ -126,7 +126,12 @@ impl AddKeys {
         Ok(Made {
             skins: self.skins(&alone, (first, count))?,
             tints: self.tints(&alone, first)?,
-            colors: self.skins.iter().filter_map(|skin| Some((skin.points.clone(), skin.color?.0))).collect(),
+            coats: self
+                .skins
+                .iter()
+                .map(|skin| (skin.points.clone(), skin.coat()))
+                .filter(|(_, coat)| !coat.is_empty())
+                .collect(),
             addition: Addition {
                 position,
                 velocity: model.velocity.iter().map(|&v| embed(v)).collect(),

@@ -74,8 +74,10 @@ impl Scene {
             material: match (keys.material, &old.material) {
                 (Some(new), Some(old)) => {
                     let (mass, point_mass, break_strain) = (old.mass, old.point_mass, old.break_strain);
-                    let (friction, restitution, radius, color) = (old.friction, old.restitution, old.radius, old.color);
-                    Some(Material { mass, point_mass, break_strain, friction, restitution, radius, color, ..new })
+                    let (friction, restitution, radius) = (old.friction, old.restitution, old.radius);
+                    let (color, width, visible) = (old.color, old.width, old.visible);
+                    let new = Material { mass, point_mass, break_strain, friction, restitution, radius, ..new };
+                    Some(Material { color, width, visible, ..new })
                 }
                 (new, old) => new.or_else(|| old.clone()),
             },

@@ -166,7 +166,7 @@ impl Clip {
         keys.skins.iter().flat_map(|skin| &skin.points).for_each(|&point| is_said[point as usize] = true);
         let points: Vec<u32> = (0..).zip(is_said).filter(|(_, is_said)| !is_said).map(|(point, _)| point).collect();
         if !points.is_empty() {
-            keys.skins.push(SkinKeys { points, friction, restitution, radius, color: None });
+            keys.skins.push(SkinKeys { points, friction, restitution, radius, ..SkinKeys::default() });
         }
     }
 

@@ -26,7 +26,7 @@ pub(in crate::app) enum Role {
     Push,
     /// It is probed: by the first or the second probe.
     Probe(usize),
-    /// The pointer is there too, in a world beside that which it is over.
+    /// The pointer is there too, in a world beside that which it is over; or it is hidden there.
     Ghost,
     /// It will have this colour.
     Paint([u8; 3]),

@@ -20,6 +20,9 @@ mod handles;
 mod haul;
 #[cfg(test)]
 mod haul_tests;
+mod hidden;
+#[cfg(test)]
+mod hidden_tests;
 mod holding;
 mod hover;
 mod hub;
@@ -29,6 +32,9 @@ mod lead;
 mod marks;
 #[cfg(test)]
 mod matrix_tests;
+mod muscles;
+#[cfg(test)]
+mod muscles_tests;
 mod pick;
 mod press;
 mod push;
@@ -63,10 +69,12 @@ use handles::Grip;
 pub(super) use handles::Handle;
 use haul::Haul;
 pub(super) use haul::{HaulWay, Hauled};
+pub(super) use hidden::bodies as hidden_bodies;
 pub(super) use hover::strength;
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role, probe};
+use muscles::Swipe;
 pub(super) use pick::Scope;
 pub(super) use push::PushWay;
 use region::Region;
@@ -111,6 +119,8 @@ enum Doing {
     Marking(Region),
     /// Bodies get another matter.
     Painting(Stroke),
+    /// Bonds that a stroke goes over become muscles.
+    Driving(Swipe),
     /// The arrow of a force is drawn or changed.
     Forcing(push::Pull),
     /// The arrow of the wind is.

@@ -2,6 +2,7 @@
 //!
 //! A triangle is drawn as long as all of its sides are bonds: where one broke, the skin is open. Along the sides that are then
 //! free, and along bonds that are no triangle's, goes a stroke in the picture's colours: triangles alone have ragged edges.
+//! A body with a colour of its own is seen as through glass of that colour: the picture's are multiplied by it.
 
 mod sides;
 pub(super) mod texture;
@@ -16,7 +17,7 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
 use super::view::View;
-use crate::picture::{Picture, Skin};
+use crate::picture::{Picture, Skin, Tint};
 use sides::Sides;
 
 /// A corner as the shader reads it: `Corner` in skin.wgsl.
@@ -26,9 +27,14 @@ struct Corner {
     point: u32,
     u: f32,
     v: f32,
+    /// What the picture is multiplied by there: red, green, blue from the lowest bits on.
+    tint: u32,
 }
 
-const _: () = assert!(size_of::<Corner>() == 12);
+const _: () = assert!(size_of::<Corner>() == 16);
+
+/// What leaves a picture as it is.
+const CLEAR: [u8; 3] = [255; 3];
 
 /// The skins of a world on the GPU.
 pub(super) struct Skins {
@@ -71,6 +77,11 @@ impl Skins {
         self.topology = None;
     }
 
+    /// Triangles are drawn otherwise from now on; pictures stay.
+    pub(super) fn forget_triangles(&mut self) {
+        self.topology = None;
+    }
+
     /// How a skin's picture is bound, beside the world's buffers.
     pub(super) fn layout(&self) -> &wgpu::BindGroupLayout {
         &self.layout
@@ -99,7 +110,7 @@ impl Skins {
         }
         let sides = Sides::of(view);
         for (worn, skin) in self.worn.iter_mut().zip(view.skins) {
-            worn.dress(gpu, skin, &sides, counters)?;
+            worn.dress(gpu, skin, (&sides, view.tints), counters)?;
         }
         self.topology = Some(view.topology);
         Ok(())
@@ -186,12 +197,13 @@ impl Worn {
         &mut self,
         gpu: &Gpu,
         skin: &Skin,
-        sides: &Sides,
+        (sides, tints): (&Sides, &[Tint]),
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
         let corner = |&point: &u32| {
             let [u, v] = skin.texture.get((point - skin.first) as usize).copied().unwrap_or_default();
-            Corner { point, u, v }
+            let [red, green, blue] = Tint::of(tints, point).and_then(|tint| tint.color).unwrap_or(CLEAR);
+            Corner { point, u, v, tint: u32::from_le_bytes([red, green, blue, 0]) }
         };
         let whole = sides.whole(&skin.triangles);
         let triangles: Vec<Corner> = whole.iter().flatten().map(corner).collect();
