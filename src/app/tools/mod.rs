@@ -29,6 +29,8 @@ mod hub;
 mod jam;
 mod knot;
 mod lead;
+#[cfg(test)]
+mod lead_tests;
 mod marks;
 #[cfg(test)]
 mod matrix_tests;
@@ -151,6 +153,8 @@ pub(super) struct Hand {
     doing: Doing,
     /// Where something was built last, until the pointer moves on `[px]`.
     built_at: Option<DVec2>,
+    /// The pin that goes with the cursor by itself.
+    on_cursor: Option<Lead>,
     /// Time stands still: the hand moves bodies in place of leading them.
     is_still: bool,
     /// How far from the pointer the middle of what is led is to be `[m]`.

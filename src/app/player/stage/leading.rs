@@ -23,7 +23,7 @@ const LEAD_BAR: &str = "move a bar";
 
 impl Stage {
     /// Sends pins on their way. Those that are none by now stay where they are.
-    pub(super) fn lead_pins(&mut self, PinWay { mut pins, goes_on }: PinWay) -> Option<Note> {
+    pub(super) fn lead_pins(&mut self, PinWay { mut pins, goes_on, follows }: PinWay) -> Option<Note> {
         let world = self.history.world();
         pins.retain(|(pin, _)| world.pinned().contains(pin));
         pins.sort_unstable_by_key(|(pin, _)| *pin);
@@ -48,6 +48,9 @@ impl Stage {
         self.strained = beyond_reach(world, &reaches, &pins);
         self.led = Some((numbers, reaches));
         let way = Do::Add(Box::new(AddKeys { pin_motion, ..AddKeys::default() }));
+        if follows {
+            return self.give(vec![way], None);
+        }
         let name = if pins.len() > 1 { LEAD_BAR } else { LEAD_PIN };
         if !goes_on {
             return self.give(vec![way], Some(name));
