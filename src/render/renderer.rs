@@ -75,7 +75,10 @@ impl Renderer {
         let Pane { view, camera, look, .. } = pane;
         if self.tints != view.tints {
             view.tints.clone_into(&mut self.tints);
-            (self.buffers.forget_bonds(), self.fills.forget(), self.skins.forget_triangles(), self.veil.forget());
+            self.buffers.forget_bonds();
+            self.fills.forget();
+            self.skins.forget_triangles();
+            self.veil.forget();
         }
         let veiled = self.veil.over(view);
         let view = veiled.as_ref().unwrap_or(view);

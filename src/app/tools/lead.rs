@@ -7,8 +7,10 @@ use super::{Doing, Hand, Scope};
 use crate::app::action::Tool;
 use crate::sim::PointId;
 
-/// Pins are sent on their way so often at most `[s]`: each time their body is compiled anew.
+/// Pins are sent on their way so often at most `[s]`: each time their body is compiled anew. What is on the cursor by itself goes after it
+/// more smoothly.
 const EVERY: f64 = 0.1;
+const SMOOTHLY: f64 = 1.0 / 30.0;
 /// A cursor that moved less has not been dragged yet `[logical px]`: a click moves no pin.
 const LEAST: f64 = 3.0;
 /// An arm that is shorter than this, as a share of the bar, turns nothing.
@@ -32,8 +34,9 @@ pub(super) struct Lead {
     /// Where the press was, and where the cursor was when they were sent last `[px]`.
     pressed: DVec2,
     sent: Option<DVec2>,
-    /// Since then `[s]`.
+    /// Since then, and how long it waits at least `[s]`.
     since: f64,
+    every: f64,
 }
 
 /// Where pins are to go.
@@ -90,6 +93,7 @@ impl Lead {
             pressed: at,
             sent: None,
             since: f64::INFINITY,
+            every: EVERY,
         };
         lead.from = lead.under(scope, at).unwrap_or(place);
         lead
@@ -119,7 +123,7 @@ impl Lead {
     pub(super) fn pass(&mut self, scope: Scope<'_>, at: DVec2, (seconds, turns): (f64, bool)) -> Option<PinWay> {
         self.since += seconds;
         let is_dragged = self.sent.is_some() || at.distance(self.pressed) >= LEAST * scope.scale;
-        if !is_dragged || self.sent == Some(at) || self.since < EVERY {
+        if !is_dragged || self.sent == Some(at) || self.since < self.every {
             return None;
         }
         let to = self.under(scope, at)?;
@@ -172,7 +176,7 @@ impl Hand {
             self.on_cursor = None;
             return None;
         }
-        let lead = self.on_cursor.get_or_insert_with(|| Lead::of(scope, pin, at));
+        let lead = self.on_cursor.get_or_insert_with(|| Lead { every: SMOOTHLY, ..Lead::of(scope, pin, at) });
         let way = lead.pass(scope, at, (seconds, false))?;
         Some(PinWay { follows: true, ..way })
     }
