@@ -19,7 +19,7 @@ struct Bond {
     // [m]
     rest_length: f32,
     kind: u32,
-    // One above its place among the frame's; 0: none of its own.
+    // One above the place of its colour and width among the frame's; 0: none of its own.
     color: u32,
 }
 
@@ -55,6 +55,16 @@ fn strain_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
     return 0.0;
 }
 
+// How wide a bond is of its own, between points there [px]; 0: as is usual.
+fn own_width(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
+    if bond.color == 0u || frame.own_colors[bond.color - 1u].a == 0.0 {
+        return 0.0;
+    }
+    let to_x = vec3(frame.clip_from_world[0].x, frame.clip_from_world[1].x, frame.clip_from_world[2].x);
+    let depth = (frame.clip_from_world * vec4(0.5 * (a + b), 1.0)).w;
+    return frame.own_colors[bond.color - 1u].a * length(to_x) * 0.5 * frame.viewport.x / max(depth, 1e-6);
+}
+
 fn is_rope(bond: Bond) -> bool {
     return bond.kind == ROPE || bond.kind == STRING;
 }
@@ -75,7 +85,7 @@ fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
     if bond.kind == MUSCLE && is_set(frame.coil_length, a.x) {
         return vec4(FLESH, frame.bond_color.a);
     }
-    if bond.color > 0u {
+    if bond.color > 0u && frame.own_colors[bond.color - 1u].r >= 0.0 {
         return vec4(frame.own_colors[bond.color - 1u].rgb, frame.bond_color.a);
     }
     if is_rope(bond) && is_set(frame.coil_length, a.x) {
@@ -113,7 +123,8 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
     let bond = bond_at(chunk * CHUNK + index / 6u);
     let a = position_of(bond.a);
     let b = position_of(bond.b);
-    var width = frame.bond_width;
+    let own = own_width(bond, a, b);
+    var width = max(frame.bond_width, own);
     var form = vec4(0.0);
     if is_set(frame.coil_length, a.x) && bond.kind != 0u {
         let span = distance(pixel_of(frame.clip_from_world * vec4(a, 1.0)), pixel_of(frame.clip_from_world * vec4(b, 1.0)));
@@ -121,15 +132,17 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
         if bond.kind == ROD || bond.kind == STRUT {
             // A bar of pins has no length at rest: it is as thick as any rod, however short its pieces are.
             let half = select(min(ROD_SHARE * span, ROD_MOST * unit), ROD_MOST * unit, bond.rest_length < 0.0);
-            width = max(width, 2.0 * half);
+            width = select(max(width, 2.0 * half), width, own > 0.0);
             form = vec4(f32(ROD), 0.0, 0.0, width);
         } else if is_rope(bond) {
-            width = max(width, 2.0 * ROPE_HALF * unit);
+            width = select(max(width, 2.0 * ROPE_HALF * unit), width, own > 0.0);
             form = vec4(f32(ROPE), 0.0, 0.0, width);
         } else if bond.kind == COIL {
             // Waves grow out of the straight stroke as the camera comes nearer.
             let grown = smoothstep(frame.coil_length, 1.5 * frame.coil_length, span);
-            let height = grown * min(COIL_SHARE * span, COIL_MOST * unit);
+            let free = select(min(COIL_SHARE * span, COIL_MOST * unit), 0.5 * (width - frame.bond_width), own > 0.0);
+            let height = grown * free;
+            width = select(width, mix(width, frame.bond_width, grown), own > 0.0);
             let at_rest = span / max(1.0 + strain_of(bond, a, b), 0.05);
             let turns = clamp(round(at_rest / (TURN * unit)), 3.0, 18.0);
             form = vec4(f32(COIL), height, turns, width);
@@ -137,7 +150,8 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
         } else if bond.kind == MUSCLE {
             // It gets thicker as it gets shorter.
             let thick = clamp(1.0 - strain_of(bond, a, b), 0.6, 1.6);
-            width = max(width, 2.0 * clamp(BELLY_SHARE * thick * span, BELLY.x * unit, BELLY.y * thick * unit));
+            let belly = 2.0 * clamp(BELLY_SHARE * thick * span, BELLY.x * unit, BELLY.y * thick * unit);
+            width = select(max(width, belly), thick * width, own > 0.0);
             form = vec4(f32(MUSCLE), 0.0, 0.0, width);
         } else {
             form = vec4(f32(RELAXED), 0.0, 0.0, width);

@@ -12,7 +12,7 @@ struct Frame {
     ground: vec4<f32>,
     bond_color: vec4<f32>,
     rope_color: vec4<f32>,
-    // Those that bonds have of their bodies' own.
+    // Those that bonds have of their bodies' own, below 0 where they have none, and how wide they are [m]; 0: as is usual.
     own_colors: array<vec4<f32>, 7>,
     // From squeezed by `strain_full` to stretched by it.
     strain_colors: array<vec4<f32>, 9>,

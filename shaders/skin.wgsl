@@ -1,11 +1,12 @@
 // Skins: pictures on triangles, and along their free sides a stroke in the picture's own colours, which smooths the edge; or, where the picture
 // ends beside a side, strips on which it goes on up to its own edge.
 
-// A corner of a triangle: its point, and where that lies in the picture.
+// A corner of a triangle: its point, where that lies in the picture, and what the picture is multiplied by there.
 struct Corner {
     point: u32,
     u: f32,
     v: f32,
+    tint: u32,
 }
 
 @group(0) @binding(3) var<storage, read> corners: array<Corner>;
@@ -17,6 +18,7 @@ struct Skin {
     @location(0) at: vec2<f32>,
     // Above 0: only what the picture covers is shown.
     @location(1) @interpolate(flat) clipped: f32,
+    @location(2) tint: vec3<f32>,
 }
 
 // Marks corners of triangles of which only what the picture covers is shown.
@@ -29,6 +31,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Skin {
     out.position = frame.clip_from_world * vec4(position_of(corner.point & ~CLIPPED), 1.0);
     out.at = vec2(corner.u, corner.v);
     out.clipped = select(0.0, 1.0, corner.point >= CLIPPED);
+    out.tint = unpack4x8unorm(corner.tint).rgb;
     return out;
 }
 
@@ -37,11 +40,12 @@ fn fragment(in: Skin) -> @location(0) vec4<f32> {
     let color = textureSample(picture, smooth_sampler, in.at);
     // The share of a pixel on the inner side of where the picture is half opaque.
     let covers = (color.a - 0.5) / max(fwidth(color.a), 1e-4) + 0.5;
-    return vec4(color.rgb, select(1.0, clamp(covers, 0.0, 1.0), in.clipped > 0.0));
+    return vec4(color.rgb * in.tint, select(1.0, clamp(covers, 0.0, 1.0), in.clipped > 0.0));
 }
 
-// A corner of a strip: eight numbers, the points of the triangle that it moves with, its shares of them, and where it lies in the picture.
-@group(0) @binding(3) var<storage, read> rind: array<array<u32, 8>>;
+// A corner of a strip: nine numbers, the points of the triangle that it moves with, its shares of them, where it lies in the picture, and
+// what that is multiplied by.
+@group(0) @binding(3) var<storage, read> rind: array<array<u32, 9>>;
 
 @vertex
 fn rind_vertex(@builtin(vertex_index) index: u32) -> Skin {
@@ -54,6 +58,7 @@ fn rind_vertex(@builtin(vertex_index) index: u32) -> Skin {
     out.position = frame.clip_from_world * vec4(place, 1.0);
     out.at = vec2(bitcast<f32>(corner[6]), bitcast<f32>(corner[7]));
     out.clipped = 1.0;
+    out.tint = unpack4x8unorm(corner[8]).rgb;
     return out;
 }
 
@@ -73,11 +78,12 @@ fn edge_vertex(@builtin(vertex_index) index: u32) -> Stroke {
     let a = corners[first];
     let b = corners[first + 1u];
     let middle = 0.5 * vec2(a.u + b.u, a.v + b.v);
-    let color = textureSampleLevel(picture, smooth_sampler, middle, 0.0);
+    let tint = 0.5 * (unpack4x8unorm(a.tint) + unpack4x8unorm(b.tint)).rgb;
+    let color = textureSampleLevel(picture, smooth_sampler, middle, 0.0).rgb * tint;
     // About the luminance of a colour in sRGB.
-    let luminance = dot(color.rgb * color.rgb * (0.3 * color.rgb + 0.7), vec3(0.2126, 0.7152, 0.0722));
+    let luminance = dot(color * color * (0.3 * color + 0.7), vec3(0.2126, 0.7152, 0.0722));
     let rim = 1.0 - smoothstep(DARK.x, DARK.y, luminance);
-    let shown = vec4(mix(color.rgb, LIGHT, rim), 1.0);
+    let shown = vec4(mix(color, LIGHT, rim), 1.0);
     return stroke(index % 6u, position_of(a.point), position_of(b.point), shown, mix(EDGE, RIM, rim));
 }
 

@@ -76,6 +76,7 @@ fn the_gallery_is_listed_a_name_first_on_each_line() {
         "jelly-stack",
         "pegs",
         "ragdoll",
+        "ragdoll-as-printed",
         "wrecking-ball",
         "bridge",
         "catapult",
@@ -89,6 +90,7 @@ fn the_gallery_is_listed_a_name_first_on_each_line() {
         "box-as-printed",
         "constraints",
         "points",
+        "points-as-printed",
         "random-graph",
         "random-graph-as-printed",
         "rim",
@@ -98,12 +100,23 @@ fn the_gallery_is_listed_a_name_first_on_each_line() {
         "spring-damper",
         "spring-damper-as-printed",
         "spring-damper-relative",
+        "spring-damper-relative-as-printed",
         "slide-circle",
         "slide-decay",
         "phase-portrait",
         "penalty",
     ];
-    let pictures = ["image-mesh", "brush", "gear", "jellyfish", "ring", "maze", "pebble", "picture-obstacle"];
+    let pictures = [
+        "image-mesh",
+        "image-mesh-as-printed",
+        "brush",
+        "gear",
+        "jellyfish",
+        "ring",
+        "maze",
+        "pebble",
+        "picture-obstacle",
+    ];
     assert_eq!(
         names,
         [
@@ -111,9 +124,11 @@ fn the_gallery_is_listed_a_name_first_on_each_line() {
             &pictures,
             &[
                 "rope",
+                "rope-on-cursor",
                 "rope-as-printed",
                 "net",
                 "cloth-wind",
+                "cloth-wind-as-printed",
                 "thousand-rims",
                 "cloth-space",
                 "cloth-space-as-printed",

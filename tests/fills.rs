@@ -8,9 +8,9 @@ use glam::DVec2;
 use image::RgbaImage;
 use wobble::history::{Replay, Start};
 use wobble::picture::Tint;
-use wobble::render::{Capture, Look, Overlay, RenderCounters, View};
+use wobble::render::{Camera, Capture, Look, Overlay, Pose, RenderCounters, View};
 use wobble::scene::Scene;
-use wobble::sim::{Bond, Bonds, PointId};
+use wobble::sim::{Bond, BondKind, Bonds, PointId};
 
 /// Two squares of 20 px that overlap, of two triangles each.
 const PLACES: [f32; 16] = [-20., -10., 0., -10., 0., 10., -20., 10., -5., -10., 15., -10., 15., 10., -5., 10.];
@@ -49,11 +49,8 @@ fn bodies_have_colours_of_their_own_and_lie_over_those_before_them_until_they_ar
         return;
     }
     let (bonds, triangles) = (sides(), triangles());
-    let tints = [[200, 0, 0], [0, 200, 0]].map(|color| Tint {
-        first: color[1] / 50,
-        body: color[1] / 200,
-        color: Some(color.map(|c| c as u8)),
-    });
+    let tints = [[200, 0, 0], [0, 200, 0]]
+        .map(|color| Tint { color: Some(color.map(|c| c as u8)), ..Tint::new(color[1] / 50, color[1] / 200) });
     let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
     let seen = View { triangles: &triangles, tints: &tints, ..view(&PLACES, &bonds, 2) };
     let picture = capture.picture(&seen, &pixels(), &look()).unwrap();
@@ -106,6 +103,65 @@ fn a_percent_of_strain_is_seen_on_fills_and_a_still_body_uploads_nothing() {
         assert!(share > 0.29, "a percent is no less than that");
         let (_, second) = shown(&mut capture, &bonds, change as u64);
         assert_eq!(second, first, "a still body is not drawn again");
+    }
+}
+
+#[test]
+fn what_is_hidden_is_not_drawn_until_it_is_shown_again() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let (bonds, triangles) = (sides(), triangles());
+    let pinned = [PointId(0), PointId(6)];
+    let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
+    // Of the same topology: what changes is how bodies are drawn.
+    let mut shown = |hides: [bool; 2], look: &Look| {
+        let tints = [0, 1].map(|k| Tint {
+            color: Some([200 - 200 * k as u8, 200 * k as u8, 0]),
+            is_hidden: hides[k as usize],
+            ..Tint::new(4 * k, k)
+        });
+        let seen = View { triangles: &triangles, tints: &tints, pinned: &pinned, ..view(&PLACES, &bonds, 2) };
+        let picture = capture.picture(&seen, &pixels(), look).unwrap();
+        let count = |channel: usize| picture.pixels().filter(|pixel| pixel[channel] > 60).count();
+        (count(0), count(1), picture)
+    };
+    for look in [look(), plain()] {
+        let (red, green, before) = shown([false, false], &look);
+        let (_, _, none) = shown([true, true], &look);
+        assert!(none.pixels().all(|pixel| pixel == none.get_pixel(0, 0)), "nothing is left of either");
+        let (left, _, second) = shown([true, false], &look);
+        assert!(left < red && second != before && second != none);
+        let (_, right, first) = shown([false, true], &look);
+        assert!(right < green && first != before && first != second);
+        assert!(shown([false, false], &look).2 == before, "to the pixel");
+    }
+}
+
+#[test]
+fn bonds_are_as_wide_as_their_body_says_at_any_height_of_the_picture() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let places: [f32; 4] = [0.0, -30.0, 0.0, 30.0];
+    let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
+    for kind in [BondKind::Rigid, BondKind::Spring { stiffness: 1.0, damping: 0.0 }] {
+        let bonds: Bonds = [Bond { kind, rest_length: 60.0, ..bond(0, 1) }].into_iter().collect();
+        let mut across = |width: f64, zoom: f64| {
+            let tints = [Tint { width, ..Tint::new(0, 0) }];
+            let seen = View { tints: &tints, ..view(&places, &bonds, 2) };
+            let height = f64::from(SIDE) / zoom;
+            let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height }, [SIDE, SIDE]);
+            let picture = capture.picture(&seen, &camera, &Look { has_forms: false, ..plain() }).unwrap();
+            let row = (0..SIDE).map(|x| f64::from(picture.get_pixel(x, SIDE / 2)[0]));
+            row.sum::<f64>() / f64::from(picture.get_pixel(SIDE / 2, SIDE / 2)[0])
+        };
+        let usual = across(0.0, 1.0);
+        assert!(usual < 4.0, "{usual}");
+        for (width, zoom) in [(10.0, 1.0), (10.0, 2.0), (6.5, 1.0)] {
+            let seen = across(width, zoom);
+            assert!((seen - width * zoom).abs() < 0.3, "{width} m at {zoom} px/m: {seen} px");
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::Arc;
 
-use wobble::picture::{Picture, Settings, Size, Watch, encode, mesh_picture};
+use wobble::picture::{Picture, Settings, Size, Tint, Watch, encode, mesh_picture};
 use wobble::render::{Camera, Capture, Look, View};
 use wobble::scene::{BodyKeys, BudgetKeys, Matter, Meeting, PatternName, Scene, Vector, gallery};
 use wobble::sim::Bond;
@@ -201,7 +201,7 @@ fn the_pictures_of_the_gallery_have_skins_of_all_their_triangles() {
         }
         seen += 1;
     }
-    assert_eq!(seen, 10);
+    assert_eq!(seen, 11);
 }
 
 /// A square of one colour fills the middle of the picture with it, opens where a bond is missing, and a still one costs nothing.
@@ -461,6 +461,37 @@ fn dark_ink_is_seen_on_the_dark_ground_and_light_ink_has_no_rim() {
     let light = shown([240, 150, 80]);
     let own = luminance(light.get_pixel(120, 100));
     assert!(edges(&light).iter().all(|&edge| (edge - own).abs() < 0.02), "nothing lighter than the ink itself");
+}
+
+/// A white disc and a grey one: what colours do to pictures is a product, channel by channel, and white leaves them as they are.
+#[test]
+fn a_colour_tints_the_picture_of_its_body() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let disc = |ink: [u8; 3]| {
+        let disc = Arc::new(picture([120, 120], ink, |x, y| (x - 60.0).hypot(y - 60.0) < 50.0));
+        let keys = BodyKeys::cut(&Settings::default(), 2.0, &disc);
+        Scene::of_drawing("disc", disc, keys, Matter::Soft, &Watch::default()).unwrap()
+    };
+    let camera = Camera::fit([[-1.2, -1.0, 0.0], [1.2, 1.0, 0.0]], 2, [240, 200]);
+    let mut capture = Capture::new([240, 200], 2).unwrap();
+    for (ink, color, seen) in [
+        ([255; 3], None, [255; 3]),
+        ([255; 3], Some([200, 40, 90]), [200, 40, 90]),
+        ([128, 255, 64], Some([255, 128, 0]), [128, 128, 0]),
+        ([90, 120, 200], Some([255; 3]), [90, 120, 200]),
+    ] {
+        let scene = disc(ink);
+        let (world, skins) = (scene.world(None).unwrap(), scene.skins().unwrap());
+        let tints = [Tint { color, ..Tint::new(0, 0) }];
+        let view = View { skins: &skins, tints: &tints, mouse: None, ..View::of(&*world) };
+        let drawn = capture.picture(&view, &camera, &skins_alone()).unwrap();
+        let inside =
+            drawn.enumerate_pixels().filter(|(x, y, _)| x.abs_diff(120).pow(2) + y.abs_diff(100).pow(2) < 2500);
+        let off = inside.map(|(.., pixel)| (0..3).map(|k| pixel[k].abs_diff(seen[k])).max().unwrap()).max().unwrap();
+        assert!(off <= 2, "{ink:?} in {color:?}: off by {off}");
+    }
 }
 
 /// Ink on white paper, with smooth edges as a pen leaves them: a blot, and a line that becomes a rope.

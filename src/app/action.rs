@@ -200,6 +200,10 @@ pub enum Action {
     Group,
     /// It is not any more.
     Ungroup,
+    /// What is selected is not drawn any more.
+    Hide,
+    /// All that is hidden is drawn again.
+    ShowHidden,
     /// Opens an empty scene: gravity, a floor and walls.
     New,
     /// Takes away all bodies.

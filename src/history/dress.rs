@@ -1,9 +1,9 @@
-//! What belongs to a world and no step knows of: skins, colours, and points that are named together.
+//! What belongs to a world and no step knows of: skins, how bodies are drawn, and points that are named together.
 
 use std::sync::Arc;
 
 use super::pack::Packed;
-use crate::picture::{self, Picture, Skin, Tint};
+use crate::picture::{self, Coat, Picture, Skin, Tint};
 use crate::scene::{Scene, SceneError};
 use crate::sim::{Dynamics, PointId};
 
@@ -74,13 +74,9 @@ impl Dress {
         }
     }
 
-    /// Bodies come with their names, counted from 0, and points get colours.
-    pub(super) fn tint(
-        &mut self,
-        (mut tints, names): (Vec<Tint>, Vec<Option<String>>),
-        colors: &[(Vec<u32>, [u8; 3])],
-    ) {
-        if tints.is_empty() && colors.is_empty() {
+    /// Bodies come with their names, counted from 0, and points get coats.
+    pub(super) fn tint(&mut self, (mut tints, names): (Vec<Tint>, Vec<Option<String>>), coats: &[(Vec<u32>, Coat)]) {
+        if tints.is_empty() && coats.is_empty() {
             return;
         }
         let next = self.tints.iter().map(|tint| tint.body + 1).max().unwrap_or(0);
@@ -92,7 +88,7 @@ impl Dress {
         }
         let mut all = self.tints.to_vec();
         all.extend(tints);
-        colors.iter().for_each(|(points, color)| Tint::paint(&mut all, points, *color));
+        coats.iter().for_each(|(points, coat)| Tint::paint(&mut all, points, *coat));
         (self.tints, self.is_tinted) = (all.into(), true);
     }
 
@@ -183,22 +179,24 @@ impl Dress {
         }
         let added: &[Tint] = if self.is_tinted { &self.tints } else { &[] };
         added.len().put(to);
-        for Tint { first, body, color } in added {
+        for Tint { first, body, color, width, is_hidden } in added {
             first.put(to);
             body.put(to);
             color.map_or(NO_COLOR, |[red, green, blue]| u32::from_be_bytes([0, red, green, blue])).put(to);
+            width.put(to);
+            is_hidden.put(to);
         }
         Ok(())
     }
 
     /// Takes what came after the start of the scene from the front of the bytes, of a world of `points` points; `has_sides`: behind the
-    /// triangles are the bonds along their sides, which are passed over; `has_tints`: bodies and colours come last. `None` where the bytes
-    /// are not enough, or none of it.
+    /// triangles are the bonds along their sides, which are passed over; `has_tints`: bodies and colours come last; `has_coats`: each
+    /// with its width and whether it is hidden. `None` where the bytes are not enough, or none of it.
     pub(super) fn take_added(
         &mut self,
         from: &mut &[u8],
         points: usize,
-        [has_sides, has_tints]: [bool; 2],
+        [has_sides, has_tints, has_coats]: [bool; 3],
     ) -> Option<()> {
         let mut pictures = Vec::new();
         for _ in 0..usize::take(from)? {
@@ -222,11 +220,13 @@ impl Dress {
         let mut tints: Vec<Tint> = Vec::new();
         for _ in 0..count {
             let (first, body, color) = (u32::take(from)?, u32::take(from)?, u32::take(from)?);
-            if tints.last().is_some_and(|last| last.first >= first) {
+            let (width, is_hidden) = if has_coats { (f64::take(from)?, bool::take(from)?) } else { (0.0, false) };
+            if tints.last().is_some_and(|last| last.first >= first) || !(width >= 0.0 && width.is_finite()) {
                 return None;
             }
             let [_, red, green, blue] = color.to_be_bytes();
-            tints.push(Tint { first, body, color: (color != NO_COLOR).then_some([red, green, blue]) });
+            let color = (color != NO_COLOR).then_some([red, green, blue]);
+            tints.push(Tint { first, body, color, width, is_hidden });
         }
         if !tints.is_empty() {
             (self.tints, self.is_tinted) = (tints.into(), true);

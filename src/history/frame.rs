@@ -58,8 +58,8 @@ impl Frame {
                 let command = Command::Add(Box::new(made.addition));
                 let applied = self.world.apply(&command).map_err(|error| error.to_string())?;
                 self.dress.wear(made.skins);
-                self.dress.tint((made.tints, made.names), &made.colors);
-                Ok(Applied { is_something: applied.is_something || !made.colors.is_empty(), ..applied })
+                self.dress.tint((made.tints, made.names), &made.coats);
+                Ok(Applied { is_something: applied.is_something || !made.coats.is_empty(), ..applied })
             }
             Resolved::Group => {
                 if let Do::Group { points, name } = act {

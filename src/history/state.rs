@@ -18,10 +18,13 @@ use super::pack::{AnyCore, Core, FIRST_WITH_HAND_OVERS, FIRST_WITH_TRIANGLES, pu
 use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 
 /// How the numbers are laid out.
-pub(super) const LAYOUT: u64 = 8;
+pub(super) const LAYOUT: u64 = 9;
 
 /// The first layout that says which body added points are of.
 const FIRST_WITH_TINTS: u64 = 8;
+
+/// The first layout that says how wide bodies are drawn, and which are hidden.
+const FIRST_WITH_COATS: u64 = 9;
 
 /// The first layout that begins with the core.
 const FIRST_WITH_CORE: u64 = 2;
@@ -98,7 +101,7 @@ pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> R
             return Err(message);
         }
         let has_triangles = layout >= FIRST_WITH_TRIANGLES;
-        let has = [!has_triangles, layout >= FIRST_WITH_TINTS];
+        let has = [!has_triangles, layout >= FIRST_WITH_TINTS, layout >= FIRST_WITH_COATS];
         dress.take_added(&mut rest, points, has).filter(|()| rest.is_empty()).ok_or_else(damaged)?;
         if !has_triangles {
             match &mut saved {

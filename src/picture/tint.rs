@@ -1,7 +1,7 @@
-//! Which body points belong to, and the colour that it is drawn in.
+//! Which body points belong to, and how it is drawn.
 
 /// A run of points of one body, up to where the next run begins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tint {
     /// The first point of the run.
     pub first: u32,
@@ -9,16 +9,59 @@ pub struct Tint {
     pub body: u32,
     /// The colour that the body has of its own: red, green, blue as stored (sRGB).
     pub color: Option<[u8; 3]>,
+    /// How wide its bonds are drawn `[m]`; 0: as is usual.
+    pub width: f64,
+    /// It is not drawn.
+    pub is_hidden: bool,
+}
+
+/// How points are drawn from now on, where it is said.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Coat {
+    /// Red, green, blue as stored (sRGB).
+    pub color: Option<[u8; 3]>,
+    /// Of bonds `[m]`, >= 0; 0: as is usual.
+    pub width: Option<f64>,
+    /// Whether they are drawn.
+    pub visible: Option<bool>,
+}
+
+impl Coat {
+    /// A colour alone.
+    pub fn of_color(color: [u8; 3]) -> Self {
+        Coat { color: Some(color), ..Coat::default() }
+    }
+
+    /// Whether it says nothing.
+    pub fn is_empty(&self) -> bool {
+        *self == Coat::default()
+    }
 }
 
 impl Tint {
+    /// A run that is drawn as is usual.
+    pub fn new(first: u32, body: u32) -> Self {
+        Tint { first, body, color: None, width: 0.0, is_hidden: false }
+    }
+
+    /// The same run with a coat.
+    #[must_use]
+    pub fn with(self, coat: Coat) -> Self {
+        Tint {
+            color: coat.color.or(self.color),
+            width: coat.width.unwrap_or(self.width),
+            is_hidden: coat.visible.map_or(self.is_hidden, |visible| !visible),
+            ..self
+        }
+    }
+
     /// The run that a point is in. Valid range: runs ascend by `first`; `None` before the first of them.
     pub fn of(runs: &[Tint], point: u32) -> Option<&Tint> {
         runs[..runs.partition_point(|run| run.first <= point)].last()
     }
 
-    /// Gives points a colour. Those before the first run stay without one.
-    pub fn paint(runs: &mut Vec<Tint>, points: &[u32], color: [u8; 3]) {
+    /// Gives points a coat. Those before the first run stay without one.
+    pub fn paint(runs: &mut Vec<Tint>, points: &[u32], coat: Coat) {
         let mut points = points.to_vec();
         points.sort_unstable();
         points.dedup();
@@ -28,7 +71,7 @@ impl Tint {
             let inside = |run: &Tint| (first..end).contains(&run.first);
             let mut painted: Vec<Tint> = Tint::of(runs, first).map(|run| Tint { first, ..*run }).into_iter().collect();
             painted.extend(runs.iter().copied().filter(|run| inside(run) && run.first > first));
-            painted.iter_mut().for_each(|run| run.color = Some(color));
+            painted.iter_mut().for_each(|run| *run = run.with(coat));
             runs.retain(|run| !inside(run) && run.first != end);
             painted.push(beyond);
             let place = runs.partition_point(|run| run.first < first);
@@ -75,7 +118,7 @@ mod tests {
     use super::*;
 
     fn run(first: u32, color: Option<[u8; 3]>) -> Tint {
-        Tint { first, body: first, color }
+        Tint { color, ..Tint::new(first, first) }
     }
 
     #[test]
@@ -92,7 +135,7 @@ mod tests {
         for points in [vec![6, 4, 5], vec![3], vec![0, 9], (0..12).collect(), vec![5, 6, 7, 8, 9]] {
             let mut runs = [0, 5, 9].map(|first| run(first, (first == 9).then_some([1; 3]))).to_vec();
             let before = runs.clone();
-            Tint::paint(&mut runs, &points, red);
+            Tint::paint(&mut runs, &points, Coat::of_color(red));
             for point in 0..20 {
                 let [was, is] = [&before, &runs].map(|runs| *Tint::of(runs, point).unwrap_or(&runs[0]));
                 let color = if points.contains(&point) { Some(red) } else { was.color };
@@ -100,6 +143,22 @@ mod tests {
             }
             assert!(runs.is_sorted_by(|a, b| a.first < b.first), "{runs:?}");
         }
+    }
+
+    #[test]
+    fn a_coat_changes_what_it_says_alone() {
+        let mut runs = vec![run(0, Some([7; 3]))];
+        let coats = [
+            Coat { width: Some(0.2), ..Coat::default() },
+            Coat { visible: Some(false), ..Coat::default() },
+            Coat::of_color([9; 3]),
+        ];
+        coats.into_iter().for_each(|coat| Tint::paint(&mut runs, &[1, 2], coat));
+        let is = Tint { first: 1, body: 0, color: Some([9; 3]), width: 0.2, is_hidden: true };
+        assert_eq!(runs, [run(0, Some([7; 3])), is, Tint { first: 3, ..run(0, Some([7; 3])) }]);
+        Tint::paint(&mut runs, &[1, 2], Coat { width: Some(0.0), visible: Some(true), ..Coat::default() });
+        assert_eq!(Tint::of(&runs, 2), Some(&Tint { first: 1, ..run(0, Some([9; 3])) }));
+        assert!(Coat::default().is_empty() && !Coat::of_color([0; 3]).is_empty());
     }
 
     #[test]

@@ -15,7 +15,6 @@ use super::error::RenderError;
 use super::forms::{BAR, MUSCLE, ROD, ROPE, form, is_rope, ropes};
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
-use super::look::Color;
 use super::order;
 use super::view::View;
 use crate::picture::Tint;
@@ -29,7 +28,7 @@ pub(super) struct GpuBond {
     pub(super) rest_length: f32,
     /// What it is drawn as: forms.rs.
     pub(super) form: u32,
-    /// The colour that its body has of its own, one above its place among [`WorldBuffers::colors`]; 0: none.
+    /// The colour and the width that its body has of its own, one above their place among [`WorldBuffers::colors`]; 0: neither.
     pub(super) color: u32,
 }
 
@@ -70,8 +69,26 @@ impl From<Bond> for GpuBond {
     }
 }
 
-/// So many colours bonds have at most: as three bits count. Further ones are drawn in the colour of all bonds.
+/// So many colours and widths bonds have at most: as three bits count. Further ones are drawn as bonds are.
 pub(super) const COLORS: usize = 7;
+
+/// What bonds have of their body's own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Own {
+    color: Option<[u8; 3]>,
+    /// `[m]`; 0: as is usual.
+    width: f64,
+}
+
+impl Own {
+    const NONE: Own = Own { color: None, width: 0.0 };
+
+    /// As the shader reads it: the colour, below 0 where it is that of all bonds, and the width.
+    pub(super) fn row(self) -> [f32; 4] {
+        let [red, green, blue] = self.color.map_or([-1.0; 3], |color| color.map(|part| f32::from(part) / 255.0));
+        [red, green, blue, self.width as f32]
+    }
+}
 
 /// Marks the pinned ones among the points as they are drawn: `PINNED` in points.wgsl.
 const PINNED: u32 = 1 << 31;
@@ -98,8 +115,8 @@ pub(super) struct WorldBuffers {
     bare: [u32; 2],
     /// Skins and fills cover every bond.
     covers_all: bool,
-    /// Colours that bonds have of their bodies' own.
-    pub(super) colors: [Color; COLORS],
+    /// Colours that bonds have of their bodies' own, each with how wide they are drawn.
+    pub(super) colors: [Own; COLORS],
     /// Pinned points.
     pub(super) pin_count: u32,
     /// What positions are relative to `[m]`.
@@ -148,7 +165,7 @@ impl WorldBuffers {
             has_floor: false,
             bare: [0, 0],
             covers_all: false,
-            colors: [[0.0; 4]; COLORS],
+            colors: [Own::NONE; COLORS],
             pin_count: 0,
             origin: DVec3::ZERO,
             typical_bond: 0.0,
@@ -184,6 +201,11 @@ impl WorldBuffers {
     /// Nothing that was uploaded is of the next world.
     pub(super) fn forget(&mut self) {
         (self.topology, self.motion, self.selected) = (None, None, None);
+    }
+
+    /// Bonds and points are drawn otherwise from now on.
+    pub(super) fn forget_bonds(&mut self) {
+        self.topology = None;
     }
 
     /// What each pass binds of a world, with a list of its own.
@@ -264,7 +286,9 @@ impl WorldBuffers {
         let mut bonds: Vec<GpuBond> = view.bonds.iter().map(GpuBond::from).collect();
         let point_count = (view.current.len() / view.dimensions) as u32;
         // Points that were deleted have no place.
-        let is_there = |point: &u32| view.current.get(view.dimensions * *point as usize).is_finite();
+        let is_there = |point: &u32| {
+            view.current.get(view.dimensions * *point as usize).is_finite() && !is_hidden(view.tints, *point)
+        };
         let mut points: Vec<u32> = (0..point_count).filter(is_there).collect();
         let cover = covered(view, filled);
         self.colors = paint(view, &cover, &mut bonds);
@@ -458,27 +482,35 @@ fn covered(view: &View<'_>, filled: &[[u32; 3]]) -> Vec<u32> {
     cover
 }
 
-/// Gives bonds that nothing covers the colours that their bodies have of their own, the first [`COLORS`] of them. Returns these.
-fn paint(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond]) -> [Color; COLORS] {
-    let mut colors = [[0.0; 4]; COLORS];
-    if view.tints.iter().all(|tint| tint.color.is_none()) {
+/// Gives bonds the widths that their bodies have of their own, and those that nothing covers the colours, the first [`COLORS`] of them.
+/// Returns these.
+fn paint(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond]) -> [Own; COLORS] {
+    let mut colors = [Own::NONE; COLORS];
+    if view.tints.iter().all(|tint| tint.color.is_none() && tint.width == 0.0) {
         return colors;
     }
-    let mut known: Vec<[u8; 3]> = Vec::new();
-    for bond in bonds.iter_mut().filter(|bond| cover[bond.a as usize] == 0 && cover[bond.b as usize] == 0) {
-        let own = Tint::of(view.tints, bond.a).and_then(|tint| tint.color);
-        let Some(color) = own else { continue };
-        let place = known.iter().position(|other| *other == color).or_else(|| {
-            known.push(color);
+    let mut known: Vec<Own> = Vec::new();
+    for bond in bonds {
+        let Some(tint) = Tint::of(view.tints, bond.a) else { continue };
+        let is_bare = cover[bond.a as usize] == 0 && cover[bond.b as usize] == 0;
+        let own = Own { color: tint.color.filter(|_| is_bare), width: tint.width };
+        if own == Own::NONE {
+            continue;
+        }
+        let place = known.iter().position(|other| *other == own).or_else(|| {
+            known.push(own);
             (known.len() <= COLORS).then(|| known.len() - 1)
         });
         bond.color = place.map_or(0, |place| place as u32 + 1);
         known.truncate(COLORS);
     }
-    for (to, [red, green, blue]) in colors.iter_mut().zip(known) {
-        *to = [red, green, blue, 255].map(|part| f32::from(part) / 255.0);
-    }
+    colors.iter_mut().zip(known).for_each(|(to, own)| *to = own);
     colors
+}
+
+/// Whether the body of a point is not drawn.
+fn is_hidden(tints: &[Tint], point: u32) -> bool {
+    Tint::of(tints, point).is_some_and(|tint| tint.is_hidden)
 }
 
 /// Puts bonds and points that are not covered first, and returns how many there are of each. Pins are seen on skins too, and points
@@ -640,13 +672,13 @@ pub(in crate::render) mod tests {
     fn bare_bonds_have_the_colours_of_their_bodies_and_covered_ones_have_not() {
         let bonds: Bonds =
             [[0, 1], [1, 2], [3, 4], [5, 6]].map(|[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).into_iter().collect();
-        let tint = |first, color| Tint { first, body: first, color };
+        let tint = |first, color| Tint { color, ..Tint::new(first, first) };
         let tints = [tint(0, Some([255, 0, 0])), tint(3, None), tint(5, Some([0, 255, 0]))];
         let view = View { tints: &tints, ..empty(&bonds, 2) };
         let mut list: Vec<GpuBond> = bonds.iter().map(GpuBond::from).collect();
         let colors = paint(&view, &[0, 0, 0, 0, 0, 7, 7], &mut list);
         assert_eq!(list.iter().map(|bond| bond.color).collect::<Vec<_>>(), [1, 1, 0, 0]);
-        assert_eq!(colors[0], [1.0, 0.0, 0.0, 1.0]);
+        assert_eq!(colors[0].row(), [1.0, 0.0, 0.0, 0.0]);
         let packed = PackedBond::from(&list[1]);
         assert_eq!([packed.a >> FORM, packed.a & ((1 << FORM) - 1), packed.b >> FORM], [1, 1, list[1].form]);
         // More colours than there is room for.

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
-use super::buffers::{COLORS, WorldBuffers};
+use super::buffers::{COLORS, Own, WorldBuffers};
 use super::camera::{Camera, Pose};
 use super::chunks::Wanted;
 use super::detail::dot_radius;
@@ -64,7 +64,7 @@ impl Frame {
             ground: look.ground,
             bond_color: look.bond,
             rope_color: look.rope,
-            own_colors: buffers.colors,
+            own_colors: buffers.colors.map(Own::row),
             strain_colors: look.strain,
             point_color: [r, g, b, opacity * point_strength(look, bond_pixels)],
             pin_color: look.pin,
@@ -96,7 +96,9 @@ impl Frame {
 
     /// What the picture wants of bonds and points that are relative to `origin` `[m]`.
     pub(super) fn wanted(&self, camera: &Camera, origin: DVec3, has_mesh: bool) -> Wanted {
-        let shapes = [0.5 * self.bond_width, self.dot_radius, LARGEST_PIN * self.point_radius, self.least_pin];
+        let widest = self.own_colors.iter().map(|own| own[3]).fold(0.0, f32::max) * camera.pixels_per_metre() as f32;
+        let own = 0.5 * widest;
+        let shapes = [0.5 * self.bond_width, own, self.dot_radius, LARGEST_PIN * self.point_radius, self.least_pin];
         // A shape reaches a pixel beyond itself at most, and its place is rounded.
         let margin = 2.0 + f64::from(shapes.into_iter().fold(0.0, f32::max));
         Wanted {

@@ -29,6 +29,7 @@ mod sight;
 mod skin;
 mod tiles;
 mod trails;
+mod veil;
 pub mod view;
 
 pub use camera::{Camera, Pose};

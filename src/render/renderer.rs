@@ -13,6 +13,8 @@ use super::look::{Color, Overlay};
 use super::obstacles::{Obstacles, solids};
 use super::passes::{DEPTH, Passes, Shown};
 use super::skin::Skins;
+use super::veil::Veil;
+use crate::picture::Tint;
 
 /// A renderer for worlds of one dimension, to targets of one format.
 ///
@@ -28,6 +30,9 @@ pub struct Renderer {
     has_region: bool,
     has_fills: bool,
     shows_map: bool,
+    veil: Veil,
+    /// How bodies were drawn last.
+    tints: Vec<Tint>,
     counters: RenderCounters,
 }
 
@@ -58,6 +63,8 @@ impl Renderer {
             has_region: false,
             has_fills: false,
             shows_map: false,
+            veil: Veil::default(),
+            tints: Vec::new(),
             counters: RenderCounters::default(),
         }
     }
@@ -67,6 +74,15 @@ impl Renderer {
     /// Errors: a world larger than the GPU's buffers.
     pub fn prepare(&mut self, gpu: &Gpu, pane: &Pane<'_>) -> Result<(), RenderError> {
         let Pane { view, camera, look, .. } = pane;
+        if self.tints != view.tints {
+            view.tints.clone_into(&mut self.tints);
+            self.buffers.forget_bonds();
+            self.fills.forget();
+            self.skins.forget_triangles();
+            self.veil.forget();
+        }
+        let veiled = self.veil.over(view);
+        let view = veiled.as_ref().unwrap_or(view);
         let counters = &mut self.counters;
         self.fills.update(gpu, view, counters)?;
         self.buffers.update(gpu, (view, self.fills.triangles()), camera, counters)?;
@@ -106,6 +122,7 @@ impl Renderer {
         self.skins.forget();
         self.obstacles.forget();
         self.fills.forget();
+        self.veil.forget();
     }
 
     /// Draws what was prepared into a part of the upper left `area` of `target`, which has `size` `[px]`, over a ground of its colour,

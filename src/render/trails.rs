@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use glam::DVec3;
 
 use super::view::View;
+use crate::picture::Tint;
 
 /// Points that are free to move, up to which they have trails.
 const MOST: usize = 8;
@@ -55,9 +56,14 @@ impl Trails {
     }
 
     /// Stretches of the trails up to where points are now: their ends `[m]`, and how fresh they are, 0 to 1. Points that are gone, which
-    /// have no place, have none.
+    /// have no place, have none, and neither have hidden ones.
     pub(super) fn stretches(&self, view: &View<'_>) -> Vec<([DVec3; 2], f64)> {
-        let now = places(view);
+        let mut now = places(view);
+        for (point, place) in (0..).zip(&mut now) {
+            if Tint::of(view.tints, point).is_some_and(|tint| tint.is_hidden) {
+                *place = DVec3::NAN;
+            }
+        }
         let count = self.past.len();
         let ends = self.past.iter().map(|(_, places)| places).chain([&now]);
         let pairs = self.past.iter().map(|(_, places)| places).zip(ends.skip(1)).enumerate();

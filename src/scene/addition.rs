@@ -7,7 +7,7 @@ use super::error::{Fault, SceneError, Source, Within};
 use super::keys::{AddKeys, BondKeys, BondList, DrawnKeys, ObstacleKeys, PointKeys, Scene};
 use super::model::{angle, anticlockwise, force, material, of_length, rest_length, skin};
 use super::support;
-use crate::picture::{Skin, Tint};
+use crate::picture::{Coat, Skin, Tint};
 use crate::sim::vector::{embed, truncate};
 use crate::sim::{self, Addition, Angle, Bond, Dynamics, Model, PointId, SkinMaterial};
 
@@ -23,7 +23,7 @@ pub(crate) struct Made {
     /// What those are called: see [`Scene::body_names`].
     pub(crate) names: Vec<Option<String>>,
     /// Points with the colours that they get.
-    pub(crate) colors: Vec<(Vec<u32>, [u8; 3])>,
+    pub(crate) coats: Vec<(Vec<u32>, Coat)>,
 }
 
 /// Pinned points with the knots of their tracks.
@@ -130,7 +130,12 @@ impl AddKeys {
             skins: self.skins(&alone, (first, count))?,
             tints,
             names,
-            colors: self.skins.iter().filter_map(|skin| Some((skin.points.clone(), skin.color?.0))).collect(),
+            coats: self
+                .skins
+                .iter()
+                .map(|skin| (skin.points.clone(), skin.coat()))
+                .filter(|(_, coat)| !coat.is_empty())
+                .collect(),
             addition: Addition {
                 position,
                 velocity: model.velocity.iter().map(|&v| embed(v)).collect(),

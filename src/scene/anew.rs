@@ -74,8 +74,10 @@ impl Scene {
             material: match (keys.material, &old.material) {
                 (Some(new), Some(old)) => {
                     let (mass, point_mass, break_strain) = (old.mass, old.point_mass, old.break_strain);
-                    let (friction, restitution, radius, color) = (old.friction, old.restitution, old.radius, old.color);
-                    Some(Material { mass, point_mass, break_strain, friction, restitution, radius, color, ..new })
+                    let (friction, restitution, radius) = (old.friction, old.restitution, old.radius);
+                    let (color, width, visible) = (old.color, old.width, old.visible);
+                    let new = Material { mass, point_mass, break_strain, friction, restitution, radius, ..new };
+                    Some(Material { color, width, visible, ..new })
                 }
                 (new, old) => new.or_else(|| old.clone()),
             },
@@ -97,6 +99,7 @@ impl Scene {
             || self.triangles.iter().any(|corners| corners.0.iter().any(|&corner| corner >= first))
             || self.angles.iter().any(|angle| angle.points.0.iter().any(|&point| point >= first))
             || self.pin_motion.iter().any(|motion| motion.point >= first)
+            || self.cursor_pin.is_some_and(|pin| pin >= first)
             || self.forces.iter().any(|force| force.points.iter().any(|&point| point >= first))
             || self.groups.iter().any(|group| group.points.iter().any(|&point| point >= first))
             || self.skins.iter().any(|skin| skin.points.iter().any(|&point| point >= first));

@@ -2,7 +2,7 @@
 
 use super::check;
 use super::error::SceneError;
-use super::keys::{AngleKeys, BondKeys, KindName, MassKeys, PointKeys, Row, Scene, SkinKeys, Vector};
+use super::keys::{AngleKeys, BondKeys, KindName, MassKeys, Material, PointKeys, Row, Scene, SkinKeys, Vector};
 use super::model::skins;
 use super::start::Start;
 use crate::sim::{BondKind, SkinMaterial};
@@ -68,10 +68,10 @@ impl Scene {
                 friction,
                 restitution,
                 radius,
-                color: None,
+                ..SkinKeys::default()
             })
             .collect();
-        scene.skins.extend(self.colored());
+        scene.skins.extend(self.coated());
         for body in &start.bodies {
             // What is at rest as it stands need not say so.
             scene.angles.extend(body.bends().map(|bend| AngleKeys {
@@ -98,20 +98,21 @@ fn masses(each: &[f64]) -> Option<MassKeys> {
 }
 
 impl Scene {
-    /// The colours that are said, each with its points, as skins say them.
-    fn colored(&self) -> Vec<SkinKeys> {
+    /// How bodies are to be drawn, each with its points, as skins say it.
+    fn coated(&self) -> Vec<SkinKeys> {
         let mut list: Vec<SkinKeys> = self
             .skins
             .iter()
-            .filter(|skin| skin.color.is_some())
-            .map(|skin| SkinKeys { points: skin.points.clone(), color: skin.color, ..SkinKeys::default() })
+            .filter(|skin| !skin.coat().is_empty())
+            .map(|skin| SkinKeys::of_coat(skin.points.clone(), skin.coat()))
             .collect();
         let mut first = self.points.as_ref().map_or(0, |points| points.position.len() as u32);
         let mut of_bodies = Vec::new();
         for keys in &self.bodies {
             let end = first + check::count(keys, self).unwrap_or(0);
-            if let Some(color) = keys.material.as_ref().and_then(|material| material.color) {
-                of_bodies.push(SkinKeys { points: (first..end).collect(), color: Some(color), ..SkinKeys::default() });
+            let coat = keys.material.as_ref().map(Material::coat).unwrap_or_default();
+            if !coat.is_empty() {
+                of_bodies.push(SkinKeys::of_coat((first..end).collect(), coat));
             }
             first = end;
         }

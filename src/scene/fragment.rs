@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use super::check::check_pin_motion;
+use super::error::{Source, Within};
 use super::keys::{AddKeys, ContactKeys, PointGroupKeys, Vector};
 use super::pictures::is_inline;
 
@@ -115,8 +117,8 @@ impl Fragment {
     fn check(&self) -> Result<(), String> {
         let AddKeys { points, bonds, bodies, triangles, skins, forces, angles, obstacles, pin_motion, textures } =
             &self.keys;
-        if !bodies.is_empty() || !pin_motion.is_empty() {
-            return Err("`bodies` and `pin_motion` are not copied: leave them out".to_owned());
+        if !bodies.is_empty() {
+            return Err("`bodies` are not copied: give their points and bonds".to_owned());
         }
         if textures.iter().any(|texture| !is_inline(&texture.image)) {
             return Err("`textures` names a file: give its picture itself, as data:image/png;base64,…".to_owned());
@@ -136,11 +138,20 @@ impl Fragment {
         if let Some(wild) = velocities.into_iter().position(|v| !is_near(v)) {
             return Err(format!("points.velocity[{wild}] is more than {FARTHEST:e} m/s"));
         }
+        let pins: Vec<u32> = points.iter().flat_map(|points| points.pinned.iter().copied()).collect();
+        for (i, motion) in pin_motion.iter().enumerate() {
+            check_pin_motion(motion, self.dimensions, &|point| pins.contains(&point))
+                .item(i)
+                .at("pin_motion")
+                .map_err(|fault| Source::default().error(fault).to_string())?;
+            if motion.track.iter().flatten().any(|x| x.abs() > FARTHEST) {
+                return Err(format!("pin_motion[{i}].track has a number of more than {FARTHEST:e}"));
+            }
+        }
         if count == 0 && obstacles.is_empty() {
             return Err("there is nothing in it".to_owned());
         }
         let known: Range<u32> = 0..count as u32;
-        let pins = points.iter().flat_map(|points| points.pinned.iter().copied()).collect();
         let named: [(&str, Vec<u32>); 8] = [
             ("points.pinned", pins),
             ("bonds", bonds.iter().flat_map(|bond| [bond.a, bond.b]).collect()),
@@ -203,6 +214,9 @@ mod tests {
             ("1e-320,2", "1e300,2", "points.position[1]"),
             ("1e-320,2", "1,2,3", "points.position[1]"),
             ("\"pinned\"", "\"velocity\":[[0,0],[0,1e308]],\"pinned\"", "points.velocity[1]"),
+            ("\"bonds\"", "\"pin_motion\":[{\"point\":0,\"track\":[[0,0,0]]}],\"bonds\"", "point 0 is not pinned"),
+            ("\"bonds\"", "\"pin_motion\":[{\"point\":1,\"track\":[[0,0]]}],\"bonds\"", "pin_motion[0].track[0]"),
+            ("\"bonds\"", "\"pin_motion\":[{\"point\":1,\"track\":[[0,0,2e9]]}],\"bonds\"", "more than 1e9"),
             ("[0.1,-0.0]", "[0.1]", "`middle` is not 2 numbers"),
         ] {
             let line = changed(from, to);

@@ -78,7 +78,7 @@ macro_rules! entry {
     };
 }
 
-static GALLERY: [Entry; 47] = [
+static GALLERY: [Entry; 53] = [
     entry!(
         "jelly",
         168,
@@ -106,6 +106,13 @@ static GALLERY: [Entry; 47] = [
         "Ragdoll",
         "A figure tumbles down a flight of stairs and comes to rest; another one hangs by a hand and swings.",
         "throw one by a foot; drop it on the stairs; unpin the hand with T."
+    ),
+    entry!(
+        "ragdoll-as-printed",
+        16,
+        "Ragdoll, as printed",
+        "A tutorial's loop as printed (source 001): quadrilaterals and limbs like ropes, which bend any way. Where it lands, each frame multiplies what is wrong by 3.9; a fifth of its pace.",
+        "R, and watch both land: beside it bonds keep their length."
     ),
     entry!(
         "wrecking-ball",
@@ -199,6 +206,13 @@ static GALLERY: [Entry; 47] = [
         "push them about; grab one and throw it against a wall."
     ),
     entry!(
+        "points-as-printed",
+        10,
+        "Falling points, as printed",
+        "A tutorial's loop as printed (source 000): it starts with twice the fall of a first step, and stays half a step ahead of a fall for ever; walls stop all that comes.",
+        "R, and see which of both gets to the floor first; the mouse attracts."
+    ),
+    entry!(
         "random-graph",
         10,
         "Random graph",
@@ -263,6 +277,13 @@ static GALLERY: [Entry; 47] = [
         "pull a weight down; cut a piece out."
     ),
     entry!(
+        "spring-damper-relative-as-printed",
+        10,
+        "By strain, as printed",
+        "A tutorial's loop as printed (source 003): a weight on a spring in one piece, in two, in four. By strain all hang about as deep; by the form that is called its alternative, beside it, the same numbers are other springs.",
+        "compare how deep the left ones hang: 0.49 m and 0.25 m."
+    ),
+    entry!(
         "slide-circle",
         2,
         "Euler's circle",
@@ -296,6 +317,13 @@ static GALLERY: [Entry; 47] = [
         "Image mesh",
         "A letter cut out of a bitmap, its triangles' sides swept by relaxation as in the source: a jelly that the mouse dents.",
         "dent the letter with the mouse, then cut it in two."
+    ),
+    entry!(
+        "image-mesh-as-printed",
+        195,
+        "Image mesh, as printed",
+        "A tutorial's loop as printed (source 000): a letter cut into triangles, all of whose sides end a thousandth of a metre short; it lands as a jelly and gets through the floor.",
+        "hold the mouse near it: it attracts; beside it are whole bonds, limited both ways."
     ),
     entry!(
         "brush",
@@ -354,6 +382,13 @@ static GALLERY: [Entry; 47] = [
         "grab its free end and crack it like a whip; cut it."
     ),
     entry!(
+        "rope-on-cursor",
+        30,
+        "Rope on the cursor",
+        "A rope of thirty points hangs on the cursor: its first point goes where the mouse is, and no link gets longer.",
+        "swing it; hold T and click its end: it is let go without a fling; the same again and it is back."
+    ),
+    entry!(
         "rope-as-printed",
         30,
         "Rope, as printed",
@@ -373,6 +408,13 @@ static GALLERY: [Entry; 47] = [
         "Cloth in the wind",
         "A cloth on a line sways, bulges and flaps in gusts.",
         "cut it from a few of its pegs; hold a corner down and let it go; roll it up with the mouse."
+    ),
+    entry!(
+        "cloth-wind-as-printed",
+        108,
+        "Cloth in the wind, as printed",
+        "A tutorial's loop as printed (source 001): six moves to one sweep tear a cloth on a line to pieces within a sixth of a second. Its wind pushes one point a frame; a tenth of its pace.",
+        "R, and watch it: beside it the cloth hangs."
     ),
     entry!(
         "thousand-rims",

@@ -1,13 +1,13 @@
-//! Which body each point of a scene is of, and the colours that bodies say they have.
+//! Which body each point of a scene is of, and how bodies say that they are drawn.
 
 use super::check;
 use super::error::{Fault, SceneError, Within};
-use super::keys::{BodyKeys, MakerName, Scene, SkinKeys};
-use crate::picture::Tint;
+use super::keys::{BodyKeys, ColorKey, MakerName, Material, Scene, SkinKeys};
+use crate::picture::{Coat, Tint};
 
 impl Scene {
     /// The runs of points of one body each: explicit points by what bonds and triangles hold together, then body by body, each copy by
-    /// itself, with the colours that are said.
+    /// itself, as they are to be drawn.
     ///
     /// Errors: a body whose points cannot be counted.
     pub fn tints(&self) -> Result<Vec<Tint>, SceneError> {
@@ -38,7 +38,7 @@ impl Scene {
         let mut next = 0;
         for (point, body) in self.hanging(explicit).into_iter().enumerate() {
             if tints.last().is_none_or(|last: &Tint| last.body != body) {
-                tints.push(Tint { first: point as u32, body, color: None });
+                tints.push(Tint::new(point as u32, body));
             }
             next = next.max(body + 1);
         }
@@ -46,9 +46,9 @@ impl Scene {
         for (i, keys) in self.bodies.iter().enumerate() {
             let count = check::count(keys, self).item(i).at("bodies")?;
             let copies = check::copies(keys);
-            let color = keys.material.as_ref().and_then(|material| material.color).map(|color| color.0);
+            let coat = keys.material.as_ref().map(Material::coat).unwrap_or_default();
             for copy in 0..copies {
-                tints.push(Tint { first: first + copy * (count / copies.max(1)), body: next, color });
+                tints.push(Tint::new(first + copy * (count / copies.max(1)), next).with(coat));
                 next += 1;
             }
             first += count;
@@ -88,9 +88,29 @@ fn name(keys: &BodyKeys) -> Option<String> {
     Some(name.to_owned())
 }
 
-/// Gives points the colour that a skin says, if it says one.
+/// Gives points the coat that a skin says.
 pub(crate) fn paint(tints: &mut Vec<Tint>, skin: &SkinKeys) {
-    if let Some(color) = skin.color {
-        Tint::paint(tints, &skin.points, color.0);
+    if !skin.coat().is_empty() {
+        Tint::paint(tints, &skin.points, skin.coat());
+    }
+}
+
+impl SkinKeys {
+    /// How its points are drawn.
+    pub fn coat(&self) -> Coat {
+        Coat { color: self.color.map(|color| color.0), width: self.width, visible: self.visible }
+    }
+
+    /// Points in a coat, whose skins stay as they are.
+    pub fn of_coat(points: Vec<u32>, coat: Coat) -> Self {
+        let Coat { color, width, visible } = coat;
+        SkinKeys { points, color: color.map(ColorKey), width, visible, ..SkinKeys::default() }
+    }
+}
+
+impl Material {
+    /// How its body is drawn.
+    pub(super) fn coat(&self) -> Coat {
+        Coat { color: self.color.map(|color| color.0), width: self.width, visible: self.visible }
     }
 }

@@ -332,6 +332,28 @@ pub struct Applied {
     pub angles: Range<u32>,
     /// The share of its way that a motion went, 0 to 1: obstacles that go while time runs stop where what they push has no room.
     pub gone: f64,
+    /// What has no room, where they stopped.
+    pub jam: Option<Jam>,
+}
+
+/// Bodies in the way of obstacles that push them, which give no more way.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Jam {
+    /// Their points, ascending.
+    pub points: Vec<PointId>,
+    /// Why they give no more way.
+    pub why: NoRoom,
+}
+
+/// Why what is pushed gives no more way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoRoom {
+    /// Pins hold it.
+    Pinned,
+    /// It is pressed together, or against what stands, as far as it goes.
+    Pressed,
+    /// It would be pushed into another body.
+    Crowded,
 }
 
 impl Default for Applied {
@@ -344,6 +366,7 @@ impl Default for Applied {
             forces: 0..0,
             angles: 0..0,
             gone: 1.0,
+            jam: None,
         }
     }
 }

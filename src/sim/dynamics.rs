@@ -2,7 +2,7 @@
 
 use super::bond::PointId;
 use super::bonds::Bonds;
-use super::command::{Applied, Command, CommandError, Obstacle, SceneChange};
+use super::command::{Applied, Command, CommandError, Knots, Obstacle, SceneChange};
 use super::contact::convex::Convex;
 use super::contact::polygon::Polygon;
 use super::contact::skin::{Contact, SkinMaterial};
@@ -119,6 +119,8 @@ pub trait Dynamics: Send {
     fn contact(&self) -> Option<Contact>;
     /// The points that never move.
     fn pinned(&self) -> &[PointId];
+    /// Where pins are led: the track of each that has one.
+    fn pin_tracks(&self) -> Vec<(PointId, Knots)>;
     /// The masses of all points `[kg]`.
     fn masses(&self) -> &[f64];
     /// Corners of the walls, if there are any (z = 0 in the plane).

@@ -408,7 +408,9 @@ impl<const D: usize> Model<D> {
 
     /// Whether there is a wind that pushes nothing.
     pub(crate) fn has_idle_wind(&self) -> bool {
-        self.drag_rate == 0.0 && self.wind.is_some_and(|wind| wind.velocity.iter().any(|&u| u != 0.0))
+        // A loop of its own makes its own of it.
+        let is_printed = matches!(self.method.solver, Solver::AsPrinted(_));
+        !is_printed && self.drag_rate == 0.0 && self.wind.is_some_and(|wind| wind.velocity.iter().any(|&u| u != 0.0))
     }
 
     /// Whether all that can move is moved together by the live step from the start.

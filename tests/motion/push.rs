@@ -1,7 +1,7 @@
 //! Obstacles that go on their way while time runs: what they meet is ahead of them, as fast as they are, and what lies on them goes along.
 
 use super::common::physics::spring;
-use wobble::sim::{Bond, Command, Dynamics, Model, Motion, Obstacle, PointId, Polygon, Sample, build};
+use wobble::sim::{Bond, Command, Dynamics, Jam, Model, Motion, NoRoom, Obstacle, PointId, Polygon, Sample, build};
 
 /// Between two commands `[s]`.
 const EVERY: f64 = 1.0 / 30.0;
@@ -28,8 +28,19 @@ fn rigid(position: Vec<[f64; 2]>) -> Model<2> {
     model
 }
 
-/// Obstacle 0 goes with a velocity for so long, about a place with a spin; the world goes along.
-fn drag(world: &mut dyn Dynamics, velocity: [f64; 2], seconds: f64, mut see: impl FnMut(&Sample)) -> Sample {
+/// Obstacle 0 goes with a velocity for so long; the world goes along.
+fn drag(world: &mut dyn Dynamics, velocity: [f64; 2], seconds: f64, see: impl FnMut(&Sample)) -> Sample {
+    drag_until_jam(world, velocity, seconds, see).0
+}
+
+/// The same, and what had no room at the end.
+fn drag_until_jam(
+    world: &mut dyn Dynamics,
+    velocity: [f64; 2],
+    seconds: f64,
+    mut see: impl FnMut(&Sample),
+) -> (Sample, Option<Jam>) {
+    let mut jam = None;
     let start = world.time();
     let by = [velocity[0] * EVERY, velocity[1] * EVERY, 0.0];
     for k in 1..=(seconds / EVERY).round() as u32 {
@@ -42,13 +53,15 @@ fn drag(world: &mut dyn Dynamics, velocity: [f64; 2], seconds: f64, mut see: imp
             about: None,
             over: Some(EVERY),
         };
-        world.apply(&Command::Move(motion)).unwrap();
+        let applied = world.apply(&Command::Move(motion)).unwrap();
+        assert_eq!(applied.gone < 1.0, applied.jam.is_some());
+        jam = applied.jam;
         while world.time() < start + f64::from(k) * EVERY - 1e-9 {
             world.step();
             see(&world.sample(world.time()));
         }
     }
-    world.sample(world.time())
+    (world.sample(world.time()), jam)
 }
 
 fn mean(list: &[[f64; 3]]) -> [f64; 2] {
@@ -193,14 +206,16 @@ fn an_obstacle_stops_where_what_it_pushes_has_no_room() {
         let mut world = build(&Model { polygons: [peg, wall].into_iter().chain(beside).collect(), ..soft }).unwrap();
         let inside =
             |x: &[f64; 3], left: f64| x[0] > left + 1e-6 && x[0] < left + 0.5 - 1e-6 && x[1].abs() < 0.05 - 1e-6;
-        drag(&mut *world, [speed, 0.0], 1.0, |_| ());
+        let (_, jam) = drag_until_jam(&mut *world, [speed, 0.0], 1.0, |_| ());
+        let all = (0..world.point_count() as u32).map(PointId).collect();
+        assert_eq!(jam, Some(Jam { points: all, why: NoRoom::Pressed }), "{is_rigid} at {speed}");
         let left = left_of_first(&*world);
         assert!(left + 0.5 < 0.45 && left > -0.6, "{is_rigid} at {speed}: the peg is at {left}");
         let now = world.sample(world.time());
         assert!(!now.position.iter().any(|x| inside(x, left)), "{is_rigid} at {speed}: in the peg");
         assert!(now.position.iter().all(|x| x[0] < 0.4501), "{is_rigid} at {speed}: in the wall");
         // It goes back, and the body is whole.
-        drag(&mut *world, [-1.0, 0.0], 2.0, |_| ());
+        assert_eq!(drag_until_jam(&mut *world, [-1.0, 0.0], 2.0, |_| ()).1, None);
         let then = world.sample(world.time());
         let places: Vec<[f64; 2]> = then.position.iter().map(|x| [x[0], x[1]]).collect();
         for (corners, rest) in triangles.iter().zip(&areas) {
@@ -217,12 +232,14 @@ fn a_board_stops_on_limbs_and_on_pins() {
     let pinned = r#"{"wobble": 1, "contact": true, "obstacles": [{"box": {"min": [-1, 1], "max": [1, 1.3]}}],
         "bodies": [{"make": "lattice", "columns": 5, "rows": 5, "spacing": 0.2, "origin": [-0.4, -0.4], "pinned": [10, 14],
             "material": {"kind": "spring", "stiffness": 300, "damping": 1, "mass": 2}}]}"#;
-    for (name, text, waits) in [("a ragdoll", ragdoll, 3.0), ("pins", pinned, 0.0)] {
+    let reasons = [("a ragdoll", ragdoll, 3.0, NoRoom::Pressed), ("pins", pinned, 0.0, NoRoom::Pinned)];
+    for (name, text, waits, why) in reasons {
         let mut world = wobble::scene::Scene::parse(text, "x.json").unwrap().world(None).unwrap();
         while world.time() < waits {
             world.step();
         }
-        let end = drag(&mut *world, [0.0, -1.0], 4.0, |_| ());
+        let (end, jam) = drag_until_jam(&mut *world, [0.0, -1.0], 4.0, |_| ());
+        assert_eq!(jam.map(|jam| jam.why), Some(why), "{name}");
         let obstacles = world.obstacles();
         let Obstacle::Polygon(board) = &obstacles[0].1 else { panic!("obstacle 0 is a polygon") };
         let low = board.loops[0].iter().map(|corner| corner[1]).fold(f64::INFINITY, f64::min);

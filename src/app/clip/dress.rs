@@ -3,9 +3,9 @@
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 use crate::history::{Do, Group, History};
-use crate::picture::{Picture, Skin, Tint};
+use crate::picture::{Coat, Picture, Skin, Tint};
 use crate::render::palette_color;
-use crate::scene::{ColorKey, DrawnKeys, PointGroupKeys, Row, SkinKeys, picture_as_text};
+use crate::scene::{DrawnKeys, PointGroupKeys, Row, SkinKeys, picture_as_text};
 use crate::sim::{PointId, SkinMaterial};
 
 /// Runs of points, counted in their order, that have the same.
@@ -20,7 +20,7 @@ fn runs<T: PartialEq>(points: &[PointId], of: impl Fn(&PointId) -> T) -> Vec<(T,
     list
 }
 
-/// The colours that points are seen in, and what their skins are made of. What is filled without a colour of its own has one by its number,
+/// How points are drawn, and what their skins are made of. What is filled without a colour of its own has one by its number,
 /// which is another's in a copy: so it is said.
 pub(super) fn skins(history: &History, points: &[PointId]) -> Vec<SkinKeys> {
     let (world, tints) = (history.world(), history.tints());
@@ -38,12 +38,17 @@ pub(super) fn skins(history: &History, points: &[PointId]) -> Vec<SkinKeys> {
     let look = |point: &PointId| {
         let tint = Tint::of(tints, point.0);
         let by_number = || tint.filter(|_| is_filled[point.index()]).map(|tint| palette_color(tint.body));
-        (tint.and_then(|tint| tint.color).or_else(by_number), world.skin_of(*point))
+        let coat = Coat {
+            color: tint.and_then(|tint| tint.color).or_else(by_number),
+            width: tint.map(|tint| tint.width).filter(|width| *width > 0.0),
+            visible: tint.filter(|tint| tint.is_hidden).map(|_| false),
+        };
+        (coat, world.skin_of(*point))
     };
-    let keys = |((color, material), points): ((Option<[u8; 3]>, SkinMaterial), Vec<u32>)| {
+    let keys = |((coat, material), points): ((Coat, SkinMaterial), Vec<u32>)| {
         let SkinMaterial { friction, restitution, radius } = material;
-        let is_said = color.is_some() || material != SkinMaterial::default();
-        is_said.then(|| SkinKeys { points, friction, restitution, radius, color: color.map(ColorKey) })
+        let is_said = !coat.is_empty() || material != SkinMaterial::default();
+        is_said.then(|| SkinKeys { friction, restitution, radius, ..SkinKeys::of_coat(points, coat) })
     };
     runs(points, look).into_iter().filter_map(keys).collect()
 }

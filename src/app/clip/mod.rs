@@ -2,6 +2,7 @@
 
 mod dress;
 mod keys;
+mod led;
 mod raster;
 mod room;
 #[cfg(test)]
@@ -48,8 +49,8 @@ pub(super) struct Wish {
 
 impl Clip {
     /// What is chosen in a world: points with velocities, masses, pins, colours and what their skins are made of; bonds with their drives,
-    /// triangles, angles and constant forces among them, the pictures that are drawn on them, their groups; obstacles. Pins of it stand,
-    /// wherever those of the original are led.
+    /// triangles, angles and constant forces among them, the pictures that are drawn on them, their groups; obstacles. Its pins are led on
+    /// as those of the original are from now on.
     pub(super) fn of(history: &History, chosen: &Chosen) -> Self {
         let world = history.world();
         let dimensions = world.dimensions();
@@ -79,6 +80,7 @@ impl Clip {
             forces: world.forces().into_iter().filter_map(force).collect(),
             angles: world.angles().iter().filter_map(|angle| angle_keys(angle, place)).collect(),
             obstacles,
+            pin_motion: led::ways(world, place),
             ..AddKeys::default()
         };
         if !points.is_empty() {
@@ -114,6 +116,7 @@ impl Clip {
         keys.skins.iter_mut().flat_map(|skin| &mut skin.points).for_each(|point| *point += next);
         keys.textures.iter_mut().flat_map(|texture| &mut texture.points).for_each(|point| *point += next);
         keys.forces.iter_mut().flat_map(|force| &mut force.points).for_each(|point| *point += next);
+        led::put(&mut keys.pin_motion, (world.time(), by, next));
         for obstacle in &mut keys.obstacles {
             obstacle.plane.iter_mut().for_each(|plane| moved(&mut plane.point));
             obstacle.circle.iter_mut().for_each(|circle| moved(&mut circle.center));
@@ -163,7 +166,7 @@ impl Clip {
         keys.skins.iter().flat_map(|skin| &skin.points).for_each(|&point| is_said[point as usize] = true);
         let points: Vec<u32> = (0..).zip(is_said).filter(|(_, is_said)| !is_said).map(|(point, _)| point).collect();
         if !points.is_empty() {
-            keys.skins.push(SkinKeys { points, friction, restitution, radius, color: None });
+            keys.skins.push(SkinKeys { points, friction, restitution, radius, ..SkinKeys::default() });
         }
     }
 

@@ -202,3 +202,41 @@ fn a_copy_keeps_its_picture_its_colours_and_its_groups_here_and_as_text() {
         assert!(stage.history().skins().iter().any(|skin| skin.first == first));
     }
 }
+
+#[test]
+fn led_pins_of_a_copy_go_the_same_way_from_when_it_comes() {
+    let text = r#"{"wobble": 1, "gravity": [0, -9.81], "points": {"position": [[0,0],[0,-1],[1,0]], "pinned": [0,2]},
+        "bonds": [{"a":0,"b":1}], "pin_motion": [{"point": 0, "track": [[0,0,0],[1,2,0],[2,2,1]]}, {"point": 2, "track": [[0,1,0]]}]}"#;
+    let mut stage = stage(text);
+    let run = |stage: &mut Stage, seconds: f64| {
+        let end = stage.history().world().time() + seconds;
+        while stage.history().world().time() < end - 1e-9 {
+            stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
+        }
+        let now = stage.history().world().time();
+        stage.history().world().sample(now)
+    };
+    run(&mut stage, 0.5);
+    let clip = Clip::of(stage.history(), &points(0..3));
+    let read = Fragment::parse(&clip.fragment().to_text().unwrap()).unwrap();
+    assert_eq!(Clip::of_fragment(read), clip);
+    // What its track has done stands.
+    assert_eq!(clip.keys.pin_motion.iter().map(|way| way.point).collect::<Vec<_>>(), [0]);
+    let (came, _) = put(&mut stage, &points(0..3), wish([0.0, 2.0, 0.0], true)).unwrap();
+    let first = came.points[0].index();
+    for _ in 0..4 {
+        let now = run(&mut stage, 0.4);
+        for k in 0..3 {
+            let apart = glam::DVec3::from(now.position[first + k]) - glam::DVec3::from(now.position[k]);
+            assert!(apart.distance(glam::DVec3::new(0.0, 2.0, 0.0)) < 1e-9, "point {k}: {apart}");
+        }
+    }
+    // Later it goes what was left when it was copied: 1 m to the right, then up.
+    stage.obey(Order::Add(Box::new(move |history| clip.coming(history, &wish([0.0, -2.5, 0.0], true)))));
+    let now = run(&mut stage, 0.25);
+    let led = now.position[first + 3];
+    assert!((led[0] - 1.5).abs() < 0.02 && (led[1] + 2.5).abs() < 1e-9, "{led:?}");
+    let now = run(&mut stage, 1.5);
+    let led = now.position[first + 3];
+    assert!((led[0] - 2.0).abs() < 1e-9 && (led[1] + 1.5).abs() < 1e-9, "{led:?}");
+}

@@ -73,6 +73,11 @@ pub static TABLE: &[Binding] = &[
         &[(Ctrl("g"), Action::Group), (CtrlShift("g"), Action::Ungroup)],
     ),
     binding(
+        "Ctrl+H, Ctrl+Shift+H",
+        "hide what is selected; show all that is hidden",
+        &[(Ctrl("h"), Action::Hide), (CtrlShift("h"), Action::ShowHidden)],
+    ),
+    binding(
         "Ctrl+N, Ctrl+Shift+N",
         "an empty scene; take away all bodies of this one",
         &[(Ctrl("n"), Action::New), (CtrlShift("n"), Action::Clear)],

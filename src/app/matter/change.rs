@@ -4,8 +4,8 @@ use super::Among;
 use super::facts::{NEVER, areas, place};
 use super::preset::{Preset, Stuff};
 use crate::history::{Do, OneOrEach, SetKeys};
-use crate::picture::Tint;
-use crate::scene::{AddKeys, ColorKey, KindName, SkinKeys};
+use crate::picture::{Coat, Tint};
+use crate::scene::{AddKeys, KindName, SkinKeys};
 use crate::sim::vector::{length, sub};
 use crate::sim::{Bond, BondKind, Dynamics, Limit, PointId};
 
@@ -31,8 +31,12 @@ pub enum MatterChange {
     Friction(f64),
     /// Of skins and obstacles `[1]`, to 1.
     Restitution(f64),
-    /// What it is filled in.
+    /// What it is filled in, or its picture is tinted by.
     Color([u8; 3]),
+    /// How wide bonds are drawn `[m]`; 0: as is usual.
+    Width(f64),
+    /// Whether it is drawn.
+    Visible(bool),
     /// Bonds keep their lengths.
     Rigid,
     /// Bonds that are not springs become some.
@@ -53,6 +57,9 @@ impl MatterChange {
             MatterChange::Friction(_) => "friction",
             MatterChange::Restitution(_) => "restitution",
             MatterChange::Color(_) => "colour",
+            MatterChange::Width(_) => "width",
+            MatterChange::Visible(true) => "show",
+            MatterChange::Visible(false) => "hide",
             MatterChange::Rigid => "rigid",
             MatterChange::Springy => "springy",
             MatterChange::Preset(preset) => preset.name(),
@@ -94,7 +101,10 @@ pub(in crate::app) fn commands(
         MatterChange::Restitution(restitution) => {
             surfaces(world, (&points, among), SetKeys { restitution: Some(restitution), ..SetKeys::default() })
         }
-        MatterChange::Color(color) => vec![paint(&points, color)],
+        MatterChange::Color(_) | MatterChange::Width(_) | MatterChange::Visible(_) if points.is_empty() => Vec::new(),
+        MatterChange::Color(color) => vec![coated(&points, Coat::of_color(color))],
+        MatterChange::Width(width) => vec![coated(&points, Coat { width: Some(width), ..Coat::default() })],
+        MatterChange::Visible(is) => vec![coated(&points, Coat { visible: Some(is), ..Coat::default() })],
         MatterChange::Rigid => {
             let bonds = numbers(&among.bonds_of(world), |bond| bond.kind != BondKind::Rigid);
             vec![set(SetKeys { bonds: Some(bonds), kind: Some(KindName::Rigid), ..SetKeys::default() })]
@@ -140,14 +150,8 @@ fn surfaces(world: &dyn Dynamics, (points, among): (&[PointId], &Among), keys: S
     of_points.into_iter().chain([of_obstacles]).map(|keys| Do::Set(Box::new(keys))).collect()
 }
 
-fn paint(points: &[PointId], color: [u8; 3]) -> Do {
-    let skin = SkinKeys {
-        points: point_numbers(points),
-        friction: None,
-        restitution: None,
-        radius: None,
-        color: Some(ColorKey(color)),
-    };
+fn coated(points: &[PointId], coat: Coat) -> Do {
+    let skin = SkinKeys::of_coat(point_numbers(points), coat);
     Do::Add(Box::new(AddKeys { skins: vec![skin], ..AddKeys::default() }))
 }
 
@@ -209,7 +213,7 @@ fn of_preset(world: &dyn Dynamics, (points, among): (&[PointId], &Among), preset
     let skin = SetKeys { friction: Some(friction), restitution: Some(restitution), ..SetKeys::default() };
     all.extend(surfaces(world, (points, among), skin));
     if !points.is_empty() {
-        all.push(paint(points, color));
+        all.push(coated(points, Coat::of_color(color)));
     }
     all
 }

@@ -73,6 +73,10 @@ pub struct Matter {
     pub(in crate::app) friction: Option<Span>,
     pub(in crate::app) restitution: Option<Span>,
     pub(in crate::app) color: Coloring,
+    /// How wide its bonds are drawn `[m]`; 0: as is usual.
+    pub(in crate::app) width: Option<Span>,
+    /// How many of its points are hidden.
+    pub(in crate::app) hidden: usize,
 }
 
 impl Matter {
@@ -114,6 +118,7 @@ impl Matter {
         let area: f64 = areas(world, &points).iter().map(|(_, area)| area).sum();
         let is_one = count_of_bodies == 1;
         let name = is_one.then(|| called(&points, (tints, names)).unwrap_or_else(|| shape(&points, &bonds, area)));
+        let tint = |point: PointId| Tint::of(tints, point.0);
         Some(Matter {
             points: points.len(),
             bonds: bonds.len(),
@@ -134,6 +139,8 @@ impl Matter {
             friction: Span::of(surfaces().map(|surface| surface[0])),
             restitution: Span::of(surfaces().map(|surface| surface[1])),
             color: coloring(tints, &points),
+            width: Span::of(bonds.iter().map(|(_, bond)| tint(bond.a).map_or(0.0, |tint| tint.width))),
+            hidden: points.iter().filter(|point| tint(**point).is_some_and(|tint| tint.is_hidden)).count(),
         })
     }
 

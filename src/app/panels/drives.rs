@@ -37,7 +37,7 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
 fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
     let muscle = &mut drives.muscle;
     ui.label(RichText::new("Muscle").color(colors(ui).text).strong());
-    ui.label(RichText::new("click a bond").color(colors(ui).weak));
+    ui.label(RichText::new("click a bond, or drag over some").color(colors(ui).weak));
     slider(ui, "stretch", &mut muscle.amplitude, -MOST[0]..=MOST[0], "");
     ui.add(Checkbox::new(&mut muscle.has_wave, "wave"));
     if muscle.has_wave || muscle.key.is_none() {

@@ -127,6 +127,23 @@ fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
         }
     });
     ui.label(RichText::new("Shift adds to what is selected").color(colors(ui).weak));
+    if facts.hidden > 0 {
+        let bodies = if facts.hidden == 1 {
+            "a body is hidden".to_owned()
+        } else {
+            format!("{} bodies are hidden", facts.hidden)
+        };
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(bodies).color(colors(ui).weak));
+            if ui
+                .button("Show all")
+                .on_hover_text(described("all that is hidden is drawn again", Action::ShowHidden))
+                .clicked()
+            {
+                sink.act(Action::ShowHidden);
+            }
+        });
+    }
 }
 
 fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>) {
@@ -176,6 +193,8 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     }
     if matter.points > 0 {
         color(ui, matter, facts.drawn_color, sink);
+        number(ui, ("width", " m"), matter.width, sink, |x| Some(MatterChange::Width(x)));
+        visible(ui, matter, sink);
     }
 }
 
@@ -349,13 +368,29 @@ fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     });
 }
 
+/// Whether it is drawn.
+fn visible(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+    row(ui, "", |ui, _| {
+        let mut is_shown = matter.hidden == 0;
+        let words = "what is hidden moves as before; the tool that selects shows its outline";
+        let by = ui.checkbox(&mut is_shown, "visible").on_hover_text(words);
+        if by.changed() {
+            sink.set(&by, MatterChange::Visible(is_shown));
+        }
+        if matter.hidden > 0 && matter.hidden < matter.points {
+            ui.label(RichText::new("some of it").color(colors(ui).weak));
+        }
+    });
+}
+
 fn color(ui: &mut Ui, matter: &Matter, drawn: Option<[u8; 3]>, sink: &mut Sink<'_>) {
     let mut color = match matter.color {
         Coloring::One(color) => color,
         Coloring::Palette | Coloring::Mixed => drawn.unwrap_or([143, 166, 194]),
     };
     row(ui, "colour", |ui, label| {
-        let by = ui.color_edit_button_srgb(&mut color).labelled_by(label);
+        let words = "a picture is tinted by it: white leaves that as it is";
+        let by = ui.color_edit_button_srgb(&mut color).labelled_by(label).on_hover_text(words);
         if by.changed() {
             sink.set(&by, MatterChange::Color(color));
         }

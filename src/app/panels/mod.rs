@@ -235,6 +235,8 @@ pub(super) struct Facts {
     pub(super) is_grouped: bool,
     /// The colour that its first body is filled with; `None` where it is not.
     pub(super) drawn_color: Option<[u8; 3]>,
+    /// How many bodies are hidden.
+    pub(super) hidden: usize,
     /// The keys that drives of the scene have, and which of them are held.
     pub(super) keys: Vec<(Key, bool)>,
     /// How the world looks.

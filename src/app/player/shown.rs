@@ -13,8 +13,8 @@ use crate::history::{BranchView, Group};
 use crate::picture::{Skin, Tint};
 use crate::render::{Hinge, View, joints};
 use crate::sim::{
-    Angle, Bond, Bonds, Convex, Cursor, Dynamics, ForceView, GrabView, Key, MouseForce, PointId, Polygon, Positions,
-    SceneChange,
+    Angle, Bond, Bonds, Convex, Cursor, Dynamics, ForceView, GrabView, Jam, Key, MouseForce, PointId, Polygon,
+    Positions, SceneChange,
 };
 
 /// Positions in the scalar of their world, copied.
@@ -290,6 +290,8 @@ pub struct Shown {
     pub cursor: Option<Cursor>,
     /// What is grabbed.
     pub grab: Option<GrabView>,
+    /// What is in the way of obstacles that are dragged and has no room.
+    pub jam: Option<Jam>,
     /// The same start by other methods, and what the method of the world is called beside them.
     pub beside: Vec<Beside>,
     /// Empty where nothing stands beside it.

@@ -45,7 +45,7 @@ fn a_pin_that_is_led_further_than_bonds_reach_says_how_far() {
     let mut stage = stage(ROPE);
     let pin = *stage.history().world().pinned().last().unwrap();
     let mut lead = |x: f64| {
-        stage.obey(Order::LeadPins(PinWay { pins: vec![(pin, [x, 0.0, 0.0])], goes_on: false }));
+        stage.obey(Order::LeadPins(PinWay { pins: vec![(pin, [x, 0.0, 0.0])], goes_on: false, follows: false }));
         warned(&mut stage)
     };
     assert_eq!(pin, PointId(4));

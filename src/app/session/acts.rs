@@ -61,6 +61,8 @@ impl Session {
             Action::SelectAll => self.select_all(),
             Action::Group => self.group(),
             Action::Ungroup => self.ungroup(),
+            Action::Hide => self.hide(),
+            Action::ShowHidden => self.show_hidden(),
             Action::New => self.open_empty(),
             Action::Clear => {
                 self.leave_drawing();

@@ -6,16 +6,15 @@ use crate::app::panels::{Question, short, speed};
 use crate::history::Do;
 use crate::scene::BodyKeys;
 
-/// Fewer points come without a question.
-const FEW: usize = 2_000;
-/// More points than this are asked about, whatever they cost.
-const MANY: usize = 200_000;
+/// What takes less of a frame comes without a question, however slow the scene is already `[s]`.
+const NOTICED: f64 = 0.004;
 /// A scene that is slower than real time by more than this is asked about `[1]`.
 const SLOWER: f64 = 1.25;
-/// Of fewer points it says little what a point costs.
+/// Of fewer points it says little what a point costs, unless all of them take what is noticed.
 const KNOWN: usize = 500;
-/// What a point costs in a frame, where nothing was measured yet `[s]`.
+/// What a point costs in a frame, where nothing was measured yet, and at least: what comes moves, whatever sleeps there `[s]`.
 const POINT: f64 = 3e-6;
+const LEAST: f64 = 1e-7;
 /// A frame `[s]`.
 const FRAME: f64 = 1.0 / 60.0;
 
@@ -40,23 +39,18 @@ const ANSWERS: &[(&str, &str)] = &[("Add", "Enter"), ("Cancel", "Esc")];
 /// Model: work grows with points, so of twice as many a frame takes twice as long. What else takes time, pictures above all, takes the same
 /// share of it.
 fn question(coming: usize, there: usize, (work, pace): (f64, f64)) -> Option<String> {
-    if coming < FEW {
-        return None;
-    }
     let all = coming + there;
-    let is_known = work > 0.0 && there >= KNOWN;
-    let each = if is_known { work / there as f64 } else { POINT };
+    let is_known = there > 0 && (work >= NOTICED || (work > 0.0 && there >= KNOWN));
+    let each = if is_known { (work / there as f64).max(LEAST) } else { POINT };
     let later = each * all as f64;
-    if later <= SLOWER * FRAME && all <= MANY {
+    if later <= SLOWER * FRAME || each * (coming as f64) < NOTICED {
         return None;
     }
     let steps_alone = |work: f64| (FRAME / work).min(1.0);
     let rest = if is_known && pace > 0.0 { (pace / steps_alone(work)).min(1.0) } else { 1.0 };
-    let pace = match rest * steps_alone(later) {
-        full if full >= 1.0 => "it may keep its speed".to_owned(),
-        slow => format!("about {}, {} of work a frame", speed(slow), short(later)),
-    };
-    Some(format!("{} points more, {} in all: {pace}.", grouped(coming), grouped(all)))
+    let pace = speed(rest * steps_alone(later));
+    let (more, all) = (grouped(coming), grouped(all));
+    Some(format!("{more} points more, {all} in all: about {pace}, {} of work a frame.", short(later)))
 }
 
 /// How many points commands bring, about.
@@ -112,7 +106,16 @@ mod tests {
 
     #[test]
     fn what_is_few_or_fast_comes_at_once_and_what_makes_a_scene_slow_is_asked_about() {
-        assert_eq!(question(1_999, 1_000_000, (1.0, 0.1)), None);
+        assert_eq!(question(30, 1_000_000, (1.0, 0.1)), None, "30 µs more of a second");
+        // Few points that cost much: as many again as take 15 ms a frame.
+        let words = question(600, 600, (0.015, 1.0)).unwrap_or_default();
+        assert!(words.ends_with("about 56 % of its speed, 30 ms of work a frame."), "{words}");
+        assert_eq!(question(100, 600, (0.015, 1.0)), None, "17.5 ms");
+        assert!(question(100, 100, (0.015, 1.0)).is_some(), "a hundred that cost as much");
+        assert_eq!(
+            question(150, 600, (0.040, 1.0)).map(|words| words.starts_with("150 points more, 750 in all")),
+            Some(true)
+        );
         assert_eq!(question(4_000, 0, (0.0, 0.0)), None, "12 ms a frame");
         let words = question(16_000, 0, (0.0, 0.0)).unwrap_or_default();
         assert_eq!(words, "16,000 points more, 16,000 in all: about 35 % of its speed, 48 ms of work a frame.");
@@ -120,7 +123,9 @@ mod tests {
         assert_eq!(question(5_000, 10_000, (0.010, 1.0)), None);
         let words = question(40_000, 10_000, (0.010, 1.0)).unwrap_or_default();
         assert!(words.ends_with("about 33 % of its speed, 50 ms of work a frame."), "{words}");
-        assert!(question(250_000, 10_000, (1e-5, 1.0)).is_some_and(|words| words.contains("may keep")));
+        // What sleeps costs nothing, and what comes is awake.
+        assert!(question(250_000, 10_000, (1e-5, 1.0)).is_some());
+        assert_eq!(question(20_000, 10_000, (1e-5, 1.0)), None);
     }
 
     #[test]

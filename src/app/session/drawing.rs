@@ -144,6 +144,7 @@ impl Session {
             matter: self.shown().matter.clone().filter(|_| !self.inspected.is_empty()),
             is_grouped: self.is_grouped(),
             drawn_color: body_color(&self.shown().view(), &self.look, &self.inspected.points),
+            hidden: self.hidden_count(),
             keys: self.keys_to_hold(),
             look: self.look,
             palette: self.palette,

@@ -10,7 +10,7 @@ use crate::app::player;
 use crate::app::pointer::Pointer;
 use crate::app::tools::{Hand, Scope};
 use crate::history::Do;
-use crate::sim::Cursor;
+use crate::sim::{Cursor, PointId};
 
 impl Session {
     /// The pointer moved `[px]`.
@@ -76,6 +76,7 @@ impl Session {
 
     /// What is led goes after the cursor, `seconds` after the last time: pins, and while time runs what is dragged of what is selected.
     pub(super) fn lead(&mut self, seconds: f64) {
+        self.lead_on_cursor(seconds);
         let Some(at) = self.pixel() else { return };
         if let Some(commands) = self.with_scope(|hand, scope| hand.lead_bodies(scope, at)) {
             self.told = self.world_cursor();
@@ -86,6 +87,17 @@ impl Session {
             self.dirty = true;
         }
         if let Some(way) = self.with_scope(|hand, scope| hand.lead(scope, at, seconds)) {
+            self.player.ask(player::Order::LeadPins(way));
+            self.dirty = true;
+        }
+    }
+
+    /// The pin that the scene has on the cursor goes after it, while time runs and the pointer is over the world.
+    fn lead_on_cursor(&mut self, seconds: f64) {
+        let Some(pin) = self.scene.cursor_pin.filter(|_| self.player.is_playing()) else { return };
+        let is_over_world = !self.pointer.is_dragging() && !self.is_covered() && !self.is_over_panels();
+        let Some(at) = self.pixel().filter(|_| is_over_world && !self.shown().figures.follows) else { return };
+        if let Some(way) = self.with_scope(|hand, scope| hand.lead_on_cursor(scope, (PointId(pin), at), seconds)) {
             self.player.ask(player::Order::LeadPins(way));
             self.dirty = true;
         }

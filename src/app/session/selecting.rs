@@ -6,10 +6,12 @@ use super::Session;
 use crate::app::action::Tool;
 use crate::app::matter::{Among, MatterChange};
 use crate::app::player::Order;
-use crate::app::tools::{Chosen, Handle, Held, Scope};
+use crate::app::tools::{Chosen, Handle, Held, Scope, hidden_bodies};
 use crate::history::{Do, Group};
 use crate::sim::PointId;
 
+/// Said when something is hidden: how it is found again.
+const HIDDEN: &str = "hidden: the tool that selects (6) shows its outline; Ctrl+Shift+H shows all";
 /// Said where nothing is selected.
 const NOTHING: &str = "select something first: the tool for that is 6";
 
@@ -79,8 +81,38 @@ impl Session {
     /// What is selected gets another matter.
     pub(super) fn change_matter(&mut self, change: MatterChange, goes_on: bool) {
         let Some(Chosen { points, obstacles }) = self.selected() else { return };
+        let hides = change == MatterChange::Visible(false) && !points.is_empty();
         self.player.ask(Order::Change { among: Among { points, obstacles, bonds: None }, change, goes_on });
         self.dirty = true;
+        if hides {
+            self.say(HIDDEN.to_owned());
+        }
+    }
+
+    /// What is selected is not drawn any more.
+    pub(super) fn hide(&mut self) {
+        self.change_matter(MatterChange::Visible(false), false);
+    }
+
+    /// All that is hidden is drawn again, and selected.
+    pub(super) fn show_hidden(&mut self) {
+        let hidden = self.with_scope(|_, scope| Chosen::hidden(scope));
+        if hidden.is_empty() {
+            return self.say("nothing is hidden".to_owned());
+        }
+        let among = Among { points: hidden.points.clone(), ..Among::default() };
+        self.player.ask(Order::Change { among, change: MatterChange::Visible(true), goes_on: false });
+        self.with_scope(|hand, _| {
+            hand.take(Tool::Select);
+            hand.select(hidden);
+        });
+        self.dirty = true;
+    }
+
+    /// How many bodies are hidden.
+    pub(super) fn hidden_count(&self) -> usize {
+        let scale = f64::from(self.look.scale_factor);
+        hidden_bodies(Scope { shown: self.shown(), camera: &self.camera, scale }).len()
     }
 
     /// How the pointer looks over the world with a tool.

@@ -1,15 +1,16 @@
-//! The tools that drive: a bond becomes a muscle, and bodies turn about a hinge, by a motor if one likes.
+//! The tool for motors: bodies turn about a hinge, by a motor if one likes.
 
 use glam::{DVec2, DVec3};
 
 use super::Deed;
 use super::hub::{Hub, Hubs};
 use super::marks::{Mark, Role};
+use super::muscles::MuscleChoice;
 use super::pick::{Scope, distance_to_segment};
 use super::skin;
-use crate::history::{DeleteKeys, Do, DriveOrNone, SetKeys};
+use crate::history::{DeleteKeys, Do};
 use crate::scene::{AddKeys, AngleKeys, BondKeys, DriveKeys, KeyName, KindName, MassKeys, PointKeys, Row, Vector};
-use crate::sim::{Angle, AngleDrive, Bond, BondKind, Limit, PointId};
+use crate::sim::{Angle, AngleDrive, Bond, BondKind, PointId};
 
 /// Bonds of a hub to a body that turns about it, and to one that holds it: with three that lie along its edge it sags by a wheel.
 const SPOKES: usize = 6;
@@ -38,27 +39,13 @@ const SNAP: f64 = 12.0;
 /// A motor that is this much stronger or weaker than another is the same `[1]`.
 const SAME_TORQUE: f64 = 0.1;
 
-/// Said where nothing is clicked that could be a muscle, or hinged.
-const NO_BOND: &str = "no bond lies here that could be a muscle";
+/// Said where nothing is clicked that could be hinged.
 const NO_BODY: &str = "no body lies here that could be hinged";
 /// Said where something holds the body already.
 const PINNED: &str = "a pin is here already: hold T and click it to let it go";
 const JOINT: &str = "a joint is here already: its limbs turn about it";
 /// Said of a hinge without a motor where the switch asks for none.
 const HINGED: &str = "a hinge is here already; with Shift it goes, with the switch \"motor\" it gets one";
-
-/// What a muscle is to follow.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::app) struct MuscleChoice {
-    /// Share that its length changes by `[1]`.
-    pub(in crate::app) amplitude: f64,
-    /// It follows a wave of this period `[s]` and phase `[rad]`.
-    pub(in crate::app) has_wave: bool,
-    pub(in crate::app) period: f64,
-    pub(in crate::app) phase: f64,
-    pub(in crate::app) key: Option<KeyName>,
-    pub(in crate::app) back: Option<KeyName>,
-}
 
 /// What a hinge gets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,23 +70,8 @@ pub(in crate::app) struct Drives {
 impl Default for Drives {
     fn default() -> Self {
         Drives {
-            muscle: MuscleChoice { amplitude: 0.3, has_wave: true, period: 1.0, phase: 0.0, key: None, back: None },
+            muscle: MuscleChoice::default(),
             motor: MotorChoice { is_on: None, speed: -6.0, torque: 30.0, key: None, back: None },
-        }
-    }
-}
-
-impl MuscleChoice {
-    fn keys(&self) -> DriveKeys {
-        // What follows nothing would be none.
-        let has_wave = self.has_wave || self.key.is_none();
-        DriveKeys {
-            amplitude: Some(self.amplitude),
-            period: has_wave.then_some(self.period),
-            phase: has_wave.then_some(self.phase),
-            key: self.key,
-            back: self.key.and(self.back).filter(|back| Some(*back) != self.key),
-            ..DriveKeys::default()
         }
     }
 }
@@ -117,39 +89,6 @@ impl MotorChoice {
 }
 
 impl Drives {
-    /// The bond under a pixel becomes a muscle; one that is just such a muscle none any more.
-    pub(super) fn press_muscle(&self, scope: Scope<'_>, at: DVec2) -> Deed {
-        let Some((place, _)) = scope.bond(at) else { return Deed::words(NO_BOND.to_owned()) };
-        let bond = scope.shown.scenery.bonds.get(place);
-        if let Some(why) = no_muscle(&bond) {
-            return Deed::words(why.to_owned());
-        }
-        let (name, drive) = match self.takes_away(&bond) {
-            true => ("muscle away", DriveOrNone::None(())),
-            false => ("muscle", DriveOrNone::This(self.muscle.keys())),
-        };
-        let bonds = Some(vec![scope.shown.scenery.bond_number(place)]);
-        Deed::edit(name, Do::Set(Box::new(SetKeys { bonds, drive: Some(drive), ..SetKeys::default() })))
-    }
-
-    fn takes_away(&self, bond: &Bond) -> bool {
-        bond.drive.is_some_and(|drive| self.muscle.keys().told_bond() == Ok(drive))
-    }
-
-    /// What a click with the tool for muscles would do.
-    pub(super) fn mark_muscle(&self, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
-        let Some((place, [a, b])) = scope.bond(at) else { return Vec::new() };
-        let bond = scope.shown.scenery.bonds.get(place);
-        let (role, words) = match no_muscle(&bond) {
-            Some(why) => (Role::Away, why),
-            None if self.takes_away(&bond) => (Role::Away, "no muscle any more"),
-            None if bond.drive.is_some() => (Role::Come, "this muscle instead"),
-            None => (Role::Come, "a muscle"),
-        };
-        let line = scope.pixel(a).zip(scope.pixel(b)).map(|(a, b)| Mark::Line(role, a, b, 4.0 * scope.scale));
-        line.into_iter().chain([Mark::Words(beside(scope, at), words.to_owned())]).collect()
-    }
-
     /// A hinge comes where a body is clicked; one that is there gets a motor, or loses it, or goes as a whole.
     pub(super) fn press_motor(&self, scope: Scope<'_>, at: DVec2, takes_away: bool) -> Deed {
         match Meant::at(scope, at, self.motor.is_on) {
@@ -249,18 +188,9 @@ impl Drives {
     }
 }
 
-fn beside(scope: Scope<'_>, at: DVec2) -> DVec2 {
+/// Where words beside the pointer begin.
+pub(super) fn beside(scope: Scope<'_>, at: DVec2) -> DVec2 {
     at + DVec2::new(14.0, -10.0) * scope.scale
-}
-
-/// Why a bond cannot be a muscle.
-fn no_muscle(bond: &Bond) -> Option<&'static str> {
-    match bond.kind {
-        BondKind::Relaxed { .. } => Some("a relaxed bond is no muscle"),
-        _ if bond.limit != Limit::Both => Some("a bond that acts on one side is no muscle"),
-        _ if bond.rest_length == 0.0 => Some("a weld is no muscle"),
-        _ => None,
-    }
 }
 
 /// A hinge that is to come: its hub, what turns about it, and what holds it, if the ground does not.

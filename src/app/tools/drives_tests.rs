@@ -9,7 +9,7 @@ use super::tests::{scope, shown};
 use super::{Deed, Drives, Hand};
 use crate::app::action::Tool;
 use crate::app::player::{Order, Shown, Stage};
-use crate::history::{Do, DriveOrNone};
+use crate::history::Do;
 use crate::render::Camera;
 use crate::scene::Scene;
 use crate::sim::AngleDrive;
@@ -34,32 +34,6 @@ fn stage() -> Stage {
 
 fn give(stage: &mut Stage, deed: Deed) {
     assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
-}
-
-#[test]
-fn a_click_makes_a_bond_a_muscle_and_another_one_takes_it_away() {
-    let mut seen = shown(Scene::parse(WHEELS, "x.json").unwrap());
-    let ends = seen.0.scenery.bonds.ends()[5];
-    let [a, b] = ends.map(|end| scope(&seen).pixel(end).unwrap());
-    let (at, hand) = (0.5 * (a + b), hand(Tool::Muscle));
-    let said = |seen: &_| hand.marks(scope(seen), Some(at)).into_iter().any(|mark| matches!(mark, Mark::Words(..)));
-    assert!(
-        said(&seen) && !hand.marks(scope(&seen), Some(DVec2::ZERO)).iter().any(|mark| matches!(mark, Mark::Words(..)))
-    );
-    let mut stage = stage();
-    let deed = hand.clone().press(scope(&seen), at);
-    let [Do::Set(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
-    assert!(matches!(keys.drive, Some(DriveOrNone::This(_))) && deed.edit == Some("muscle"));
-    let number = keys.bonds.clone().unwrap()[0] as usize;
-    give(&mut stage, deed);
-    let drive = stage.history().world().bonds().get(number).drive.unwrap();
-    assert_eq!((drive.amplitude, drive.signal.wave.unwrap().period), (0.3, 1.0));
-    let world = stage.history().world();
-    std::sync::Arc::make_mut(&mut seen.0.scenery).bonds = world.bonds().clone();
-    let deed = hand.clone().press(scope(&seen), at);
-    assert_eq!(deed.edit, Some("muscle away"));
-    give(&mut stage, deed);
-    assert!(stage.history().world().bonds().get(number).drive.is_none());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use glam::DVec2;
 
-use super::{Hand, Scope};
+use super::{Hand, Mark, Role, Scope};
 use crate::app::action::Tool;
 use crate::app::player::{Note, Order, Shown, Stage};
 use crate::history::Do;
@@ -26,7 +26,11 @@ struct Played {
 
 impl Played {
     fn new() -> Self {
-        let mut stage = Stage::new(Scene::parse(TRAY, "x.json").unwrap().into()).unwrap();
+        Self::of(TRAY)
+    }
+
+    fn of(text: &str) -> Self {
+        let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
         let (mut shown, mut hand) = (Shown::default(), Hand::default());
         stage.show(&mut shown);
         hand.take(Tool::Select);
@@ -133,4 +137,39 @@ fn the_hand_drags_an_obstacle_while_time_runs_as_the_tool_that_selects_does() {
     // A while later the hover force is back.
     assert!(played.hand.pass(0.1).is_empty());
     assert!(matches!(played.hand.pass(0.2).commands[..], [Do::Mouse(_)]));
+}
+
+#[test]
+fn what_has_no_room_before_an_obstacle_is_outlined_with_the_reason_until_it_has() {
+    // The lattice stands between the obstacle and a wall 1.2 m on.
+    let text = TRAY.replace("\"obstacles\": [", "\"obstacles\": [{\"box\": {\"min\": [1.2, -2], \"max\": [1.5, 2]}}, ");
+    let mut played = Played::of(&text);
+    let from = DVec2::new(450.0, 500.0);
+    played.with(|hand, scope| hand.press(scope, from));
+    let red = |marks: &[Mark]| marks.iter().filter(|mark| matches!(mark, Mark::Line(Role::Away, ..))).count();
+    let words = |marks: Vec<Mark>| {
+        marks.into_iter().find_map(|mark| if let Mark::Words(_, words) = mark { Some(words) } else { None })
+    };
+    let mut at = from;
+    for k in 1..=150 {
+        at = from + DVec2::new(f64::from(k).min(120.0), 0.0);
+        played.frame(at);
+        if k == 20 {
+            let marks = played.with(|hand, scope| hand.marks(scope, Some(at)));
+            assert_eq!((red(&marks), words(marks)), (0, None), "it has room");
+        }
+    }
+    let marks = played.with(|hand, scope| hand.marks(scope, Some(at)));
+    // The skin of a lattice of 4 by 4 points.
+    assert_eq!(red(&marks), 12);
+    assert_eq!(words(marks).as_deref(), Some("no room: the body in the way is pressed as far as it goes"));
+    for k in 1..=60 {
+        played.frame(at - DVec2::new(f64::from(2 * k), 0.0));
+    }
+    let marks = played.with(|hand, scope| hand.marks(scope, Some(from)));
+    assert!(
+        played.hand.is_hauling() && red(&marks) == 0 && words(marks).is_none(),
+        "it is there no longer than it lasts"
+    );
+    assert_eq!(played.shown.jam, None);
 }

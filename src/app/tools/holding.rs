@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::{Doing, Hand, Held, Mark, PushWay, Scope, marks, push, wind};
+use super::{Doing, Hand, Held, Mark, PushWay, Scope, hidden, marks, push, wind};
 use crate::app::action::Tool;
 use crate::sim::Cursor;
 
@@ -56,7 +56,10 @@ impl Hand {
     /// What a click at the pixel would do, to be drawn.
     pub(in crate::app) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
         let mut marks = match (self.tool(), at) {
-            (Tool::Muscle, Some(at)) => self.drives.mark_muscle(scope, at),
+            (Tool::Muscle, Some(at)) => match &self.doing {
+                Doing::Driving(swipe) => self.drives.muscle.marks(scope, swipe, at),
+                _ => self.drives.muscle.would_be(scope, at),
+            },
             (Tool::Motor, Some(at)) => self.drives.mark_motor(scope, at, self.shift),
             (Tool::Paint, Some(at)) => self.brush.marks(scope, at),
             (Tool::Push, at) if self.pushes() == PushWay::Wind => match (&self.doing, at) {
@@ -73,6 +76,9 @@ impl Hand {
         marks.extend(pull.zip(at).into_iter().flat_map(|(pull, at)| pull.marks(scope, at)));
         if let Doing::Painting(stroke) = &self.doing {
             marks.extend(stroke.marks(scope, self.brush.preset.color()));
+        }
+        if self.tool() == Tool::Select {
+            marks.splice(0..0, hidden::outlines(scope));
         }
         if let Some(chosen) = self.chosen(scope) {
             marks.extend(self.selection_marks(scope, &chosen, at));

@@ -3,11 +3,14 @@
 
 use glam::{DQuat, DVec2, DVec3};
 
-use super::Scope;
+use super::{Doing, Hand, Scope};
+use crate::app::action::Tool;
 use crate::sim::PointId;
 
-/// Pins are sent on their way so often at most `[s]`: each time their body is compiled anew.
+/// Pins are sent on their way so often at most `[s]`: each time their body is compiled anew. What is on the cursor by itself goes after it
+/// more smoothly.
 const EVERY: f64 = 0.1;
+const SMOOTHLY: f64 = 1.0 / 30.0;
 /// A cursor that moved less has not been dragged yet `[logical px]`: a click moves no pin.
 const LEAST: f64 = 3.0;
 /// An arm that is shorter than this, as a share of the bar, turns nothing.
@@ -31,8 +34,9 @@ pub(super) struct Lead {
     /// Where the press was, and where the cursor was when they were sent last `[px]`.
     pressed: DVec2,
     sent: Option<DVec2>,
-    /// Since then `[s]`.
+    /// Since then, and how long it waits at least `[s]`.
     since: f64,
+    every: f64,
 }
 
 /// Where pins are to go.
@@ -42,6 +46,8 @@ pub struct PinWay {
     pub pins: Vec<(PointId, [f64; 3])>,
     /// They were sent before, since one of them was pressed on.
     pub goes_on: bool,
+    /// They go with the cursor by themselves, which is no edit.
+    pub follows: bool,
 }
 
 /// Pins that bonds between pins join to one of them, that one first.
@@ -67,6 +73,11 @@ impl Lead {
         if !scope.is_pinned(point) {
             return None;
         }
+        Some(Lead::of(scope, point, at))
+    }
+
+    /// A pin, with its bar, from a pixel on.
+    fn of(scope: Scope<'_>, point: PointId, at: DVec2) -> Self {
         let of = |pin: PointId| DVec3::from(scope.shown.place(pin.index()));
         let bar: Vec<(PointId, DVec3)> = bar(scope, point).into_iter().map(|pin| (pin, of(pin))).collect();
         let last = bar.iter().map(|(_, place)| *place).collect();
@@ -82,9 +93,10 @@ impl Lead {
             pressed: at,
             sent: None,
             since: f64::INFINITY,
+            every: EVERY,
         };
         lead.from = lead.under(scope, at).unwrap_or(place);
-        Some(lead)
+        lead
     }
 
     pub(super) fn point(&self) -> PointId {
@@ -111,7 +123,7 @@ impl Lead {
     pub(super) fn pass(&mut self, scope: Scope<'_>, at: DVec2, (seconds, turns): (f64, bool)) -> Option<PinWay> {
         self.since += seconds;
         let is_dragged = self.sent.is_some() || at.distance(self.pressed) >= LEAST * scope.scale;
-        if !is_dragged || self.sent == Some(at) || self.since < EVERY {
+        if !is_dragged || self.sent == Some(at) || self.since < self.every {
             return None;
         }
         let to = self.under(scope, at)?;
@@ -129,7 +141,7 @@ impl Lead {
         let goes_on = self.sent.replace(at).is_some();
         self.since = 0.0;
         let pins = self.bar.iter().zip(&self.last).map(|((pin, _), place)| (*pin, place.to_array())).collect();
-        Some(PinWay { pins, goes_on })
+        Some(PinWay { pins, goes_on, follows: false })
     }
 
     /// Where pins are once the cursor, which turned with them, is here.
@@ -147,5 +159,25 @@ impl Lead {
         }
         let turn = DQuat::from_rotation_arc(arms[0].normalize(), arms[1].normalize());
         self.bar.iter().map(|(_, place)| about + turn * (*place - about)).collect()
+    }
+}
+
+impl Hand {
+    /// Where the pin goes that is on the cursor by itself, `seconds` after the last time, with the pointer at a pixel over the world: while
+    /// the hand has nothing else to do.
+    pub(in crate::app) fn lead_on_cursor(
+        &mut self,
+        scope: Scope<'_>,
+        (pin, at): (PointId, DVec2),
+        seconds: f64,
+    ) -> Option<PinWay> {
+        let is_free = self.doing == Doing::Nothing && matches!(self.tool(), Tool::Hand | Tool::Pin);
+        if !is_free || !scope.is_there(pin) || !scope.is_pinned(pin) {
+            self.on_cursor = None;
+            return None;
+        }
+        let lead = self.on_cursor.get_or_insert_with(|| Lead { every: SMOOTHLY, ..Lead::of(scope, pin, at) });
+        let way = lead.pass(scope, at, (seconds, false))?;
+        Some(PinWay { follows: true, ..way })
     }
 }

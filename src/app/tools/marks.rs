@@ -6,7 +6,7 @@ use super::build::Maker;
 use super::chosen::Chosen;
 use super::erase::{Target, target};
 use super::pick::Scope;
-use super::{Doing, boxes, knot, skin};
+use super::{Doing, boxes, jam, knot, skin};
 use crate::app::action::Tool;
 use crate::app::player::Probe;
 use crate::sim::{BOX_EDGES, Figure, PointId};
@@ -26,7 +26,7 @@ pub(in crate::app) enum Role {
     Push,
     /// It is probed: by the first or the second probe.
     Probe(usize),
-    /// The pointer is there too, in a world beside that which it is over.
+    /// The pointer is there too, in a world beside that which it is over; or it is hidden there.
     Ghost,
     /// It will have this colour.
     Paint([u8; 3]),
@@ -104,6 +104,7 @@ pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, 
             marks.extend(words.map(|at| Mark::Words(at, ALONG.to_owned())));
             marks
         }
+        (Doing::Hauling(_), _) => jam::marks(scope, at),
         (Doing::Leading(lead), _) => led(scope, &[lead.point()], at),
         (Doing::Cutting(slash), _) => at.map_or_else(Vec::new, |at| slash.marks(scope, at)),
         (Doing::Nothing, Tool::Hand) => at.map_or_else(Vec::new, |at| would_grab(scope, at)),

@@ -75,9 +75,9 @@ const SCENES: [(&str, &str, Option<usize>); 7] = [
     ),
     (
         "net",
-        r#""bodies": [{"make": "cloth", "columns": 50, "rows": 40, "spacing": 0.1, "origin": [-2.5, 2], "pinned": [0, 49],
+        r#""bodies": [{"make": "cloth", "columns": 100, "rows": 100, "spacing": 0.05, "origin": [-2.5, 2], "pinned": [0, 99],
         "material": {"kind": "spring", "stiffness": 2000, "damping": 2, "mass": 4}}]"#,
-        Some(1025),
+        Some(5050),
     ),
     (
         "pile",

@@ -20,14 +20,23 @@ mod handles;
 mod haul;
 #[cfg(test)]
 mod haul_tests;
+mod hidden;
+#[cfg(test)]
+mod hidden_tests;
 mod holding;
 mod hover;
 mod hub;
+mod jam;
 mod knot;
 mod lead;
+#[cfg(test)]
+mod lead_tests;
 mod marks;
 #[cfg(test)]
 mod matrix_tests;
+mod muscles;
+#[cfg(test)]
+mod muscles_tests;
 mod pick;
 mod press;
 mod push;
@@ -62,10 +71,12 @@ use handles::Grip;
 pub(super) use handles::Handle;
 use haul::Haul;
 pub(super) use haul::{HaulWay, Hauled};
+pub(super) use hidden::bodies as hidden_bodies;
 pub(super) use hover::strength;
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role, probe};
+use muscles::Swipe;
 pub(super) use pick::Scope;
 pub(super) use push::PushWay;
 use region::Region;
@@ -110,6 +121,8 @@ enum Doing {
     Marking(Region),
     /// Bodies get another matter.
     Painting(Stroke),
+    /// Bonds that a stroke goes over become muscles.
+    Driving(Swipe),
     /// The arrow of a force is drawn or changed.
     Forcing(push::Pull),
     /// The arrow of the wind is.
@@ -140,6 +153,8 @@ pub(super) struct Hand {
     doing: Doing,
     /// Where something was built last, until the pointer moves on `[px]`.
     built_at: Option<DVec2>,
+    /// The pin that goes with the cursor by itself.
+    on_cursor: Option<Lead>,
     /// Time stands still: the hand moves bodies in place of leading them.
     is_still: bool,
     /// How far from the pointer the middle of what is led is to be `[m]`.

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::app::player::Shown;
+use crate::picture::Tint;
 use crate::render::{Camera, Pose};
 use crate::sim::PointId;
 
@@ -176,12 +177,16 @@ impl Scope<'_> {
 
     /// The bond that a pixel lies on, by its place in the list, and its ends.
     pub(in crate::app) fn bond(&self, at: DVec2) -> Option<(usize, [PointId; 2])> {
-        let ends = self.shown.scenery.bonds.ends().iter().enumerate();
-        let far = |(place, &[a, b]): (usize, &[PointId; 2])| {
-            let (from, to) = (self.pixel(a)?, self.pixel(b)?);
-            Some((distance_to_segment(at, from, to), place, [a, b]))
+        let all = self.shown.scenery.bonds.ends().iter().enumerate();
+        let (tints, ppm) = (&self.shown.scenery.tints, self.camera.pixels_per_metre());
+        let is_wide = tints.iter().any(|tint| tint.width > 0.0);
+        let far = |(place, &ends): (usize, &[PointId; 2])| {
+            let (from, to) = (self.pixel(ends[0])?, self.pixel(ends[1])?);
+            // One that is drawn wide is hit all over.
+            let own = if is_wide { Tint::of(tints, ends[0].0).map_or(0.0, |tint| 0.5 * tint.width * ppm) } else { 0.0 };
+            Some(((distance_to_segment(at, from, to) - own).max(0.0), place, ends))
         };
-        let near = ends.filter_map(far).filter(|(distance, ..)| *distance <= BOND_REACH * self.scale);
+        let near = all.filter_map(far).filter(|(distance, ..)| *distance <= BOND_REACH * self.scale);
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place, ends)| (place, ends))
     }
 

@@ -6,6 +6,7 @@ use super::build::{self, Drag, Path};
 use super::cutting::Slash;
 use super::erase::erase;
 use super::lead::Lead;
+use super::muscles::Swipe;
 use super::selecting::is_drag;
 use super::wind::Blow;
 use super::{Chosen, Deed, Doing, Hand, PinWay, PushWay, Scope, hub};
@@ -37,7 +38,10 @@ impl Hand {
             }
             Tool::Erase => erase(scope, at),
             Tool::Build => self.begin_to_build(scope, at),
-            Tool::Muscle => self.drives.press_muscle(scope, at),
+            Tool::Muscle => {
+                self.doing = Doing::Driving(Swipe::begin(scope, at));
+                Deed::default()
+            }
             Tool::Motor => self.drives.press_motor(scope, at, self.shift),
             Tool::Push if self.pushes() == PushWay::Wind => {
                 self.doing = Doing::Blowing(Blow::press(scope, self.wind_at, at));
@@ -63,6 +67,7 @@ impl Hand {
         match &mut self.doing {
             Doing::Marking(region) => region.trace(scope, at),
             Doing::Cutting(slash) => slash.trace(scope, at),
+            Doing::Driving(swipe) => swipe.trace(scope, at),
             Doing::Painting(stroke) => self.brush.trace(scope, stroke, at),
             Doing::Drawing(path) => path.trace(scope, at),
             _ => {}

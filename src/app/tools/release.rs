@@ -24,6 +24,7 @@ impl Hand {
                 Deed::default()
             }
             Doing::Cutting(slash) => slash.release(scope, at),
+            Doing::Driving(swipe) => self.drives.muscle.release(scope, swipe, at),
             Doing::Building(drag) => {
                 self.built_at = Some(at);
                 self.maker.build(scope, &drag, at)

@@ -3,6 +3,7 @@
 //! A triangle is drawn as long as all of its sides are bonds: where one broke, the skin is open. Along the sides that are then
 //! free, and along bonds that are no triangle's, goes a stroke in the picture's colours: triangles alone have ragged edges. In the plane, where
 //! the picture ends beside a side, it is drawn on up to its own edge instead (`rind.rs`).
+//! A body with a colour of its own is seen as through glass of that colour: the picture's are multiplied by it.
 
 mod rind;
 mod sides;
@@ -18,7 +19,7 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
 use super::view::View;
-use crate::picture::{Picture, Skin};
+use crate::picture::{Picture, Skin, Tint};
 use rind::Rind;
 use sides::Sides;
 
@@ -29,9 +30,14 @@ struct Corner {
     point: u32,
     u: f32,
     v: f32,
+    /// What the picture is multiplied by there: red, green, blue from the lowest bits on.
+    tint: u32,
 }
 
-const _: () = assert!(size_of::<Corner>() == 12);
+const _: () = assert!(size_of::<Corner>() == 16);
+
+/// What leaves a picture as it is.
+const CLEAR: [u8; 3] = [255; 3];
 
 /// The skins of a world on the GPU.
 pub(super) struct Skins {
@@ -78,6 +84,11 @@ impl Skins {
         self.topology = None;
     }
 
+    /// Triangles are drawn otherwise from now on; pictures stay.
+    pub(super) fn forget_triangles(&mut self) {
+        self.topology = None;
+    }
+
     /// How a skin's picture is bound, beside the world's buffers.
     pub(super) fn layout(&self) -> &wgpu::BindGroupLayout {
         &self.layout
@@ -106,7 +117,7 @@ impl Skins {
         }
         let sides = Sides::of(view);
         for (worn, skin) in self.worn.iter_mut().zip(view.skins) {
-            worn.dress(gpu, (skin, view.dimensions == 2), &sides, counters)?;
+            worn.dress(gpu, (skin, view.dimensions == 2), (&sides, view.tints), counters)?;
         }
         self.topology = Some(view.topology);
         Ok(())
@@ -195,12 +206,16 @@ impl Worn {
         &mut self,
         gpu: &Gpu,
         (skin, is_plane): (&Skin, bool),
-        sides: &Sides,
+        (sides, tints): (&Sides, &[Tint]),
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
+        let tint = |point: u32| {
+            let [red, green, blue] = Tint::of(tints, point).and_then(|tint| tint.color).unwrap_or(CLEAR);
+            u32::from_le_bytes([red, green, blue, 0])
+        };
         let corner = |&point: &u32| {
             let [u, v] = skin.texture.get((point - skin.first) as usize).copied().unwrap_or_default();
-            Corner { point, u, v }
+            Corner { point, u, v, tint: tint(point) }
         };
         let whole = sides.whole(&skin.triangles);
         let mut triangles: Vec<Corner> = whole.iter().flatten().map(corner).collect();
@@ -210,7 +225,7 @@ impl Worn {
         if is_plane {
             let mut free = edges.clone();
             free.sort_unstable();
-            rind = Rind::of(skin, &whole, &free);
+            rind = Rind::of(skin, &whole, &free, tint);
             let is_clipped = rind.clipped.iter().flat_map(|triangle| 3 * triangle..3 * triangle + 3);
             is_clipped.for_each(|corner| triangles[corner].point |= CLIPPED);
             edges.retain(|side| rind.sides.binary_search(side).is_err());

@@ -15,9 +15,11 @@ pub(super) struct Corner {
     points: [u32; 3],
     shares: [f32; 3],
     at: [f32; 2],
+    /// What the picture is multiplied by there, as in a corner of a triangle.
+    tint: u32,
 }
 
-const _: () = assert!(size_of::<Corner>() == 32);
+const _: () = assert!(size_of::<Corner>() == 36);
 
 /// How wide a strip is, as a share of its side, and at least and at most `[px of the picture]`.
 const WIDTH: f32 = 0.25;
@@ -67,8 +69,9 @@ struct Side {
 }
 
 impl Rind {
-    /// Of the whole `triangles` of a skin, of which these sides are free, both ends ascending and all of them too.
-    pub(super) fn of(skin: &Skin, triangles: &[[u32; 3]], free: &[[u32; 2]]) -> Rind {
+    /// Of the whole `triangles` of a skin, of which these sides are free, both ends ascending and all of them too; `tint`: what the picture is
+    /// multiplied by at a point.
+    pub(super) fn of(skin: &Skin, triangles: &[[u32; 3]], free: &[[u32; 2]], tint: impl Fn(u32) -> u32) -> Rind {
         let size = [skin.picture.width as f32, skin.picture.height as f32];
         let place = |point: u32| {
             let at = skin.texture.get(point.checked_sub(skin.first)? as usize)?;
@@ -92,7 +95,8 @@ impl Rind {
             sides.iter().enumerate().flat_map(|(k, side)| [(side.points[0], k), (side.points[1], k)]).collect();
         of_points.sort_unstable();
         for side in &sides {
-            rind.strip(side, &sides, &of_points, size);
+            let tints = [0, 1].map(|end| tint(side.points[end]));
+            rind.strip((side, tints), (&sides, &of_points), size);
             rind.clipped.push(side.triangle);
             rind.sides.push([side.points[0].min(side.points[1]), side.points[0].max(side.points[1])]);
         }
@@ -102,7 +106,12 @@ impl Rind {
     }
 
     /// Two triangles outside a side; where that of another begins, both end in the same place of the picture.
-    fn strip(&mut self, side: &Side, sides: &[Side], of_points: &[(u32, usize)], size: [f32; 2]) {
+    fn strip(
+        &mut self,
+        (side, tints): (&Side, [u32; 2]),
+        (sides, of_points): (&[Side], &[(u32, usize)]),
+        size: [f32; 2],
+    ) {
         let outer = [0, 1].map(|end| {
             let point = side.points[end];
             let first = of_points.partition_point(|(other, _)| *other < point);
@@ -115,17 +124,18 @@ impl Rind {
             };
             beyond(side.places[end], way, width)
         });
-        let corner = |at: Place| {
+        let corner = |end: usize| {
+            let at = outer[end];
             let shares = shares(side.places, at)?;
-            Some(Corner { points: side.points, shares, at: [at[0] / size[0], at[1] / size[1]] })
+            Some(Corner { points: side.points, shares, at: [at[0] / size[0], at[1] / size[1]], tint: tints[end] })
         };
         let own = |k: usize| {
             let mut shares = [0.0; 3];
             shares[k] = 1.0;
             let at = side.places[k];
-            Corner { points: side.points, shares, at: [at[0] / size[0], at[1] / size[1]] }
+            Corner { points: side.points, shares, at: [at[0] / size[0], at[1] / size[1]], tint: tints[k] }
         };
-        if let [Some(a), Some(b)] = outer.map(corner) {
+        if let [Some(a), Some(b)] = [0, 1].map(corner) {
             self.corners.extend([own(0), own(1), b, own(0), b, a]);
         }
     }
@@ -222,6 +232,8 @@ mod tests {
 
     use super::*;
 
+    const CLEAR: u32 = 0xff_ff_ff;
+
     /// Triangles about the middle of a disc, whose corners lie on its edge.
     fn disc(color: [u8; 4]) -> (Skin, Vec<[u32; 3]>, Vec<[u32; 2]>) {
         let mut picture = Picture::filled(64, 64, [0; 4]);
@@ -247,7 +259,7 @@ mod tests {
     #[test]
     fn a_strip_reaches_the_edge_of_the_picture_that_a_side_cuts_off() {
         let (skin, triangles, free) = disc([255, 200, 80, 255]);
-        let rind = Rind::of(&skin, &triangles, &free);
+        let rind = Rind::of(&skin, &triangles, &free, |_| CLEAR);
         assert_eq!((rind.corners.len(), rind.clipped.len(), &rind.sides), (36, 6, &free));
         let far = |corner: &Corner| {
             let [x, y] = corner.at.map(|x| 64.0 * x - 32.0);
@@ -269,18 +281,23 @@ mod tests {
     fn what_goes_on_was_torn_and_what_is_dark_or_has_no_edge_stays_as_it_is() {
         let (skin, triangles, free) = disc([255, 200, 80, 255]);
         // Half of it is gone: the sides in the middle are free, and the picture goes on beyond them.
-        let torn = Rind::of(&skin, &triangles[..3], &{
-            let mut free = free.clone();
-            free.extend([[10, 11], [10, 14]]);
-            free.sort_unstable();
-            free
-        });
+        let torn = Rind::of(
+            &skin,
+            &triangles[..3],
+            &{
+                let mut free = free.clone();
+                free.extend([[10, 11], [10, 14]]);
+                free.sort_unstable();
+                free
+            },
+            |_| CLEAR,
+        );
         assert_eq!(torn.sides.len(), 3, "{:?}", torn.sides);
         let (dark, ..) = disc([20, 20, 30, 255]);
-        assert!(Rind::of(&dark, &triangles, &free).sides.is_empty());
+        assert!(Rind::of(&dark, &triangles, &free, |_| CLEAR).sides.is_empty());
         let opaque = Skin { picture: Arc::new(Picture::filled(64, 64, [255; 4])), ..skin.clone() };
-        assert!(Rind::of(&opaque, &triangles, &free).sides.is_empty());
+        assert!(Rind::of(&opaque, &triangles, &free, |_| CLEAR).sides.is_empty());
         let clear = Skin { picture: Arc::new(Picture::filled(64, 64, [0; 4])), ..skin };
-        assert!(Rind::of(&clear, &triangles, &free).corners.is_empty());
+        assert!(Rind::of(&clear, &triangles, &free, |_| CLEAR).corners.is_empty());
     }
 }

@@ -121,6 +121,7 @@ fn check_material(material: &Material, make: MakerName) -> Result<(), Fault> {
     Resistance::from(material).check()?;
     Range::Positive.maybe(material.break_strain).at("break_strain")?;
     super::surfaces::check_skin([material.friction, material.restitution, material.radius])?;
+    Range::NotNegative.maybe(material.width).at("width")?;
     Range::Positive.maybe(material.mass).at("mass")?;
     Range::Positive.maybe(material.point_mass).at("point_mass")?;
     if material.mass.is_some() && material.point_mass.is_some() {

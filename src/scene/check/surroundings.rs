@@ -28,6 +28,12 @@ pub(super) fn check(
     for (i, motion) in scene.pin_motion.iter().enumerate() {
         check_pin_motion(motion, dimensions, is_pinned).item(i).at("pin_motion")?;
     }
+    if let Some(pin) = scene.cursor_pin
+        && !is_pinned(pin)
+    {
+        let message = format!("point {pin} is not pinned: add it to `pinned`, or give a pinned one");
+        return Err(Fault::invalid(message).at("cursor_pin"));
+    }
     if let Some(bounds) = &scene.bounds {
         number::corners(&bounds.min, &bounds.max, dimensions).at("bounds")?;
         check_surface(bounds.restitution, bounds.friction).at("bounds")?;

@@ -120,8 +120,12 @@ object! {
             restitution: f64,
             /// Of its skin `[m]`, >= 0: that of `contact` if not said.
             radius: f64,
-            /// What it is filled in, where no picture is drawn on it: "#rrggbb"; one of a palette if not said.
+            /// What it is filled in, and a picture is tinted by that is drawn on it: "#rrggbb"; one of a palette if not said.
             color: ColorKey,
+            /// How wide its bonds are drawn `[m]`, >= 0: 0, as is usual, if not said. What meets it is as far off as `radius` says.
+            width: f64,
+            /// Whether it is drawn: true if not said. What is hidden moves and meets others as if it were seen.
+            visible: bool,
         }
     }
 }

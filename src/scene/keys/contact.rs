@@ -45,8 +45,12 @@ object! {
             restitution: f64,
             /// `[m]`, >= 0.
             radius: f64,
-            /// What they are filled in, where no picture is drawn on them: "#rrggbb"; one of a palette if not said.
+            /// What they are filled in, and the picture is tinted by that is drawn on them: "#rrggbb"; one of a palette if not said.
             color: ColorKey,
+            /// How wide their bonds are drawn `[m]`, >= 0; 0: as is usual.
+            width: f64,
+            /// Whether they are drawn.
+            visible: bool,
         }
     }
 }

@@ -289,6 +289,8 @@ object! {
             pin_motion: PinMotionKeys,
         }
         optional {
+            /// A pin that goes where the cursor is, in the window.
+            cursor_pin: u32,
             /// The walls around the world.
             bounds: BoundsKeys,
         }

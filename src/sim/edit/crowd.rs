@@ -1,6 +1,7 @@
 //! Bodies in the way of obstacles: soft ones are pushed point by point, those of one rigid piece as wholes.
 
 use super::push::{Part, Touch};
+use crate::sim::command::NoRoom;
 use crate::sim::force::area;
 use crate::sim::triangles::holds;
 use crate::sim::vector::{add, dot, length, scale, sub, zero};
@@ -48,6 +49,13 @@ struct Before<const D: usize> {
     depth: f64,
 }
 
+/// Why obstacles stop: bodies that have no room.
+pub(super) struct Stop {
+    /// By their places in the list of what is in the way.
+    pub(super) bodies: Vec<usize>,
+    pub(super) why: NoRoom,
+}
+
 /// Points that are pushed.
 pub(super) struct Crowd<const D: usize> {
     /// `[m]`
@@ -70,8 +78,10 @@ impl<const D: usize> Crowd<D> {
         }))
     }
 
-    /// Obstacles go a part of their way: pushes all that they meet ahead. Returns whether there is room for it; if not all is where it was.
-    pub(super) fn push(&mut self, bodies: &[Hanging], part: &Part<'_, D>) -> bool {
+    /// Obstacles go a part of their way: pushes all that they meet ahead.
+    ///
+    /// Errors: there is no room for it; all is where it was then.
+    pub(super) fn push(&mut self, bodies: &[Hanging], part: &Part<'_, D>) -> Result<(), Stop> {
         let mut before = Vec::new();
         for (number, body) in bodies.iter().enumerate() {
             if !self.extent(body).is_some_and(|around| part.after.may_touch(around)) {
@@ -83,7 +93,8 @@ impl<const D: usize> Crowd<D> {
                 Before { i, x, v, is_changed, depth: part.was_deep(x) }
             }));
             let fits = self.push_body(body, &before[first..], part);
-            if fits && !self.enters(bodies, number, &before[first..]) {
+            let entered = if fits { self.entered(bodies, number, &before[first..]) } else { None };
+            if fits && entered.is_none() {
                 continue;
             }
             // What others are in the way of pushes them by its speed.
@@ -94,9 +105,14 @@ impl<const D: usize> Crowd<D> {
                     (self.v[i], self.is_changed[i]) = (v, true);
                 }
             }
-            return false;
+            let why = match (entered, body.is_pinned) {
+                (Some(_), _) => NoRoom::Crowded,
+                (None, true) => NoRoom::Pinned,
+                (None, false) => NoRoom::Pressed,
+            };
+            return Err(Stop { bodies: std::iter::once(number).chain(entered).collect(), why });
         }
-        true
+        Ok(())
     }
 
     fn put_back(&mut self, before: &[Before<D>]) {
@@ -143,18 +159,18 @@ impl<const D: usize> Crowd<D> {
         before.iter().any(is_caught) || bonds.any(|&ends| is_pierced(ends))
     }
 
-    /// Whether a body was pushed into another one, or over its points.
-    fn enters(&self, bodies: &[Hanging], number: usize, before: &[Before<D>]) -> bool {
+    /// The body that one was pushed into, or over its points.
+    fn entered(&self, bodies: &[Hanging], number: usize, before: &[Before<D>]) -> Option<usize> {
         let own = &bodies[number];
         if D != 2 || !self.meets || own.triangles.is_empty() {
-            return false;
+            return None;
         }
-        let Some(around) = self.extent(own) else { return false };
+        let around = self.extent(own)?;
         let was = |i: usize| was(before, i).map_or(self.x[i], |was| was.x);
         let now = |i: usize| self.x[i];
         let lies = |x: [f64; D], [low, high]: [[f64; D]; 2]| (0..D).all(|k| low[k] <= x[k] && x[k] <= high[k]);
         let others = bodies.iter().enumerate().filter(|(other, body)| *other != number && !body.triangles.is_empty());
-        others.map(|(_, other)| other).any(|other| {
+        let mut others = others.filter(|(_, other)| {
             let Some(beside) = self
                 .extent(other)
                 .filter(|reach| (0..D).all(|k| reach[0][k] <= around[1][k] && around[0][k] <= reach[1][k]))
@@ -166,7 +182,8 @@ impl<const D: usize> Crowd<D> {
             };
             own.points.iter().any(|&i| lies(now(i), beside) && comes(other, i))
                 || other.points.iter().any(|&i| lies(now(i), around) && comes(own, i))
-        })
+        });
+        others.next().map(|(other, _)| other)
     }
 
     /// Whether bonds or triangles are pressed together to less than [`CRUSHED`] of what they are at rest, and were larger before.

@@ -30,8 +30,16 @@ use super::world::World;
 pub(crate) use round::blocked;
 
 /// A command that was done and changed something.
-const DONE: Applied =
-    Applied { is_something: true, points: 0..0, bonds: 0..0, obstacles: 0..0, forces: 0..0, angles: 0..0, gone: 1.0 };
+const DONE: Applied = Applied {
+    is_something: true,
+    points: 0..0,
+    bonds: 0..0,
+    obstacles: 0..0,
+    forces: 0..0,
+    angles: 0..0,
+    gone: 1.0,
+    jam: None,
+};
 
 /// The same, or one that had nothing to do.
 fn done(is_something: bool) -> Applied {

@@ -1,8 +1,10 @@
 //! Obstacles that go on their way while time runs push ahead what they meet, and carry what lies on them.
 
-use super::crowd::{Crowd, Hanging};
+use super::crowd::{Crowd, Hanging, Stop};
 use super::recompile::Detached;
 use super::shift::Placement;
+use crate::sim::bond::PointId;
+use crate::sim::command::Jam;
 use crate::sim::contact::convex::{Convex, Figure};
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::contact::polygon::Polygon;
@@ -49,16 +51,16 @@ pub(super) struct Touch<const D: usize> {
 impl<S: Real, const D: usize> World<S, D> {
     /// Obstacles go on a way within so long `[s]`. What they meet among what was taken out is ahead of them, with at least the speed that
     /// they have there and then: soft bodies point by point, bodies of one rigid piece as a whole; what lies on them goes along as
-    /// friction lets it. They stop where what is in the way has no room: returns the share of the way that they go.
+    /// friction lets it. They stop where what is in the way has no room: returns the share of the way that they go, and what stopped them.
     pub(super) fn push_ahead(
         &self,
         (model, obstacles): (&Model<D>, &[u32]),
         (placement, seconds): (&Placement, f64),
         detached: &mut Detached<S, D>,
-    ) -> f64 {
+    ) -> (f64, Option<Jam>) {
         let mut moved = self.only(&self.model, obstacles);
-        let Ok(mut before) = Obstacles::<f64, D>::of(&moved) else { return 1.0 };
-        let Ok(others) = Obstacles::<f64, D>::of(&self.all_but(model, obstacles)) else { return 1.0 };
+        let Ok(mut before) = Obstacles::<f64, D>::of(&moved) else { return (1.0, None) };
+        let Ok(others) = Obstacles::<f64, D>::of(&self.all_but(model, obstacles)) else { return (1.0, None) };
         let bodies = self.hanging(detached);
         let mut crowd = Crowd {
             x: detached.state.position.iter().map(|&x| widen(x)).collect(),
@@ -77,7 +79,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let has_parts = placement.has_parts();
         let mut share = if has_parts { 1.0 / (far / half).ceil().clamp(1.0, MOST_PARTS) } else { 1.0 };
         let least = if has_parts { SHORTEST * share } else { 1.0 };
-        let mut gone = 0.0;
+        let (mut gone, mut stop) = (0.0, None);
         while gone < 1.0 && share >= least {
             let end = if gone + share < 1.0 - ROUNDING { gone + share } else { 1.0 };
             let step = placement.between(gone, end);
@@ -86,10 +88,9 @@ impl<S: Real, const D: usize> World<S, D> {
             let Ok(after) = Obstacles::<f64, D>::of(&there) else { break };
             let seconds = seconds * (end - gone);
             let part = Part { before: &before, after: &after, others: &others, placement: &step, seconds };
-            if crowd.push(&bodies, &part) {
-                (gone, before, moved) = (end, after, there);
-            } else {
-                share *= 0.5;
+            match crowd.push(&bodies, &part) {
+                Ok(()) => (gone, before, moved) = (end, after, there),
+                Err(found) => (share, stop) = (0.5 * share, Some(found)),
             }
         }
         for place in (0..detached.points.len()).filter(|&place| crowd.is_changed[place]) {
@@ -97,7 +98,13 @@ impl<S: Real, const D: usize> World<S, D> {
             (state.position[place], state.velocity[place]) = (convert(crowd.x[place]), convert(crowd.v[place]));
             (state.position_lost[place], state.velocity_lost[place]) = (zero(), zero());
         }
-        gone
+        let jam = stop.filter(|_| gone < 1.0).map(|Stop { bodies: stuck, why }| {
+            let places = stuck.into_iter().flat_map(|body| &bodies[body].points);
+            let mut points: Vec<PointId> = places.map(|&place| PointId(detached.points[place])).collect();
+            points.sort_unstable();
+            Jam { points, why }
+        });
+        (gone, jam)
     }
 
     /// What hangs together of what was taken out; points by themselves too.

@@ -188,11 +188,11 @@ impl<S: Real, const D: usize> World<S, D> {
             state.position_lost[place] = [S::ZERO; D];
             state.velocity_lost[place] = [S::ZERO; D];
         }
-        let mut gone = 1.0;
+        let (mut gone, mut jam) = (1.0, None);
         if let Some(mut moved) = moved {
             match *over {
                 Some(seconds) => {
-                    gone = self.push_ahead((&model, obstacles), (&placement, seconds), &mut detached);
+                    (gone, jam) = self.push_ahead((&model, obstacles), (&placement, seconds), &mut detached);
                     if gone < 1.0 {
                         self.take_obstacles_back(&mut model);
                         self.place_obstacles(&mut model, obstacles, &placement.between(0.0, gone));
@@ -218,7 +218,7 @@ impl<S: Real, const D: usize> World<S, D> {
             self.take_scaled(scaled);
         }
         self.attach(detached);
-        Ok(Applied { gone, ..done(true) })
+        Ok(Applied { gone, jam, ..done(true) })
     }
 
     /// Obstacles of a model are where those of the world are.

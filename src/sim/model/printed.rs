@@ -22,7 +22,7 @@ impl<const D: usize> Model<D> {
             ("tolerance", self.method.tolerance.is_some()),
             ("max_strain", self.method.max_strain.is_some()),
             ("drag_rate", self.drag_rate != 0.0),
-            ("wind", self.wind.is_some()),
+            ("wind", self.wind.is_some() && source != Source::Segments),
             ("forces", !self.forces.is_empty()),
             ("areas", self.areas.is_some()),
             ("angles", !self.angles.list.is_empty()),

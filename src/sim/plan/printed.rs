@@ -15,6 +15,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             order: method.order,
             seed: method.seed,
             substep: self.lot.choice.substep,
+            wind: self.model.wind,
         };
         let points = self.batched_state();
         let mover = Printed::new(&setup, self.bonds().map(|(_, bond)| bond), &points);

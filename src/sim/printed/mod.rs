@@ -12,6 +12,7 @@
 //! of the move. A state that leaves the finite numbers is put back to where its step began, and stands still there.
 
 mod cloth;
+mod gust;
 mod link;
 mod notebook;
 mod rope;
@@ -29,12 +30,14 @@ use super::contact::obstacles::Obstacles;
 use super::counters::Counters;
 use super::environment::Environment;
 use super::force::mouse;
+use super::force::wind::Wind;
 use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
 use super::solver::Order;
 use super::source::Source;
 use super::vector::{add, convert, scale, sub};
+use gust::Gust;
 use link::Link;
 
 /// Points that the loop of a source moves.
@@ -50,10 +53,12 @@ pub(crate) struct Printed<S: Real, const D: usize> {
     stale: Vec<Option<[S; D]>>,
     /// Left the finite numbers.
     lost: Vec<u32>,
+    /// What pushes a point a frame; of 001 alone.
+    gust: Option<Gust<D>>,
 }
 
 /// What a source's loop is made for.
-pub(crate) struct Setup {
+pub(crate) struct Setup<const D: usize> {
     /// Which.
     pub(crate) source: Source,
     /// Sweeps in a step; `None`: as many as the source has.
@@ -63,6 +68,7 @@ pub(crate) struct Setup {
     pub(crate) seed: u64,
     /// How long a step takes `[s]`.
     pub(crate) substep: f64,
+    pub(crate) wind: Option<Wind<D>>,
 }
 
 /// The state that a loop works on.
@@ -98,7 +104,7 @@ impl<S: Real, const D: usize> State<'_, S, D> {
 
 impl<S: Real, const D: usize> Printed<S, D> {
     /// Of bonds between points of a group.
-    pub(crate) fn new(setup: &Setup, bonds: impl Iterator<Item = Bond>, points: &Points<S, D>) -> Self {
+    pub(crate) fn new(setup: &Setup<D>, bonds: impl Iterator<Item = Bond>, points: &Points<S, D>) -> Self {
         let Setup { source, .. } = *setup;
         let mut links: Vec<Link<S>> = bonds.map(|bond| Link::of(&bond)).collect();
         let own = match source {
@@ -116,6 +122,7 @@ impl<S: Real, const D: usize> Printed<S, D> {
             last: setup.substep,
             stale: points.position.iter().zip(&points.inverse_mass).map(is_stale).collect(),
             lost: Vec::new(),
+            gust: setup.wind.as_ref().filter(|_| source == Source::Segments).map(Gust::of),
         }
     }
 
@@ -173,6 +180,9 @@ impl<S: Real, const D: usize> Mover<S, D> for Printed<S, D> {
         if let Some((force, cursor)) = around.mouse_at(t) {
             let Points { position, inverse_mass, .. } = points;
             counters.mouse_points += mouse::push(force, cursor, None, position, inverse_mass, &mut push);
+        }
+        if let Some(gust) = &self.gust {
+            gust.push(&mut push, (t, h));
         }
         // What is led is where it should be before all else moves.
         for i in (0..points.len()).filter(|&i| points.inverse_mass[i] == S::ZERO) {

@@ -4,7 +4,7 @@ use super::World;
 use super::saved::of_any;
 use crate::sim::bond::PointId;
 use crate::sim::bonds::Bonds;
-use crate::sim::command::{Applied, Command, CommandError, Obstacle, SceneChange};
+use crate::sim::command::{Applied, Command, CommandError, Knots, Obstacle, SceneChange};
 use crate::sim::contact::convex::Convex;
 use crate::sim::contact::polygon::Polygon;
 use crate::sim::contact::skin::{Contact, SkinMaterial};
@@ -12,7 +12,7 @@ use crate::sim::counters::Counters;
 use crate::sim::drive::Key;
 use crate::sim::dynamics::{Dynamics, ForceView, GrabView, Sample};
 use crate::sim::force::angle::Angle;
-use crate::sim::force::mouse::{self, Cursor, MouseForce};
+use crate::sim::force::mouse::{self, Cursor, MouseForce, Track};
 use crate::sim::force::steady::Force;
 use crate::sim::group::Group;
 use crate::sim::ledger::Energies;
@@ -94,6 +94,11 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn next_numbers(&self) -> [u32; 3] {
         [self.count() as u32, self.numbers.next_bond, self.numbers.next_obstacle]
+    }
+
+    fn pin_tracks(&self) -> Vec<(PointId, Knots)> {
+        let knots = |track: &Track<D>| track.knots.iter().map(|&(t, x)| (t, embed(x))).collect();
+        self.model.pin_motion.iter().map(|(pin, track)| (*pin, knots(track))).collect()
     }
 
     fn forces(&self) -> Vec<ForceView> {

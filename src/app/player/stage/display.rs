@@ -71,6 +71,7 @@ impl Stage {
         }
         shown.mouse.clone_from(&self.force);
         (shown.cursor, shown.grab) = (mouse.map(|(_, cursor)| cursor), world.grab());
+        shown.jam = self.jam.clone().filter(|_| self.is_dragging());
         (shown.base, shown.settings) = (self.base, world.settings());
         shown.figures = self.figures(world);
         shown.measured = self.watch.look(self.history.world());

@@ -23,7 +23,7 @@ const LEAD_BAR: &str = "move a bar";
 
 impl Stage {
     /// Sends pins on their way. Those that are none by now stay where they are.
-    pub(super) fn lead_pins(&mut self, PinWay { mut pins, goes_on }: PinWay) -> Option<Note> {
+    pub(super) fn lead_pins(&mut self, PinWay { mut pins, goes_on, follows }: PinWay) -> Option<Note> {
         let world = self.history.world();
         pins.retain(|(pin, _)| world.pinned().contains(pin));
         pins.sort_unstable_by_key(|(pin, _)| *pin);
@@ -48,6 +48,9 @@ impl Stage {
         self.strained = beyond_reach(world, &reaches, &pins);
         self.led = Some((numbers, reaches));
         let way = Do::Add(Box::new(AddKeys { pin_motion, ..AddKeys::default() }));
+        if follows {
+            return self.give(vec![way], None);
+        }
         let name = if pins.len() > 1 { LEAD_BAR } else { LEAD_PIN };
         if !goes_on {
             return self.give(vec![way], Some(name));
@@ -58,6 +61,7 @@ impl Stage {
     /// Obstacles go on their way, as fast as time went since they did last, and as far as what they push has room.
     pub(super) fn haul(&mut self, way: HaulWay) -> Option<Note> {
         let before = self.hauled.take().filter(|_| way.goes_on);
+        self.jam = None;
         let hauled = before.unwrap_or_else(|| way.begin());
         let Some(mut rest) = way.rest(hauled) else {
             self.hauled = before;
@@ -71,8 +75,8 @@ impl Stage {
         let given = if before.is_some() { self.do_on(acts, rest.name) } else { self.do_now(acts, Some(rest.name)) };
         match given {
             Ok((applied, note)) => {
-                let gone = applied.last().map_or(1.0, |applied| applied.gone);
-                self.hauled = Some(hauled.then(&rest, gone));
+                let (gone, jam) = applied.into_iter().last().map_or((1.0, None), |applied| (applied.gone, applied.jam));
+                (self.hauled, self.jam) = (Some(hauled.then(&rest, gone)), jam);
                 note
             }
             Err(note) => {

@@ -38,8 +38,7 @@ impl Stage {
             return;
         }
         // An edit of its own would part the drag in two.
-        let now = self.history.world().time();
-        if self.led_at.is_some_and(|last| (0.0..DRAGS * self.pace.rate).contains(&(now - last))) {
+        if self.is_dragging() {
             return;
         }
         let Some((act, name)) = self.rungs.look(&self.history, load) else { return };
@@ -50,6 +49,12 @@ impl Stage {
         }
         self.pace.motion += 1;
         self.figures_at = None;
+    }
+
+    /// Whether obstacles or pins were sent on their way just now.
+    pub(super) fn is_dragging(&self) -> bool {
+        let now = self.history.world().time();
+        self.led_at.is_some_and(|last| (0.0..DRAGS * self.pace.rate).contains(&(now - last)))
     }
 
     /// Every island is moved by its own method from now on.

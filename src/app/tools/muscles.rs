@@ -1,0 +1,223 @@
+//! The tool for muscles: bonds that a click or a stroke goes over follow a wave, a key, or both.
+
+use std::collections::BTreeSet;
+
+use glam::DVec2;
+
+use super::Deed;
+use super::drives::beside;
+use super::marks::{Mark, Role};
+use super::pick::{self, Scope, distance_to_segment};
+use super::selecting::is_drag;
+use crate::app::count::counted;
+use crate::history::{Do, DriveOrNone, SetKeys};
+use crate::scene::{DriveKeys, KeyName};
+use crate::sim::{Bond, BondKind, Limit, PointId};
+
+/// Said where nothing is clicked, or crossed by a stroke, that could be a muscle.
+const NO_BOND: &str = "no bond lies here that could be a muscle";
+/// The stroke goes on when the pointer is so far from its end `[logical px]`.
+const STEP: f64 = 4.0;
+/// A stroke lies along a bond no further from it than this `[logical px]`, and within an angle of this cosine.
+const ALONG: f64 = 6.0;
+const PARALLEL: f64 = 0.94;
+/// Bonds that are drawn at most.
+const MOST: usize = 4_000;
+
+/// What a muscle is to follow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct MuscleChoice {
+    /// Share that its length changes by `[1]`.
+    pub(in crate::app) amplitude: f64,
+    /// It follows a wave of this period `[s]` and phase `[rad]`.
+    pub(in crate::app) has_wave: bool,
+    pub(in crate::app) period: f64,
+    pub(in crate::app) phase: f64,
+    pub(in crate::app) key: Option<KeyName>,
+    pub(in crate::app) back: Option<KeyName>,
+}
+
+impl Default for MuscleChoice {
+    fn default() -> Self {
+        MuscleChoice { amplitude: 0.3, has_wave: true, period: 1.0, phase: 0.0, key: None, back: None }
+    }
+}
+
+/// A stroke `[px]`, and the bonds that it went over as they were then.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Swipe {
+    corners: Vec<DVec2>,
+    /// By their numbers.
+    bonds: BTreeSet<u32>,
+}
+
+impl Swipe {
+    /// Begins on the bond that lies under a pixel.
+    pub(super) fn begin(scope: Scope<'_>, at: DVec2) -> Self {
+        let under = scope.bond(at).map(|(place, _)| scope.shown.scenery.bond_number(place));
+        Swipe { corners: vec![at], bonds: under.into_iter().collect() }
+    }
+
+    /// The pointer is at a pixel.
+    pub(super) fn trace(&mut self, scope: Scope<'_>, at: DVec2) {
+        if self.end().distance(at) >= STEP * scope.scale {
+            self.bonds.extend(met(scope, [self.end(), at]));
+            self.corners.push(at);
+        }
+    }
+
+    fn end(&self) -> DVec2 {
+        self.corners.last().copied().unwrap_or_default()
+    }
+
+    /// Those that it went over until a pixel.
+    fn until(&self, scope: Scope<'_>, at: DVec2) -> BTreeSet<u32> {
+        let mut bonds = self.bonds.clone();
+        if self.end() != at {
+            bonds.extend(met(scope, [self.end(), at]));
+        }
+        bonds
+    }
+
+    /// Whether the pointer never left where it was pressed.
+    fn is_click(&self, scope: Scope<'_>, at: DVec2) -> bool {
+        self.corners.len() == 1 && !is_drag(scope, [self.corners[0], at])
+    }
+}
+
+/// The bonds that a piece of a stroke crosses or lies along, by their numbers.
+fn met(scope: Scope<'_>, [from, to]: [DVec2; 2]) -> impl Iterator<Item = u32> {
+    let scenery = &scope.shown.scenery;
+    let reach = ALONG * scope.scale;
+    let [low, high] = [from.min(to) - reach, from.max(to) + reach];
+    let way = (to - from).normalize_or_zero();
+    let is_met = move |&(_, &[a, b]): &(usize, &[PointId; 2])| {
+        let (Some(a), Some(b)) = (scope.pixel(a), scope.pixel(b)) else { return false };
+        if a.max(b).cmplt(low).any() || a.min(b).cmpgt(high).any() {
+            return false;
+        }
+        let lies = || [from, to].into_iter().all(|at| distance_to_segment(at, a, b) <= reach);
+        pick::cross([from, to], [a, b]) || (way.dot((b - a).normalize_or_zero()).abs() >= PARALLEL && lies())
+    };
+    let bonds = scenery.bonds.ends().iter().enumerate();
+    bonds.filter(is_met).map(|(place, _)| scenery.bond_number(place))
+}
+
+/// What becomes of bonds.
+struct Plan {
+    /// The places and numbers of those that change.
+    changes: Vec<(usize, u32)>,
+    takes_away: bool,
+    /// How many cannot, and why the first of them cannot.
+    left: usize,
+    why: Option<&'static str>,
+}
+
+impl MuscleChoice {
+    fn keys(&self) -> DriveKeys {
+        // What follows nothing would be none.
+        let has_wave = self.has_wave || self.key.is_none();
+        DriveKeys {
+            amplitude: Some(self.amplitude),
+            period: has_wave.then_some(self.period),
+            phase: has_wave.then_some(self.phase),
+            key: self.key,
+            back: self.key.and(self.back).filter(|back| Some(*back) != self.key),
+            ..DriveKeys::default()
+        }
+    }
+
+    fn takes_away(&self, bond: &Bond) -> bool {
+        bond.drive.is_some_and(|drive| self.keys().told_bond() == Ok(drive))
+    }
+
+    /// Bonds become muscles; where all of them are just such muscles, none any more.
+    fn plan(&self, scope: Scope<'_>, numbers: &BTreeSet<u32>) -> Plan {
+        let scenery = &scope.shown.scenery;
+        let all = scenery.bonds.iter().enumerate().map(|(place, bond)| (place, scenery.bond_number(place), bond));
+        let mut plan = Plan { changes: Vec::new(), takes_away: true, left: 0, why: None };
+        let mut others = Vec::new();
+        for (place, number, bond) in all.filter(|(_, number, _)| numbers.contains(number)) {
+            if let Some(why) = no_muscle(&bond) {
+                plan.left += 1;
+                plan.why.get_or_insert(why);
+            } else if self.takes_away(&bond) {
+                plan.changes.push((place, number));
+            } else {
+                others.push((place, number));
+            }
+        }
+        if !others.is_empty() {
+            (plan.changes, plan.takes_away) = (others, false);
+        }
+        plan
+    }
+
+    /// The stroke ends at a pixel.
+    pub(super) fn release(&self, scope: Scope<'_>, swipe: Swipe, at: DVec2) -> Deed {
+        let is_click = swipe.is_click(scope, at);
+        let numbers = if is_click { swipe.bonds } else { swipe.until(scope, at) };
+        let Plan { changes, takes_away, left, why } = self.plan(scope, &numbers);
+        if changes.is_empty() {
+            return Deed::words(why.unwrap_or(NO_BOND).to_owned());
+        }
+        let name = match (takes_away, changes.len()) {
+            (true, 1) => "muscle away",
+            (true, _) => "muscles away",
+            (false, 1) => "muscle",
+            (false, _) => "muscles",
+        };
+        let drive = Some(if takes_away { DriveOrNone::None(()) } else { DriveOrNone::This(self.keys()) });
+        let bonds = Some(changes.into_iter().map(|(_, number)| number).collect());
+        let set = Do::Set(Box::new(SetKeys { bonds, drive, ..SetKeys::default() }));
+        let words = why.map(|why| format!("{} left out: {why}", counted(left, "bond")));
+        Deed { words, ..Deed::edit(name, set) }
+    }
+
+    /// What a click would do.
+    pub(super) fn would_be(&self, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
+        let Some((place, [a, b])) = scope.bond(at) else { return Vec::new() };
+        let bond = scope.shown.scenery.bonds.get(place);
+        let (role, words) = match no_muscle(&bond) {
+            Some(why) => (Role::Away, why),
+            None if self.takes_away(&bond) => (Role::Away, "no muscle any more"),
+            None if bond.drive.is_some() => (Role::Come, "this muscle instead; drag over more"),
+            None => (Role::Come, "a muscle; drag over more"),
+        };
+        let line = scope.pixel(a).zip(scope.pixel(b)).map(|(a, b)| Mark::Line(role, a, b, 4.0 * scope.scale));
+        line.into_iter().chain([Mark::Words(beside(scope, at), words.to_owned())]).collect()
+    }
+
+    /// What a stroke does that goes on to a pixel.
+    pub(super) fn marks(&self, scope: Scope<'_>, swipe: &Swipe, at: DVec2) -> Vec<Mark> {
+        if swipe.is_click(scope, at) {
+            return self.would_be(scope, swipe.corners[0]);
+        }
+        let Plan { changes, takes_away, why, .. } = self.plan(scope, &swipe.until(scope, at));
+        let role = if takes_away { Role::Away } else { Role::Come };
+        let ends = scope.shown.scenery.bonds.ends();
+        let lines = changes.iter().take(MOST).filter_map(|&(place, _)| {
+            let [a, b] = ends[place];
+            Some(Mark::Line(role, scope.pixel(a)?, scope.pixel(b)?, 4.0 * scope.scale))
+        });
+        let corners: Vec<DVec2> = swipe.corners.iter().copied().chain([at]).collect();
+        let way = corners.windows(2).map(|side| Mark::Line(Role::Hold, side[0], side[1], 1.5 * scope.scale));
+        let words = match (changes.len(), takes_away) {
+            (0, _) => why.unwrap_or("drag over bonds").to_owned(),
+            (1, true) => "no muscle any more".to_owned(),
+            (count, true) => format!("{} away", counted(count, "muscle")),
+            (count, false) => counted(count, "muscle"),
+        };
+        lines.chain(way).chain([Mark::Words(beside(scope, at), words)]).collect()
+    }
+}
+
+/// Why a bond cannot be a muscle.
+fn no_muscle(bond: &Bond) -> Option<&'static str> {
+    match bond.kind {
+        BondKind::Relaxed { .. } => Some("a relaxed bond is no muscle"),
+        _ if bond.limit != Limit::Both => Some("a bond that acts on one side is no muscle"),
+        _ if bond.rest_length == 0.0 => Some("a weld is no muscle"),
+        _ => None,
+    }
+}
