@@ -20,7 +20,7 @@ const BESIDE_TOOLS: f32 = TOOLS + 44.0;
 const NEAR: f32 = 320.0;
 /// Widest line of what is said, and the narrowest gap that it stands in `[points]`.
 const WIDEST: f32 = 760.0;
-const LEAST_SAID: f32 = 190.0;
+const LEAST_SAID: f32 = 170.0;
 /// From this width on what is said has two lines at most `[points]`.
 const WORDS: f32 = 420.0;
 /// Width of the usual picture in its heights `[1]`.
