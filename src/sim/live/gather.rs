@@ -25,9 +25,6 @@ pub(super) const SUBSTEPS: [u32; 4] = [16, 32, 64, 128];
 const VIOLENT: f64 = 32.0;
 /// Counted work of a frame up to which there are more substeps than speeds ask for, so that springs can be forces.
 const AFFORDED: f64 = 8e6;
-/// Counted work of a frame of so many substeps as springs that are forces need at least, from which on there are fewer and springs are
-/// projected: a frame would take longer than it lasts.
-const CROWDED: f64 = 1e8;
 
 /// Substeps of a frame at a speed `[m/s]`, with skins whose edges have this mean length `[m]`.
 pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
@@ -56,10 +53,8 @@ impl<S: Real> Live<S> {
             let body = &self.bodies.list[body];
             super::work_of_a_substep([body.points.len(), body.springs.len() + body.holds.len(), body.areas.len()])
         };
-        let work = bodies.map(of).sum::<f64>();
-        let least = SUBSTEPS[usize::from(work * f64::from(SUBSTEPS[1]) <= CROWDED)];
-        let fits = |count: &u32| f64::from(*count) * work <= AFFORDED;
-        SUBSTEPS.into_iter().rev().find(fits).unwrap_or(least).max(least)
+        let room = AFFORDED / bodies.map(of).sum::<f64>();
+        SUBSTEPS.into_iter().rev().find(|&count| f64::from(count) <= room).unwrap_or(SUBSTEPS[1]).max(SUBSTEPS[1])
     }
 
     /// The bodies that may meet within `h` `[s]`, in the order of the lowest of each.
