@@ -404,8 +404,8 @@ fn a_state_of_another_layout_or_version_is_gone_on_from_and_said() {
     assert!(other.notes()[0].contains("0.0.9") && other.notes().len() == 1, "{:?}", other.notes());
     assert_eq!(hash(&History::new(Start::from(other)).unwrap()), hash(&as_is));
     // Of another layout positions, velocities, bonds and time are.
-    let other = of("layout", 9.into());
-    assert!(other.notes()[0].contains("layout 9"), "{:?}", other.notes());
+    let other = of("layout", 99.into());
+    assert!(other.notes()[0].contains("layout 99"), "{:?}", other.notes());
     let mut taken = History::new(Start::from(other)).unwrap();
     assert_eq!(taken.notes().len(), 1);
     assert_eq!(hash(&taken), hash(&as_is));
