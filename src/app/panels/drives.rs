@@ -56,7 +56,7 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives) {
         motor.is_on = Some(is_on);
     }
     if motor.is_on.is_none() {
-        ui.label(RichText::new("a wheel on the ground gets one by itself").color(colors(ui).weak));
+        ui.label(RichText::new("a wheel with no other body beside it gets one by itself").color(colors(ui).weak));
     }
     if motor.is_on != Some(false) {
         slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s");

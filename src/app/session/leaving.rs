@@ -21,6 +21,8 @@ pub(super) enum Leaving {
 
 /// The answers, the first by Enter, the last by Esc.
 const ANSWERS: &[(&str, &str)] = &[("Save", "Enter"), ("Don't save", "Ctrl+Q once more"), ("Cancel", "Esc")];
+/// The same where the scene that is open has nothing to save.
+const ELSEWHERE: &[(&str, &str)] = &[("Go there", "Enter"), ("Don't save", "Ctrl+Q once more"), ("Cancel", "Esc")];
 
 /// What is asked where the scene that is open has work in it that was not saved, and so many that were left for it; `None`: nothing.
 fn question(title: &str, has_work: bool, left: usize) -> Option<String> {
@@ -31,7 +33,7 @@ fn question(title: &str, has_work: bool, left: usize) -> Option<String> {
         (true, _) => Some(format!("{title}: save what you did? {others} that you worked on will not be saved.")),
         (false, _) => {
             let was = if left == 1 { "was" } else { "were" };
-            Some(format!("{others} that you worked on {was} not saved (Ctrl+Z goes back there). Save {title}?"))
+            Some(format!("{others} that you worked on {was} not saved."))
         }
     }
 }
@@ -44,10 +46,12 @@ impl Session {
             return insists;
         }
         let left = self.shelf.players().filter(|player| player.is_unsaved()).count();
-        let Some(words) = question(&self.title(), self.player.is_unsaved(), left) else { return true };
+        let has_work = self.player.is_unsaved();
+        let Some(words) = question(&self.title(), has_work, left) else { return true };
         // A sheet would lie over the question.
         self.panels.sheet = None;
-        let answered = |session: &mut Session, answer: usize| match answer {
+        let answered = move |session: &mut Session, answer: usize| match answer {
+            0 if !has_work => session.go_to_unsaved(),
             0 => {
                 session.leaving = Leaving::Naming;
                 session.save();
@@ -55,7 +59,7 @@ impl Session {
             1 => session.leaving = Leaving::Now,
             _ => {}
         };
-        let question = Question { words, answers: ANSWERS };
+        let question = Question { words, answers: if has_work { ANSWERS } else { ELSEWHERE } };
         self.asked = Some(Asked { question, is_of_leaving: true, act: Box::new(answered) });
         self.touch();
         false

@@ -122,6 +122,20 @@ impl Session {
         }
     }
 
+    /// The nearest history with work that was not saved is there again: one before the present one, else one after it.
+    pub(super) fn go_to_unsaved(&mut self) {
+        if self.shelf.before.iter().any(|left| left.player.is_unsaved()) {
+            while !self.player.is_unsaved() && self.shelf.has_before() {
+                self.has_undone = false;
+                self.go_back();
+            }
+        } else {
+            while !self.player.is_unsaved() && !self.shelf.after.is_empty() {
+                self.go_on();
+            }
+        }
+    }
+
     /// Memory is shared out among the histories.
     pub(super) fn settle(&mut self) {
         let bytes = self.shelf.settle();

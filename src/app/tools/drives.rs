@@ -12,9 +12,10 @@ use crate::history::{DeleteKeys, Do};
 use crate::scene::{AddKeys, AngleKeys, BondKeys, DriveKeys, KeyName, KindName, MassKeys, PointKeys, Row, Vector};
 use crate::sim::{Angle, AngleDrive, Bond, BondKind, PointId};
 
-/// Bonds of a hub to a body that turns about it, and to one that holds it: with three that lie along its edge it sags by a wheel.
+/// Bonds of a hub to a body that turns about it, and to one that holds it, by which the two are told apart: with three that lie along its edge
+/// that sags by a wheel.
 const SPOKES: usize = 6;
-const STRUTS: usize = 6;
+const STRUTS: usize = 5;
 /// Of the spokes those that a motor turns: a third of a turn apart, so that a soft wheel keeps its shape.
 const TURNED: usize = 3;
 /// A hub is held by a body no further than so many radii of what turns about it.
@@ -121,7 +122,7 @@ impl Drives {
         let is_off = self.motor.is_on == Some(false);
         match hub.motors.is_empty() {
             false if is_off || self.is_set(scope, hub, &hinge) => {
-                ("motor off; with Shift the hinge goes", Deed::edit("motor off", without))
+                ("a click: motor off; with Shift the hinge goes", Deed::edit("motor off", without))
             }
             true if is_off => (HINGED, Deed::words(HINGED.to_owned())),
             has_none => {
@@ -137,8 +138,12 @@ impl Drives {
                 if !has_none {
                     deed.commands.insert(0, without);
                 }
-                let words = if has_none { "motor on" } else { "this motor instead" };
-                (if has_none { "motor on; with Shift the hinge goes" } else { words }, deed)
+                let words = if has_none {
+                    "a click: motor on; with Shift the hinge goes"
+                } else {
+                    "a click: this motor instead"
+                };
+                (words, deed)
             }
         }
     }

@@ -172,7 +172,7 @@ fn a_click_on_a_hinge_that_is_there_switches_its_motor_and_with_shift_takes_it_a
         click(&mut seen, &mut hand, 0.0);
         let back = MotorChoice { speed: 5.0, ..drives.motor };
         hand.set_drives(Drives { motor: back, ..drives });
-        assert_eq!(said(&seen, &hand, at(&seen, 0.0)), "this motor instead");
+        assert_eq!(said(&seen, &hand, at(&seen, 0.0)), "a click: this motor instead");
         assert_eq!(click(&mut seen, &mut hand, 0.0), ("motor", [3, all + 1 + props]));
         hand.hold([true, false]);
         assert!(said(&seen, &hand, at(&seen, 0.0)).contains("the hinge goes"));

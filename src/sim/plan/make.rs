@@ -220,29 +220,25 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let islands = &self.lot.islands;
         let count = |of: fn(&Island) -> usize| islands.iter().map(of).sum::<usize>();
         let (points, rigid) = (count(|island| island.points.len()), count(|island| island.rigid));
-        // Nothing is so large that a frame of the live step would be long.
+        // What is swept is defined by its sweeps, and nothing is so large that a frame of the live step would be long.
         let most = if rigid > 0 { MOST_HANDED_OVER_RIGID } else { MOST_HANDED_OVER_SOFT };
         let are_alone =
             !islands.is_empty() && islands.iter().all(|island| island.pieces.as_ref().is_some_and(Pieces::is_one));
-        let is_small = points > 0 && (are_alone || bonds.len() <= most);
-        // What is swept is defined by its sweeps, but where it stays inside out nobody means that.
-        let is_swept = count(|island| island.relaxed) > 0;
-        let may_go = is_small && !is_swept;
-        let may_unfold = is_small && is_swept && rigid == 0;
+        let is_few = are_alone || bonds.len() <= most;
+        let may_go = count(|island| island.relaxed) == 0 && is_few && points > 0;
         let surfaces = &self.obstacles.surfaces;
         let tracks = self.tracks();
         let can_fail = rigid > 0 || !surfaces.is_empty() || self.model.mouse.is_some() || !tracks.is_empty();
         // A rigid body alone has no strain, and makes no energy.
-        let has_eyes = can_fail && !are_alone && (may_go || may_unfold);
+        let has_eyes = can_fail && !are_alone;
         // What forces and wind bring is known to a ledger alone.
-        let gives = is_swept
-            || islands.iter().any(|island| island.has_drives)
+        let gives = islands.iter().any(|island| island.has_drives)
             || surfaces.iter().any(|surface| surface.restitution > S::ONE)
             || self.model.has_fields()
             || self.model.wind.is_some();
-        let triangles = if may_go || may_unfold { self.triangles() } else { Vec::new() };
+        let triangles = if may_go { self.triangles() } else { Vec::new() };
         let corners: Vec<[u32; 3]> = triangles.iter().map(|(corners, _)| *corners).collect();
-        let watch = Watch::new(points, (&bonds, &corners), may_go, (has_eyes, !gives));
+        let watch = Watch::new(points, (&bonds, &corners), may_go, (has_eyes && may_go, !gives));
         Some(Box::new(watch.with_scout(self.scout(&bonds))))
     }
 

@@ -124,6 +124,9 @@ fn panel(
                     if ui.button("Close").on_hover_text(described("close the settings", Action::Settings)).clicked() {
                         sink.wishes.push(Wish::Act(Action::Settings));
                     }
+                    if is_wanted {
+                        search.clear();
+                    }
                     let hint = "search: wind, sweeps";
                     let field = ui.add(TextEdit::singleline(search).hint_text(hint).desired_width(f32::INFINITY));
                     field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, SEARCH));

@@ -155,9 +155,14 @@ impl Maker {
             return form.ok_or_else(String::new);
         }
         let (there, point) = (place(scope, at), tie::point_at(scope, at));
-        let from = self.end(scope, begun.point, self.inside(scope, (begun.pressed, begun.from)));
+        let mut from = self.end(scope, begun.point, self.inside(scope, (begun.pressed, begun.from)));
         let mut to = self.end(scope, point, self.inside(scope, (at, there)));
-        if to.hold == Hold::Pin {
+        let along = [begun.pressed, 0.5 * (begun.pressed + at), at];
+        let is_laid = self.primitive == Primitive::Rope && along.iter().all(|&at| tie::lies_on(scope, at));
+        if is_laid && [from.hold, to.hold] == [Hold::Pin; 2] {
+            // What is drawn along the ground lies there.
+            (from.hold, to.hold) = (Hold::None, Hold::None);
+        } else if to.hold == Hold::Pin {
             // Where it ends on nothing it hangs free.
             let surface = tie::surface_at(scope, at).filter(|_| self.primitive == Primitive::Rope);
             to = surface.map_or(End { hold: Hold::None, ..to }, |at| End { at, hold: Hold::Pin });

@@ -607,3 +607,14 @@ fn a_rope_that_ends_on_an_obstacle_or_a_wall_is_pinned_there_and_hangs_between()
     }
     assert_eq!(added(&drag(&seen, &mut hand(Primitive::Rope), [-3.0, 0.0], [-1.0, 0.0])).bodies[0].pinned.len(), 1);
 }
+
+#[test]
+fn a_rope_that_is_drawn_along_the_ground_lies_there_and_one_along_the_ceiling_hangs() {
+    let seen = shown(Scene::parse(&BLOCK.replace("\"gravity\": [0, 0]", "\"gravity\": [0, -9.81]"), "x.json").unwrap());
+    for (y, pins) in [(-3.97, 0), (3.97, 2)] {
+        let deed = drag(&seen, &mut hand(Primitive::Rope), [-3.0, y], [2.0, y]);
+        assert_eq!(added(&deed).bodies[0].pinned.len(), pins, "{y} m");
+        let history = history(&seen, &[deed]);
+        assert!(history.world().warnings().is_empty(), "{:?}", history.world().warnings());
+    }
+}

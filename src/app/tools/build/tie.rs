@@ -46,6 +46,13 @@ pub(super) fn surface_at(scope: Scope<'_>, at: DVec2) -> Option<DVec2> {
     (is_near || scope.solid(at).is_some() || is_walled_off(scope, place)).then_some(nearest)
 }
 
+/// Whether what is drawn at a pixel would lie on a surface below it, of a wall or of an obstacle.
+pub(super) fn lies_on(scope: Scope<'_>, at: DVec2) -> bool {
+    let down = scope.shown.settings.gravity.map_or(DVec2::ZERO, |[x, y, _]| DVec2::new(x, y));
+    let place = scope.in_plane(at);
+    surface_at(scope, at).is_some_and(|surface| (surface - place).dot(down) > 0.0)
+}
+
 /// Whether a place `[m]` lies beyond the walls or behind a plane.
 pub(super) fn is_walled_off(scope: Scope<'_>, place: DVec2) -> bool {
     let scenery = &scope.shown.scenery;
