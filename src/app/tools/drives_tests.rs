@@ -236,7 +236,12 @@ const CAR: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": {"friction"
 #[test]
 fn a_box_on_two_discs_with_motors_drives_and_stays_upright() {
     for (edge, is_later) in [(-0.6, false), (-0.5, false), (-0.4, false), (-0.4, true)] {
-        let mut seen = shown(Scene::parse(&CAR.replace("EDGE", &edge.to_string()), "x.json").unwrap());
+        let mut car: serde_json::Value = serde_json::from_str(&CAR.replace("EDGE", &edge.to_string())).unwrap();
+        if is_later {
+            // The box is drawn first.
+            car["bodies"].as_array_mut().unwrap().rotate_right(1);
+        }
+        let mut seen = shown(Scene::parse(&car.to_string(), "x.json").unwrap());
         let mut stage = Stage::new(seen.2.clone().into()).unwrap();
         let mut hand = hand(Tool::Motor);
         hand.drives.motor.is_on = (!is_later).then_some(true);
@@ -253,7 +258,7 @@ fn a_box_on_two_discs_with_motors_drives_and_stays_upright() {
             seen.0.point_count()
         };
         let hubs = click(&mut stage, "between both bodies", None) - 2;
-        let first = hubs - 44;
+        let first = if is_later { 0 } else { hubs - 44 };
         if is_later {
             // The wheels are round no more under what they carry, and turn all the same.
             for _ in 0..60 {
