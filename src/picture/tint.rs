@@ -60,6 +60,11 @@ impl Tint {
         runs[..runs.partition_point(|run| run.first <= point)].last()
     }
 
+    /// Whether a point is of a run that is not drawn. Valid range: as of [`Tint::of`].
+    pub fn hides(runs: &[Tint], point: u32) -> bool {
+        Tint::of(runs, point).is_some_and(|run| run.is_hidden)
+    }
+
     /// Gives points a coat. Those before the first run stay without one.
     pub fn paint(runs: &mut Vec<Tint>, points: &[u32], coat: Coat) {
         let mut points = points.to_vec();

@@ -287,7 +287,7 @@ impl WorldBuffers {
         let point_count = (view.current.len() / view.dimensions) as u32;
         // Points that were deleted have no place.
         let is_there = |point: &u32| {
-            view.current.get(view.dimensions * *point as usize).is_finite() && !is_hidden(view.tints, *point)
+            view.current.get(view.dimensions * *point as usize).is_finite() && !Tint::hides(view.tints, *point)
         };
         let mut points: Vec<u32> = (0..point_count).filter(is_there).collect();
         let cover = covered(view, filled);
@@ -506,11 +506,6 @@ fn paint(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond]) -> [Own; COLORS]
     }
     colors.iter_mut().zip(known).for_each(|(to, own)| *to = own);
     colors
-}
-
-/// Whether the body of a point is not drawn.
-fn is_hidden(tints: &[Tint], point: u32) -> bool {
-    Tint::of(tints, point).is_some_and(|tint| tint.is_hidden)
 }
 
 /// Puts bonds and points that are not covered first, and returns how many there are of each. Pins are seen on skins too, and points

@@ -60,7 +60,7 @@ impl Trails {
     pub(super) fn stretches(&self, view: &View<'_>) -> Vec<([DVec3; 2], f64)> {
         let mut now = places(view);
         for (point, place) in (0..).zip(&mut now) {
-            if Tint::of(view.tints, point).is_some_and(|tint| tint.is_hidden) {
+            if Tint::hides(view.tints, point) {
                 *place = DVec3::NAN;
             }
         }

@@ -25,7 +25,7 @@ impl Veil {
         if !view.tints.iter().any(|tint| tint.is_hidden) {
             return None;
         }
-        let is_shown = |point: u32| !Tint::of(view.tints, point).is_some_and(|tint| tint.is_hidden);
+        let is_shown = |point: u32| !Tint::hides(view.tints, point);
         let shows = |points: &[PointId]| points.iter().all(|point| is_shown(point.0));
         if self.topology != Some(view.topology) {
             self.topology = Some(view.topology);

@@ -140,7 +140,7 @@ impl Matter {
             restitution: Span::of(surfaces().map(|surface| surface[1])),
             color: coloring(tints, &points),
             width: Span::of(bonds.iter().map(|(_, bond)| tint(bond.a).map_or(0.0, |tint| tint.width))),
-            hidden: points.iter().filter(|point| tint(**point).is_some_and(|tint| tint.is_hidden)).count(),
+            hidden: points.iter().filter(|point| Tint::hides(tints, point.0)).count(),
         })
     }
 

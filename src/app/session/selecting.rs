@@ -109,8 +109,11 @@ impl Session {
         self.dirty = true;
     }
 
-    /// How many bodies are hidden.
+    /// How many bodies are hidden: of the tool that selects, whose panel alone says it.
     pub(super) fn hidden_count(&self) -> usize {
+        if self.hand.tool() != Tool::Select {
+            return 0;
+        }
         let scale = f64::from(self.look.scale_factor);
         hidden_bodies(Scope { shown: self.shown(), camera: &self.camera, scale }).len()
     }

@@ -21,7 +21,7 @@ pub(in crate::app) fn bodies(scope: Scope<'_>) -> Vec<Vec<PointId>> {
     let mut place_of = vec![usize::MAX; count];
     let mut list: Vec<Vec<PointId>> = Vec::new();
     for point in (0..count as u32).map(PointId).filter(|&point| scope.is_there(point)) {
-        if !Tint::of(tints, point.0).is_some_and(|tint| tint.is_hidden) {
+        if !Tint::hides(tints, point.0) {
             continue;
         }
         let place = &mut place_of[body[point.index()] as usize];

@@ -1,6 +1,6 @@
 //! Keys that players hold, as drives follow them.
 
-use super::{Applied, DONE, done};
+use super::{Applied, done};
 use crate::sim::drive::{Held, Key, Signal};
 use crate::sim::real::Real;
 use crate::sim::world::World;
@@ -18,7 +18,7 @@ impl<S: Real, const D: usize> World<S, D> {
         driven.into_iter().for_each(|place| self.touch(place));
         let World { plan, around, .. } = self;
         plan.groups.iter_mut().for_each(|group| group.wake_if_driven(around, t));
-        DONE
+        done(true)
     }
 
     /// Drives that came know of the keys that are held already.

@@ -1,6 +1,6 @@
 //! What is grabbed: which points, of which groups, and where the cursor leads them.
 
-use super::{Applied, CommandError, DONE, done, invalid};
+use super::{Applied, CommandError, done, invalid};
 use crate::sim::bond::PointId;
 use crate::sim::command::{HELD, Reach};
 use crate::sim::dynamics::GrabView;
@@ -44,7 +44,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         self.grabbed = points;
         self.hold_on();
-        Ok(DONE)
+        Ok(done(true))
     }
 
     /// The points that are no further from the cursor, in space from its ray, than this `[m]`; none without a cursor.

@@ -29,21 +29,9 @@ use super::real::Real;
 use super::world::World;
 pub(crate) use round::blocked;
 
-/// A command that was done and changed something.
-const DONE: Applied = Applied {
-    is_something: true,
-    points: 0..0,
-    bonds: 0..0,
-    obstacles: 0..0,
-    forces: 0..0,
-    angles: 0..0,
-    gone: 1.0,
-    jam: None,
-};
-
-/// The same, or one that had nothing to do.
+/// A command that was done, and changed something or had nothing to do.
 fn done(is_something: bool) -> Applied {
-    Applied { is_something, ..DONE }
+    Applied { is_something, ..Applied::default() }
 }
 
 fn invalid(message: impl Into<String>) -> CommandError {
@@ -98,7 +86,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let was_reached = self.kept_in_reach();
         self.around.cursor = to.map(|to| CursorPath::onwards(self.around.cursor, to, t, by));
         self.refresh(was_reached);
-        Ok(DONE)
+        Ok(done(true))
     }
 
     /// The cursor or its force changed: nothing that was worked out before belongs to the present. `was_reached`: the kept groups that

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::add::check_surface;
 use super::check::{finite, value, values};
-use super::{Applied, CommandError, DONE, done, invalid};
+use super::{Applied, CommandError, done, invalid};
 use crate::sim::bond::{Bond, BondId, BondKind, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::command::{AngleChange, BondChange, Change, Kind, MouseChange, SceneChange, Values};
@@ -313,7 +313,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.around.mouse = Some(mouse);
         detached.into_iter().for_each(|detached| _ = self.attach(detached));
         self.refresh(was_reached);
-        Ok(DONE)
+        Ok(done(true))
     }
 }
 

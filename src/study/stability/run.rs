@@ -347,7 +347,7 @@ impl<'a> Drive<'a> {
         let mut frames = Frames::between(0.0, simulated);
         self.steps.iter().for_each(|&(time, seconds, work)| frames.add(time, seconds, work));
         let has_shape = ended != Ended::NotFinite && !self.shape.is_empty();
-        let shape = self.shape.left(world.bonds());
+        let shape = has_shape.then(|| self.shape.left(world.bonds()));
         let mut found = Findings {
             ended,
             simulated,
@@ -359,8 +359,8 @@ impl<'a> Drive<'a> {
             loss: is_told.then_some(energy.loss),
             strain: self.strain.largest,
             strains: self.strain.most,
-            inverted: if has_shape { shape.inverted(&sample.position) } else { 0.0 },
-            crossings: if has_shape { shape.crossings(&sample.position) } else { 0 },
+            inverted: shape.as_ref().map_or(0.0, |shape| shape.inverted(&sample.position)),
+            crossings: shape.as_ref().map_or(0, |shape| shape.crossings(&sample.position)),
             crossed: self.skins.as_ref().map_or(0, |skins| skins.crossed(world, &sample.position)),
             depth: self.depth,
             friction: self.friction.error(),

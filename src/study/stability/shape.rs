@@ -50,7 +50,7 @@ impl Shape {
         let is_whole = |side: [u32; 2]| !self.bonded.contains(&side) || now.contains(&side);
         let triangles = self.triangles.iter().copied();
         let triangles: Vec<[u32; 3]> = triangles.filter(|&corners| sides(corners).into_iter().all(is_whole)).collect();
-        Shape { outline: outline(&triangles), triangles, bonded: now.intersection(&self.bonded).copied().collect() }
+        Shape { outline: outline(&triangles), triangles, bonded: now }
     }
 
     /// Whether there is nothing to look at.
