@@ -11,6 +11,7 @@ mod rigid;
 mod rigs;
 mod round;
 mod sharp;
+mod straps;
 mod tangle;
 mod thin;
 mod violence;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::rig::Rig;
 use super::rigid::Shape;
+use super::strap::Strap;
 use crate::sim::bond::Limit;
 
 /// Where the things of one body lie in the lists of all.
@@ -43,6 +44,8 @@ pub(super) struct Body<S> {
     pub(super) radius: S,
     /// Fewest substeps in a frame in which most of its springs may be forces, and all of them exact ones.
     pub(super) least_substeps: [u32; 2],
+    /// Pins of it that its rigid bonds keep near each other, where some are led.
+    pub(super) straps: Vec<Strap<S>>,
     /// Its shape, where rigid bonds hold all of its points: none of its bonds, angles and areas is asked then.
     pub(super) rigid: Option<Arc<Shape>>,
     /// What rigid bonds hold of it, where that is several bodies in joints: none of these bonds is asked then.

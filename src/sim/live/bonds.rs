@@ -3,6 +3,7 @@
 use super::body::{Body, Link};
 use super::cluster::{Cluster, Common};
 use super::rigid::{Change, goes_with_frame};
+use super::strap::stretch;
 use super::{FRAMES, areas, part, tree};
 use crate::sim::bond::Limit;
 use crate::sim::kernels::level::vectorized;
@@ -111,6 +112,8 @@ pub(super) struct Hold<S> {
     jerks: bool,
     /// It takes but a share of the error, or a limited one.
     is_relaxed: bool,
+    /// Which member of the cluster it is of, if the rest lengths of that are stretched where pins are led too far apart.
+    strapped: Option<u32>,
     /// What the inverse masses of its ends are added to, where some end goes with a frame: it feels those in its direction; and the share of the
     /// error.
     framed: Option<[S; 2]>,
@@ -118,7 +121,12 @@ pub(super) struct Hold<S> {
 
 impl<S: Real> Hold<S> {
     /// `None` of a bond that cannot pull.
-    fn new(link: &Link<S>, base: usize, (w, frame_of): (&[S], &[[u32; 2]]), h: S) -> Option<Self> {
+    fn new(
+        link: &Link<S>,
+        (base, strapped): (usize, Option<u32>),
+        (w, frame_of): (&[S], &[[u32; 2]]),
+        h: S,
+    ) -> Option<Self> {
         let (a, b) = (base as u32 + link.a, base as u32 + link.b);
         let sum = w[a as usize] + w[b as usize];
         let is_rigid = !link.stiffness.is_finite();
@@ -137,13 +145,14 @@ impl<S: Real> Hold<S> {
             is_rigid,
             jerks: is_rigid && link.limit != Limit::Both,
             is_relaxed: link.share < S::ONE || link.most.is_finite(),
+            strapped: strapped.filter(|_| is_rigid),
             framed: is_framed.then_some([softness, link.share]),
         })
     }
 
     /// It acts both ways and without bounds, as the kernel does.
     fn is_plain(&self) -> bool {
-        self.limit == Limit::Both && !self.most.is_finite() && self.framed.is_none()
+        self.limit == Limit::Both && !self.most.is_finite() && self.framed.is_none() && self.strapped.is_none()
     }
 
     /// It gives hardly at all: what moves its ends again is to be answered in the same substep.
@@ -217,8 +226,8 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
         }
         let springs = common.springs(body).iter().zip(&by_forces[first..]).filter(|(_, is_force)| !**is_force);
         let rigid = common.holds(body)[body.tree as usize..].iter();
-        for hold in
-            springs.map(|(link, _)| link).chain(rigid).filter_map(|link| Hold::new(link, base, (w, frame_of), h))
+        let own = (base, (!body.straps.is_empty()).then_some(k as u32));
+        for hold in springs.map(|(link, _)| link).chain(rigid).filter_map(|link| Hold::new(link, own, (w, frame_of), h))
         {
             if !hold.is_plain() {
                 holds.push(hold);
@@ -242,7 +251,7 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
 /// One sweep over the bonds that are held, and over springs too stiff to be forces, each along its present direction.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     for (body, base) in state.members(common).filter(|(body, _)| body.tree > 0) {
-        tree::solve(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
+        tree::solve(state, &common.holds(body)[..body.tree as usize], (body, base));
     }
     state.does_turn = state.is_all_rigid && turns(state);
     let firm = std::mem::take(&mut state.firm);
@@ -253,9 +262,18 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         state.relax(|state| sweep(state, &slow));
     }
     state.slow = slow;
+    let stretches = stretches(state, common);
     let holds = std::mem::take(&mut state.holds);
-    project(state, &holds);
+    project(state, &holds, &stretches);
     state.holds = holds;
+}
+
+/// What the rest lengths of the rigid bonds of each member are to be multiplied by `[1]`; empty, where no pins are led.
+fn stretches<S: Real>(state: &Cluster<S>, common: &Common<S>) -> Vec<S> {
+    if !state.holds.iter().any(|hold| hold.strapped.is_some()) {
+        return Vec::new();
+    }
+    state.members(common).map(|(body, base)| stretch(&body.straps, &state.now[base..])).collect()
 }
 
 /// Whether points of a body go so far against each other in this substep that bonds may turn.
@@ -310,8 +328,9 @@ fn sweep<S: Real>(state: &mut Cluster<S>, links: &Links<S>) {
     state.counts.work += 30 * links.len() as u64;
 }
 
-/// Bonds that no kernel takes: each in turn as a compliant constraint whose multiplier starts at 0.
-fn project<S: Real>(state: &mut Cluster<S>, holds: &[Hold<S>]) {
+/// Bonds that no kernel takes: each in turn as a compliant constraint whose multiplier starts at 0, its rest length stretched as its member
+/// asks.
+fn project<S: Real>(state: &mut Cluster<S>, holds: &[Hold<S>], stretches: &[S]) {
     state.counts.bonds += holds.len() as u64;
     state.counts.work += 30 * holds.len() as u64;
     for hold in holds {
@@ -319,16 +338,17 @@ fn project<S: Real>(state: &mut Cluster<S>, holds: &[Hold<S>]) {
         let (a, b) = (hold.a as usize, hold.b as usize);
         let d = sub(now[a], now[b]);
         let length = dot(d, d).sqrt();
+        let rest = hold.strapped.map_or(hold.rest, |member| hold.rest * stretches[member as usize]);
         let is_slack = match hold.limit {
             Limit::Both => false,
-            Limit::Max => length <= hold.rest,
-            Limit::Min => length >= hold.rest,
+            Limit::Max => length <= rest,
+            Limit::Min => length >= rest,
         };
         if length == S::ZERO || is_slack {
             continue;
         }
         let along = scale(d, S::ONE / length);
-        let mut error = length - hold.rest;
+        let mut error = length - rest;
         if hold.drag != S::ZERO {
             error += hold.drag * dot(sub(way[a], way[b]), along);
         }

@@ -9,6 +9,7 @@ use super::gather::SUBSTEPS;
 use super::rig::Rig;
 use super::rigid::{Held, Shape};
 use super::skins::Skin;
+use super::strap::straps;
 use super::{Draft, FRAMES, bonds, tree};
 use crate::sim::bond::{Bond, BondKind, Limit};
 use crate::sim::colour::by_colour;
@@ -154,6 +155,7 @@ impl<S: Real> Bodies<S> {
         let (tree, others) = own.forest(|bond| bond.is_held() || is_stiff(bond, w), |i| w(i) == S::ZERO);
         let (tree, others) =
             if tree.is_empty() { own.forest(Bond::is_held, |i| w(i) == S::ZERO) } else { (tree, others) };
+        let straps = straps(&own.bonds, (&own.points, local), &draft.led, |i| w(i) == S::ZERO);
         let link = |bond: &Bond| link(bond, local);
         self.holds.extend(tree.iter().map(link));
         let (springs, holds): (Vec<&Bond>, Vec<&Bond>) = others.iter().partition(|bond| is_spring(bond));
@@ -202,6 +204,7 @@ impl<S: Real> Bodies<S> {
             edge_length,
             radius,
             least_substeps: bounds.substeps([bonds::MOST_BY_FORCES, 1.0], SUBSTEPS[3]),
+            straps,
             rigid: rigid.map(Arc::new),
             rig: rig.map(Arc::new),
         });

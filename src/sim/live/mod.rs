@@ -40,6 +40,7 @@ mod scout;
 mod shape;
 mod skins;
 mod space;
+mod strap;
 mod substep;
 mod tangle;
 mod tree;

@@ -5,8 +5,9 @@
 //! a child asks of its parent's motion x that n . x = t with compliance s, where s = n . W_c n and t = length - rest + n . d_c; so
 //! W <- W - (W n)(W n)^T/(s + n . W n), d <- d + W n (t - n . d)/(s + n . W n). Back from the root x_c = d_c - W_c n (t - n . x)/s.
 
-use super::body::Link;
+use super::body::{Body, Link};
 use super::cluster::{Cluster, Common};
+use super::strap::stretch;
 use crate::sim::bond::Bond;
 use crate::sim::kernels::links::Turned;
 use crate::sim::real::Real;
@@ -96,8 +97,8 @@ impl<S: Real> Loose<S> {
 }
 
 /// Solves the forest of a body before contacts are.
-pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (base, count): (usize, usize)) {
-    (0..ROUNDS).for_each(|_| round(state, links, (base, count)));
+pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], body: (&Body<S>, usize)) {
+    (0..ROUNDS).for_each(|_| round(state, links, body));
 }
 
 /// Passes over areas and contacts, more where something near has trees, whose bonds each of them pulls at; and how far a pass may push
@@ -123,13 +124,14 @@ pub(super) fn straighten<S: Real>(state: &mut Cluster<S>, common: &Common<S>, is
     if state.is_pressed() {
         let is_due = |tree: u32| tree > 0 && (is_last || tree <= MOST_LIVE_TREE);
         for (body, base) in state.members(common).filter(|(body, _)| is_due(body.tree)) {
-            round(state, &common.holds(body)[..body.tree as usize], (base, body.points.len()));
+            round(state, &common.holds(body)[..body.tree as usize], (body, base));
         }
     }
 }
 
-/// One round over a forest of a body of so many points.
-pub(super) fn round<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (base, count): (usize, usize)) {
+/// One round over a forest of a body whose points begin at `base`.
+fn round<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (body, base): (&Body<S>, usize)) {
+    let (count, stretched) = (body.points.len(), stretch(&body.straps, &state.now[base..]));
     let own = |w: S| Loose { w: [w, S::ZERO, w], d: zero() };
     let mut loose: Vec<Loose<S>> = state.w[base..base + count].iter().map(|&w| own(w)).collect();
     let mut steps = vec![Step { normal: zero(), target: S::ZERO, give: S::ZERO }; links.len()];
@@ -140,7 +142,7 @@ pub(super) fn round<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (base, c
         let n = if length > S::ZERO { scale(r, S::ONE / length) } else { [S::ONE, S::ZERO] };
         let child = loose[b];
         let give = dot(n, child.by(n));
-        let target = length - link.rest + dot(n, child.d);
+        let target = length - link.rest * stretched + dot(n, child.d);
         let parent = &mut loose[a];
         let turned = parent.by(n);
         let sum = give + dot(n, turned);

@@ -1,11 +1,12 @@
 //! Bodies in space: each one's points, bonds and skin, one after the other.
 
 use crate::sim::bond::Bond;
-use crate::sim::contact::skin::{Contact, RADIUS};
+use crate::sim::contact::skin::RADIUS;
 use crate::sim::live::Draft;
 use crate::sim::live::body::{Link, Span};
 use crate::sim::live::build::{Bounds, in_turn, is_spring, link, path_of};
 use crate::sim::live::gather::SUBSTEPS;
+use crate::sim::live::strap::{Strap, straps};
 use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, length, sub};
@@ -31,6 +32,8 @@ pub(super) struct Body<S> {
     /// Distance that its skin keeps from others, and from itself `[m]`.
     pub(super) radius: S,
     pub(super) own_distance: S,
+    /// Pins of it that its rigid bonds keep near each other, where some are led.
+    pub(super) straps: Vec<Strap<S>>,
     /// Bounds on the square of the fastest oscillation of its springs `[1/s^2]` and on the fastest decay by their dampers `[1/s]`.
     pub(super) swing: [S; 2],
     /// Fewest substeps in a frame that it bears.
@@ -83,11 +86,14 @@ impl<S: Real> Bodies<S> {
                 own[a as usize].triangles.push(*corners);
             }
         }
-        own.into_iter().for_each(|own| bodies.push(own, &local, points, draft.contact.as_ref()));
+        own.into_iter().for_each(|own| bodies.push(own, &local, points, draft));
         bodies
     }
 
-    fn push(&mut self, own: Own, local: &[u32], points: &Points<S, 3>, contact: Option<&Contact>) {
+    fn push(&mut self, own: Own, local: &[u32], points: &Points<S, 3>, draft: &Draft<S>) {
+        let contact = draft.contact.as_ref();
+        let is_pinned = |i: u32| points.inverse_mass[i as usize] == S::ZERO;
+        let straps = straps(&own.bonds, (&own.points, local), &draft.led, is_pinned);
         let starts = self.ends();
         let (path, others): (Vec<Bond>, Vec<Bond>) = match path_of(&own.bonds) {
             Some(path) => (path, own.bonds.iter().copied().filter(|bond| !bond.is_held()).collect()),
@@ -131,6 +137,7 @@ impl<S: Real> Bodies<S> {
             edge_length,
             radius,
             own_distance: (radius + radius).min(most),
+            straps,
             swing: bounds.most().map(S::from_f64),
             least_substeps: bounds.substeps([1.0, 1.0], SUBSTEPS[1])[1],
         });

@@ -6,6 +6,7 @@ use super::path;
 use crate::sim::bond::Limit;
 use crate::sim::live::body::Link;
 use crate::sim::live::bonds::bears;
+use crate::sim::live::strap::stretch;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
@@ -65,11 +66,13 @@ pub(super) struct Hold<S> {
     most: S,
     limit: Limit,
     is_rigid: bool,
+    /// Which member of the cluster it is of, if the rest lengths of that are stretched where pins are led too far apart.
+    strapped: Option<u32>,
 }
 
 impl<S: Real> Hold<S> {
     /// `None` of a bond that cannot pull.
-    fn new(link: &Link<S>, base: usize, w: &[S], h: S) -> Option<Self> {
+    fn new(link: &Link<S>, (base, strapped): (usize, Option<u32>), w: &[S], h: S) -> Option<Self> {
         let (a, b) = (base as u32 + link.a, base as u32 + link.b);
         let sum = w[a as usize] + w[b as usize];
         let is_rigid = !link.stiffness.is_finite();
@@ -77,7 +80,17 @@ impl<S: Real> Hold<S> {
         let drag = if is_rigid { S::ZERO } else { link.damping / (link.stiffness * h) };
         let inverse = link.share / ((S::ONE + drag) * sum + softness);
         let Link { rest, most, limit, .. } = *link;
-        (sum > S::ZERO && link.stiffness > S::ZERO).then_some(Hold { a, b, rest, inverse, drag, most, limit, is_rigid })
+        (sum > S::ZERO && link.stiffness > S::ZERO).then_some(Hold {
+            a,
+            b,
+            rest,
+            inverse,
+            drag,
+            most,
+            limit,
+            is_rigid,
+            strapped: strapped.filter(|_| is_rigid),
+        })
     }
 }
 
@@ -89,7 +102,8 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
         let springs = common.bodies.springs(body).iter().filter(|_| !are_forces(body, state.touched[k], h));
         let links = common.bodies.holds(body);
         let rigid = &links[if body.is_path { path::length(links) } else { 0 }..];
-        holds.extend(springs.chain(rigid).filter_map(|link| Hold::new(link, base, &state.w, h)));
+        let own = (base, (!body.straps.is_empty()).then_some(k as u32));
+        holds.extend(springs.chain(rigid).filter_map(|link| Hold::new(link, own, &state.w, h)));
     }
     state.holds = holds;
 }
@@ -97,27 +111,37 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
 /// One sweep over the bonds that are held, and over springs too stiff to be forces, each along its present direction.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     for (body, base) in state.members(common).filter(|(body, _)| body.is_path) {
-        path::solve(state, common.bodies.holds(body), base);
+        path::solve(state, common.bodies.holds(body), (base, stretch(&body.straps, &state.now[base..])));
     }
     let holds = std::mem::take(&mut state.holds);
-    holds.iter().for_each(|hold| hold.project(state));
+    let stretches: Vec<S> = match holds.iter().any(|hold| hold.strapped.is_some()) {
+        true => state.members(common).map(|(body, base)| stretch(&body.straps, &state.now[base..])).collect(),
+        false => Vec::new(),
+    };
+    // Where something presses, one sweep leaves errors that velocities must not follow.
+    let does_turn = !state.has_pressed && !state.touched.contains(&true);
+    for hold in &holds {
+        let rest = hold.strapped.map_or(hold.rest, |member| hold.rest * stretches[member as usize]);
+        hold.project(state, rest, does_turn);
+    }
     state.counts.bonds += holds.len() as u64;
     state.counts.work += 30 * holds.len() as u64;
     state.holds = holds;
 }
 
 impl<S: Real> Hold<S> {
-    /// A compliant constraint whose multiplier starts at 0.
+    /// A compliant constraint whose multiplier starts at 0, of this rest length `[m]`, and whether what it turns is
+    /// noted.
     #[inline(always)]
-    fn project(&self, state: &mut Cluster<S>) {
+    fn project(&self, state: &mut Cluster<S>, rest: S, does_turn: bool) {
         let (a, b) = (self.a as usize, self.b as usize);
         let d = sub(state.now[a], state.now[b]);
         let length = dot(d, d).sqrt();
-        if length == S::ZERO || is_slack(self.limit, length, self.rest) {
+        if length == S::ZERO || is_slack(self.limit, length, rest) {
             return;
         }
         let along = scale(d, S::ONE / length);
-        let mut error = length - self.rest;
+        let mut error = length - rest;
         if self.drag != S::ZERO {
             error += self.drag * dot(sub(state.way[a], state.way[b]), along);
         }
@@ -126,7 +150,7 @@ impl<S: Real> Hold<S> {
             error = error.max(-most).min(most);
         }
         let shift = scale(along, error * self.inverse);
-        if self.is_rigid {
+        if self.is_rigid && does_turn {
             state.turn([a, b], shift);
         }
         state.shift(a, scale(shift, -state.w[a]));

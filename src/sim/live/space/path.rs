@@ -16,8 +16,8 @@ pub(super) fn length<S: Real>(links: &[Link<S>]) -> usize {
     1 + links.windows(2).take_while(is_next).count()
 }
 
-/// Solves the path at the front of `links`.
-pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], base: usize) {
+/// Solves the path at the front of `links`, rest lengths times `stretched` `[1]`.
+pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (base, stretched): (usize, S)) {
     let count = length(links);
     let links = &links[..count];
     let mut normal = vec![[S::ZERO; 3]; count];
@@ -35,7 +35,7 @@ pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], base: us
             // The row: w_a (n_k . l_k - n_(k-1) . l_(k-1)) ... = length - rest, neighbours with -w n_k . n_(k-1).
             let side = if k > 0 { -w_a * dot(normal[k], normal[k - 1]) } else { S::ZERO };
             let own = w_a + w_b - side * last;
-            let error = length - link.rest - if k > 0 { side * value[k - 1] } else { S::ZERO };
+            let error = length - link.rest * stretched - if k > 0 { side * value[k - 1] } else { S::ZERO };
             let next = match links.get(k + 1) {
                 Some(link) => {
                     let (a, b) = (base + link.a as usize, base + link.b as usize);

@@ -21,6 +21,7 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
     if state.chosen.is_empty() {
         return;
     }
+    let before = state.counts.truncations;
     let pairs = std::mem::take(&mut state.pairs);
     let chosen: Vec<&Pair<S>> = state.chosen.iter().map(|&number| &pairs[number as usize]).collect();
     let close: Vec<&Pair<S>> = chosen.iter().copied().filter(|pair| closes(pair, state)).collect();
@@ -33,10 +34,9 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
             break;
         }
     }
-    if !close.is_empty() {
-        halve(&chosen, state);
-    }
-    state.counts.work += 20 * chosen.len() as u64 + 400 * close.len() as u64;
+    let looks = 1 + if close.is_empty() { 0 } else { halve(&chosen, state) };
+    let cuts = state.counts.truncations - before;
+    state.counts.work += 20 * looks * chosen.len() as u64 + 400 * close.len() as u64 + 2_000 * cuts;
     state.pairs = pairs;
 }
 
@@ -87,13 +87,13 @@ fn divide<S: Real>(pair: &Pair<S>, state: &mut Cluster<S>) -> bool {
     true
 }
 
-/// What would still pass goes with all others, more and more.
-fn halve<S: Real>(pairs: &[&Pair<S>], state: &mut Cluster<S>) {
+/// What would still pass goes with all others, more and more. Returns how often it looked at all pairs.
+fn halve<S: Real>(pairs: &[&Pair<S>], state: &mut Cluster<S>) -> u64 {
     for round in 0..=HALVINGS {
         let passing: Vec<&Pair<S>> =
             pairs.iter().copied().filter(|pair| closes(pair, state) && is_passed(pair, state)).collect();
         if passing.is_empty() {
-            return;
+            return u64::from(round) + 1;
         }
         let mut points: Vec<u32> = passing.iter().flat_map(|pair| pair.points).collect();
         points.sort_unstable();
@@ -111,6 +111,7 @@ fn halve<S: Real>(pairs: &[&Pair<S>], state: &mut Cluster<S>) {
         }
         state.counts.truncations += passing.len() as u64;
     }
+    u64::from(HALVINGS) + 1
 }
 
 /// The way that these points go together `[m]`.

@@ -1,0 +1,49 @@
+//! Rigid bonds between pins that are led further apart than these bonds reach: all of the body are stretched alike, by as much as that takes.
+//!
+//! No motion keeps lengths that the pins contradict. Asked for one by one they throw what hangs between the pins about, for a straight
+//! row can only give way across. With one stretch for all they agree, and what is taut is straight.
+
+use crate::sim::bond::{Bond, PointId};
+use crate::sim::bonds::Bonds;
+use crate::sim::reach::{Reach, reaches};
+use crate::sim::real::Real;
+use crate::sim::vector::{length, sub};
+
+/// Two pins of a body, of which one at least is led, and how far apart its rigid bonds let them be `[m]`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Strap<S> {
+    ends: [u32; 2],
+    most: S,
+}
+
+/// The straps of a body of these bonds and points: the first are numbered as in the group, `local` says which number they have in it.
+pub(super) fn straps<S: Real>(
+    bonds: &[Bond],
+    (points, local): (&[u32], &[u32]),
+    led: &[u32],
+    is_pinned: impl Fn(u32) -> bool,
+) -> Vec<Strap<S>> {
+    let is_led = |point: &&u32| led.binary_search(point).is_ok();
+    let mut from: Vec<PointId> = points.iter().filter(is_led).map(|&point| PointId(point)).collect();
+    if from.is_empty() || bonds.is_empty() {
+        return Vec::new();
+    }
+    let mut held: Vec<PointId> = points.iter().filter(|&&point| is_pinned(point)).map(|&point| PointId(point)).collect();
+    from.sort_unstable();
+    held.sort_unstable();
+    let bonds: Bonds = bonds.iter().copied().collect();
+    let strap = |reach: Reach| {
+        let [a, b] = reach.pins.map(|pin| local[pin.index()]);
+        Strap { ends: [a, b], most: S::from_f64(reach.most) }
+    };
+    reaches(&bonds, &from, &held).into_iter().map(strap).filter(|strap| strap.most > S::ZERO).collect()
+}
+
+/// What the rest lengths of a body whose points are at `now` `[m]` are to be multiplied by `[1]`: 1, where its pins are near enough.
+#[inline]
+pub(super) fn stretch<S: Real, const D: usize>(straps: &[Strap<S>], now: &[[S; D]]) -> S {
+    straps.iter().fold(S::ONE, |most, strap| {
+        let [a, b] = strap.ends.map(|end| now[end as usize]);
+        most.max(length(sub(a, b)) / strap.most)
+    })
+}
