@@ -6,6 +6,7 @@ mod books;
 mod flight;
 mod heap;
 mod kinds;
+mod relaxed;
 mod rest;
 mod rigid;
 mod rigs;

@@ -6,6 +6,7 @@ use super::rig::Rig;
 use super::rigid::Shape;
 use super::strap::Strap;
 use crate::sim::bond::Limit;
+use crate::sim::real::Real;
 
 /// Where the things of one body lie in the lists of all.
 #[derive(Clone, Debug, Default)]
@@ -62,10 +63,37 @@ pub(super) struct Link<S> {
     pub(super) stiffness: S,
     /// `[N s/m]`
     pub(super) damping: S,
-    /// Share of an error that a sweep takes away `[1]`, and the most of it, as relaxed bonds have it.
-    pub(super) share: S,
-    pub(super) most: S,
+    /// What takes errors away where that is a relaxation; `None` of all others.
+    pub(super) relaxed: Option<Relaxed<S>>,
     pub(super) limit: Limit,
+}
+
+/// A relaxed bond in substeps of any length: it gives way by as much as by the sweeps of its own method.
+///
+/// Source: of an error D the substep h that these sweeps are made for leaves q D, which is a spring of stiffness K = (1 - q)/(q h^2 (w_a + w_b)):
+/// `docs/sources.md`, "What a relaxation amounts to".
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Relaxed<S> {
+    /// (1 - q)/(q h^2) `[1/s^2]`; infinite, where nothing is left.
+    pace: S,
+    /// Most that the sweeps of a second take of a length `[1/s]`.
+    most: S,
+}
+
+impl<S: Real> Relaxed<S> {
+    /// Of a share of the error that each of `sweeps` in `h` `[s]` takes, and most of the length.
+    pub(super) fn new((share, most): (f64, f64), (h, sweeps): (f64, u32)) -> Self {
+        let left = (1.0 - share).powi(sweeps as i32);
+        let pace = if left > 0.0 { (1.0 - left) / (left * h * h) } else { f64::INFINITY };
+        Relaxed { pace: S::from_f64(pace), most: S::from_f64(most * f64::from(sweeps) / h) }
+    }
+
+    /// The share of an error that one sweep in `h` `[s]` takes, and the most of the length, both `[1]`.
+    pub(super) fn within(&self, h: S) -> [S; 2] {
+        let eager = self.pace * h * h;
+        let share = if eager.is_finite() { eager / (S::ONE + eager) } else { S::ONE };
+        [share, self.most * h]
+    }
 }
 
 /// A triangle that must not turn inside out.

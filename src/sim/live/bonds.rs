@@ -132,7 +132,8 @@ impl<S: Real> Hold<S> {
         let is_rigid = !link.stiffness.is_finite();
         let softness = if is_rigid { S::ZERO } else { S::ONE / (link.stiffness * h * h) };
         let drag = if is_rigid { S::ZERO } else { link.damping / (link.stiffness * h) };
-        let inverse = link.share / ((S::ONE + drag) * sum + softness);
+        let [share, most] = link.relaxed.map_or([S::ONE, S::INFINITY], |relaxed| relaxed.within(h));
+        let inverse = share / ((S::ONE + drag) * sum + softness);
         let is_framed = [a, b].iter().any(|&i| goes_with_frame(frame_of, i as usize));
         (sum > S::ZERO && link.stiffness > S::ZERO).then_some(Hold {
             a,
@@ -140,13 +141,13 @@ impl<S: Real> Hold<S> {
             rest: link.rest,
             inverse,
             drag,
-            most: link.most,
+            most,
             limit: link.limit,
             is_rigid,
             jerks: is_rigid && link.limit != Limit::Both,
-            is_relaxed: link.share < S::ONE || link.most.is_finite(),
+            is_relaxed: share < S::ONE || most.is_finite(),
             strapped: strapped.filter(|_| is_rigid),
-            framed: is_framed.then_some([softness, link.share]),
+            framed: is_framed.then_some([softness, share]),
         })
     }
 
@@ -299,7 +300,7 @@ pub(super) fn stiffen<S: Real>(state: &mut Cluster<S>, common: &Common<S>) -> u6
     for (body, base) in state.members(common) {
         let rigid = &common.holds(body)[body.tree as usize..];
         for link in
-            rigid.iter().filter(|link| !link.stiffness.is_finite() && link.limit == Limit::Both && link.share == S::ONE)
+            rigid.iter().filter(|link| !link.stiffness.is_finite() && link.limit == Limit::Both && link.relaxed.is_none())
         {
             let (a, b) = (base + link.a as usize, base + link.b as usize);
             let d = sub(state.now[a], state.now[b]);

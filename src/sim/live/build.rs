@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::body::{Area, Body, Edge, Link, Span};
+use super::body::{Area, Body, Edge, Link, Relaxed, Span};
 use super::cluster::{Cluster, Side};
 use super::drives::{Muscle, Turn};
 use super::gather::SUBSTEPS;
@@ -156,7 +156,7 @@ impl<S: Real> Bodies<S> {
         let (tree, others) =
             if tree.is_empty() { own.forest(Bond::is_held, |i| w(i) == S::ZERO) } else { (tree, others) };
         let straps = straps(&own.bonds, (&own.points, local), &draft.led, |i| w(i) == S::ZERO);
-        let link = |bond: &Bond| link(bond, local);
+        let link = |bond: &Bond| link(bond, local, draft.sweeps);
         self.holds.extend(tree.iter().map(link));
         let (springs, holds): (Vec<&Bond>, Vec<&Bond>) = others.iter().partition(|bond| is_spring(bond));
         let [springs, holds] = [springs, holds].map(|list| in_turn(list, local, own.points.len()));
@@ -347,11 +347,14 @@ fn is_plain(bond: &Bond) -> bool {
     bond.limit == Limit::Both && bond.rest_length > 0.0 && !bond.break_strain.is_finite()
 }
 
-pub(super) fn link<S: Real>(bond: &Bond, local: &[u32]) -> Link<S> {
-    let (stiffness, damping, share, most) = match bond.kind {
-        BondKind::Rigid => (f64::INFINITY, 0.0, 1.0, f64::INFINITY),
-        BondKind::Spring { stiffness, damping } => (stiffness, damping, 1.0, f64::INFINITY),
-        BondKind::Relaxed { relaxation, max_correction } => (f64::INFINITY, 0.0, relaxation, max_correction),
+/// A bond as the live step has it; `sweeps`: see [`Draft`].
+pub(super) fn link<S: Real>(bond: &Bond, local: &[u32], sweeps: (f64, u32)) -> Link<S> {
+    let (stiffness, damping, relaxed) = match bond.kind {
+        BondKind::Rigid => (f64::INFINITY, 0.0, None),
+        BondKind::Spring { stiffness, damping } => (stiffness, damping, None),
+        BondKind::Relaxed { relaxation, max_correction } => {
+            (f64::INFINITY, 0.0, Some(Relaxed::new((relaxation, max_correction), sweeps)))
+        }
     };
     Link {
         a: local[bond.a.index()],
@@ -359,8 +362,7 @@ pub(super) fn link<S: Real>(bond: &Bond, local: &[u32]) -> Link<S> {
         rest: S::from_f64(bond.rest_length),
         stiffness: S::from_f64(stiffness),
         damping: S::from_f64(damping),
-        share: S::from_f64(share),
-        most: S::from_f64(most),
+        relaxed,
         limit: bond.limit,
     }
 }

@@ -26,8 +26,8 @@ const LEAST_SHARE: f64 = 0.25;
 
 /// Edges that all points look at together, each at so many at least, and pairs that they make, each so many at least: where a crowd lies in
 /// one place every point meets those that are nearest, of as many as it can be expected to look at.
-const MOST_LOOKS: [usize; 2] = [4_000_000, 256];
-const MOST_PAIRS: [usize; 2] = [1_000_000, 16];
+const MOST_LOOKS: [usize; 2] = [500_000, 64];
+const MOST_PAIRS: [usize; 2] = [100_000, 16];
 
 /// Share of the radius of its skin that an edge keeps from corners of obstacles: one that lies right on a corner is slid over it.
 const CLEAR: f64 = 0.2;

@@ -107,6 +107,8 @@ pub(crate) struct Draft<S> {
     pub(crate) sleeps: bool,
     /// What skins are made of, one entry a point; empty where no body has its own.
     pub(crate) skins: Vec<SkinMaterial>,
+    /// The substep in which relaxed bonds are swept by their own method `[s]`, and how often.
+    pub(crate) sweeps: (f64, u32),
     /// Pins that are led, ascending.
     pub(crate) led: Vec<u32>,
 }

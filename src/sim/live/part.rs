@@ -174,9 +174,10 @@ pub(super) fn suspend<S: Real>(state: &Cluster<S>, pairs: &mut Vec<Pair<S>>) {
         let [a, b] = [pair.p, pair.a].map(|i| body_of[i as usize]);
         let bodies = [a.min(b), a.max(b)];
         if a == b {
-            !tangle.knots.iter().any(|knot| knot.body == a && knot.is_mended())
+            !tangle.knots.binary_search_by_key(&a, |knot| knot.body).is_ok_and(|k| tangle.knots[k].is_mended())
         } else {
-            !tangle.couples.iter().any(|couple| couple.bodies == bodies && couple.is_parted())
+            let place = tangle.couples.binary_search_by_key(&bodies, |couple| couple.bodies);
+            !place.is_ok_and(|k| tangle.couples[k].is_parted())
         }
     });
 }

@@ -205,6 +205,11 @@ fn is_smooth(island: &Island, setting: Setting) -> bool {
     !is_pushed && !island.has_limits && !island.has_drives && !island.holds_areas
 }
 
+/// How relaxed bonds are swept where nothing is fast: in substeps of so long `[s]`, and so often in each.
+pub(crate) fn sweeps(method: &Method) -> (f64, u32) {
+    (method.substep.unwrap_or(LONGEST), method.iterations.unwrap_or(1))
+}
+
 /// The substep of order 8 whose errors are checked: a whole part of 1/60 s that resolves the fastest spring.
 fn fine_substep(island: &Island) -> f64 {
     let rate = island.frequency.max(0.5 * island.decay);

@@ -1,5 +1,6 @@
 //! A group of bodies that may meet.
 
+use super::choice;
 use super::make::{Maker, breakable};
 use crate::sim::bond::PointId;
 use crate::sim::contact::skin::{Contact, SkinMaterial};
@@ -29,6 +30,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             settles: self.model.method.settles,
             sleeps: self.model.method.sleeps,
             skins: self.skins(),
+            sweeps: choice::sweeps(&self.model.method),
             led: self.led(),
         }
     }

@@ -99,11 +99,11 @@ impl<S: Real> Bodies<S> {
             Some(path) => (path, own.bonds.iter().copied().filter(|bond| !bond.is_held()).collect()),
             None => (Vec::new(), own.bonds.clone()),
         };
-        self.holds.extend(path.iter().map(|bond| link(bond, local)));
+        self.holds.extend(path.iter().map(|bond| link(bond, local, draft.sweeps)));
         let (springs, holds): (Vec<&Bond>, Vec<&Bond>) = others.iter().partition(|bond| is_spring(bond));
         let [springs, holds] = [springs, holds].map(|list| in_turn(list, local, own.points.len()));
-        self.springs.extend(springs.iter().map(|bond| link(bond, local)));
-        self.holds.extend(holds.iter().map(|bond| link(bond, local)));
+        self.springs.extend(springs.iter().map(|bond| link(bond, local, draft.sweeps)));
+        self.holds.extend(holds.iter().map(|bond| link(bond, local, draft.sweeps)));
         let edges = edges(&own);
         let mut corners: Vec<u32> = edges.iter().flatten().copied().collect();
         if corners.is_empty() {

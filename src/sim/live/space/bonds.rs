@@ -78,8 +78,9 @@ impl<S: Real> Hold<S> {
         let is_rigid = !link.stiffness.is_finite();
         let softness = if is_rigid { S::ZERO } else { S::ONE / (link.stiffness * h * h) };
         let drag = if is_rigid { S::ZERO } else { link.damping / (link.stiffness * h) };
-        let inverse = link.share / ((S::ONE + drag) * sum + softness);
-        let Link { rest, most, limit, .. } = *link;
+        let [share, most] = link.relaxed.map_or([S::ONE, S::INFINITY], |relaxed| relaxed.within(h));
+        let inverse = share / ((S::ONE + drag) * sum + softness);
+        let Link { rest, limit, .. } = *link;
         (sum > S::ZERO && link.stiffness > S::ZERO).then_some(Hold {
             a,
             b,

@@ -12,7 +12,7 @@ const ROUNDS: u32 = 2;
 /// How many bonds at the front of `links` make a path: each begins where the one before ends.
 pub(super) fn length<S: Real>(links: &[Link<S>]) -> usize {
     let is_next =
-        |pair: &&[Link<S>]| pair[0].b == pair[1].a && pair[1].stiffness == S::INFINITY && pair[1].share == S::ONE;
+        |pair: &&[Link<S>]| pair[0].b == pair[1].a && pair[1].stiffness == S::INFINITY && pair[1].relaxed.is_none();
     1 + links.windows(2).take_while(is_next).count()
 }
 
