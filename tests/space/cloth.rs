@@ -151,6 +151,25 @@ fn a_cloth_that_folds_on_the_floor_does_not_pass_itself() {
 }
 
 #[test]
+fn a_plate_of_rigid_bonds_that_falls_on_a_box_stays_whole_and_gains_nothing() {
+    let mut plate = cloth(12, 1.32, [-0.04, 1.2, -0.04]);
+    plate["material"] = json!({"kind": "rigid", "mass": 144});
+    plate["diagonals"] = json!("both");
+    let obstacles = json!([{"plane": {"point": [0, -1, 0], "normal": [0, 1, 0]}},
+        {"box": {"min": [-0.3, -1, -0.3], "max": [0.3, -0.3, 0.3]}}]);
+    let mut world = world(&scene(json!([plate]), obstacles));
+    let energy = |sample: &Sample| sample.energy;
+    let start = energy(&world.sample(0.0));
+    while world.time() < 1.5 {
+        world.step();
+        let sample = world.sample(world.time());
+        assert!(sample.max_strain < 0.3, "strain {} at {} s", sample.max_strain, sample.time);
+        assert!(energy(&sample) < start + 1e-3 * start.abs(), "{} J of {start} at {} s", energy(&sample), sample.time);
+    }
+    assert!(world.counters().contacts > 0);
+}
+
+#[test]
 fn two_cloths_that_fall_on_each_other_stay_apart() {
     let floor = json!([{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}, "friction": 0.4}]);
     let lower = cloth(9, 0.6, [0.0, 0.1, 0.0]);
