@@ -388,3 +388,30 @@ fn areas_of_what_is_rigid_change_nothing() {
         assert!(ledger.left_over().abs() < 1e-6 * ledger.start, "{ledger:?}");
     }
 }
+
+#[test]
+fn a_body_of_rigid_bonds_is_one_body_by_any_method_that_moves_states() {
+    let scene = |solver: &str| {
+        json!({"wobble": 1, "gravity": [0, -9.81], "method": {"solver": solver},
+            "bodies": [{"make": "disc", "radius": 1, "spacing": 0.05, "velocity": [2, 5], "spin": 3}]})
+    };
+    let states =
+        ["velocity-verlet", "pefrl", "blanes-moan-4", "blanes-moan-6", "rk2", "rk4", "rk8", "implicit-midpoint"];
+    let moved = |solver: &str| {
+        let mut world = world(&scene(solver));
+        let start = world.sample(0.0).position[0];
+        (0..60).for_each(|_| world.step());
+        let method = world.moved_by()[0].method;
+        (method, start, world.sample(1.0).position[0], world.counters().bonds_solved)
+    };
+    for solver in states {
+        let (method, start, end, solved) = moved(solver);
+        assert_eq!((method, solved), (Solver::Rigid, 0), "{solver}");
+        // Its middle flies as a point does, and it turns by 3 rad.
+        let (sin, cos) = 3.0_f64.sin_cos();
+        let at = [2.0 + cos * start[0] - sin * start[1], 5.0 - 0.5 * 9.81 + sin * start[0] + cos * start[1]];
+        let off = (end[0] - at[0]).hypot(end[1] - at[1]);
+        assert!(off < 1e-9, "{solver}: {off} m");
+    }
+    assert_eq!(moved("xpbd").0, Solver::Xpbd);
+}

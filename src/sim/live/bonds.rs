@@ -299,8 +299,9 @@ pub(super) fn stiffen<S: Real>(state: &mut Cluster<S>, common: &Common<S>) -> u6
     let mut count = 0;
     for (body, base) in state.members(common) {
         let rigid = &common.holds(body)[body.tree as usize..];
-        for link in
-            rigid.iter().filter(|link| !link.stiffness.is_finite() && link.limit == Limit::Both && link.relaxed.is_none())
+        for link in rigid
+            .iter()
+            .filter(|link| !link.stiffness.is_finite() && link.limit == Limit::Both && link.relaxed.is_none())
         {
             let (a, b) = (base + link.a as usize, base + link.b as usize);
             let d = sub(state.now[a], state.now[b]);

@@ -28,7 +28,8 @@ pub(super) fn straps<S: Real>(
     if from.is_empty() || bonds.is_empty() {
         return Vec::new();
     }
-    let mut held: Vec<PointId> = points.iter().filter(|&&point| is_pinned(point)).map(|&point| PointId(point)).collect();
+    let mut held: Vec<PointId> =
+        points.iter().filter(|&&point| is_pinned(point)).map(|&point| PointId(point)).collect();
     from.sort_unstable();
     held.sort_unstable();
     let bonds: Bonds = bonds.iter().copied().collect();

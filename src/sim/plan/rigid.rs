@@ -50,12 +50,21 @@ pub(super) fn mark<S: Real, const D: usize>(
     (model, has_surfaces): (&Model<D>, bool),
     islands: &mut [Island],
 ) {
-    if D != 2 || model.method.solver != Solver::Auto || model.has_penalties() {
+    let solver = model.method.solver;
+    if D != 2 || !(solver == Solver::Auto || moves_bodies(solver)) || model.has_penalties() {
         return;
     }
     for island in islands {
         island.pieces = pieces(gathered, (model, has_surfaces), island);
     }
+}
+
+/// Whether a method that is asked for by its name moves what is one rigid body as such: its flight is exact, so that no order shows. Those
+/// that are there to show what sweeps do move its bonds.
+fn moves_bodies(solver: Solver) -> bool {
+    use Solver::{BackwardEuler, BlanesMoan4, BlanesMoan6, ImplicitMidpoint, Pefrl, Rk2, Rk4, Rk8, VelocityVerlet};
+    let of_states = [VelocityVerlet, Pefrl, BlanesMoan4, BlanesMoan6, Rk2, Rk4, Rk8];
+    of_states.contains(&solver) || [ImplicitMidpoint, BackwardEuler].contains(&solver)
 }
 
 /// The rigid bodies that an island is made of; `None`: it moves bond by bond.
@@ -94,9 +103,9 @@ fn pieces<S: Real, const D: usize>(
     let is_led_any = (0..points.len() as u32).any(is_led);
     let is_braced = island.rigid + 3 >= 2 * island.points.len() && !is_led_any;
     let one = is_braced.then(|| Shape::of(held())).flatten().map(Blueprint::alone);
-    // A step of hours would be gone through part by part.
-    let is_brief = model.method.substep.is_none_or(|h| h <= FRAME);
-    let plan = one.or_else(|| is_brief.then(|| joined(island, (held(), most_alone), is_led)).flatten())?;
+    // A step of hours would be gone through part by part; and what swings in joints shows the order of a method that is asked for.
+    let may_swing = model.method.solver == Solver::Auto && model.method.substep.is_none_or(|h| h <= FRAME);
+    let plan = one.or_else(|| may_swing.then(|| joined(island, (held(), most_alone), is_led)).flatten())?;
     let pieces = Pieces { plan: Arc::new(plan), points };
     let corners = |&k: &u32| gathered.ties.patches[k as usize].corners;
     island.patches.iter().map(corners).all(|corners| pieces.keep(corners)).then_some(pieces)
