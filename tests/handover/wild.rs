@@ -1,8 +1,8 @@
-//! The gallery under a mouse that is somewhere else in every frame: a frame has its bounds, most frames are cheap, and nothing is left
-//! broken or inside out.
+//! The gallery under a mouse that is somewhere else in every frame, and in the second half of the time grabs what it finds and flings it: a
+//! frame has its bounds, most frames are cheap, and nothing is left broken or inside out.
 
 use wobble::scene::gallery;
-use wobble::sim::{Command, Cursor, Dynamics, PointId, frame_of};
+use wobble::sim::{Command, Cursor, Dynamics, PointId, Reach, frame_of};
 
 use super::FRAME;
 use crate::common::asked;
@@ -16,6 +16,8 @@ const KNOWN: [(&str, f64, f64); 1] = [("thousand-rims", 4.5, f64::INFINITY)];
 const TIME: f64 = 2.0;
 /// Counted work of half of the frames [ms].
 const MEDIAN: f64 = 4.0;
+/// In the second half of the time a point is grabbed every so many frames, and held for so many of them.
+const GRABS: [u64; 2] = [15, 12];
 /// A triangle is inside out for less than this [s].
 const INVERTED: f64 = 1.0;
 
@@ -67,6 +69,24 @@ fn areas(world: &dyn Dynamics) -> Vec<f64> {
     world.triangles().iter().map(area).collect()
 }
 
+/// Grabs a point that is not pinned, or lets it go.
+fn fling(world: &mut dyn Dynamics, frame: u64, state: &mut u64) {
+    match frame % GRABS[0] {
+        0 => {
+            let free: Vec<PointId> =
+                (0..world.point_count() as u32).map(PointId).filter(|point| !world.pinned().contains(point)).collect();
+            let chosen = (draw(state) * free.len() as f64) as usize;
+            if let Some(&point) = free.get(chosen) {
+                world.apply(&Command::Grab(Reach::Points(vec![point]))).unwrap();
+            }
+        }
+        k if k == GRABS[1] => {
+            world.apply(&Command::Release).unwrap();
+        }
+        _ => {}
+    }
+}
+
 /// The frames of a run.
 fn run(world: &mut dyn Dynamics) -> Frames {
     let ([low, high], mut state) = (extent(world), 5);
@@ -81,6 +101,9 @@ fn run(world: &mut dyn Dynamics) -> Frames {
             let at = [0, 1].map(|k| low[k] + draw(&mut state) * (high[k] - low[k]));
             let by = world.time() + 1.0 / 60.0;
             world.apply(&Command::Cursor { to: Some(Cursor::at(at)), by }).unwrap();
+            if world.time() > 0.5 * end {
+                fling(world, frame, &mut state);
+            }
         }
         world.step();
         if frame_of(world.time() + world.substep()) != frame_of(world.time()) {
