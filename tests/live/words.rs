@@ -151,3 +151,20 @@ fn cloths_in_the_same_places_are_told() {
     assert_eq!(warnings(0.0), "2 bodies start in the same places: move them apart");
     assert_eq!(warnings(0.1), "");
 }
+
+#[test]
+fn a_scene_far_from_the_origin_says_how_far_its_places_are_rounded() {
+    let words = |precision: &str, far: f64| {
+        let rope = json!({"make": "rope", "count": 3, "spacing": 0.5, "origin": [far, 0], "pinned": [0]});
+        let method = json!({"precision": precision});
+        let scene = json!({"wobble": 1, "gravity": [0, -9.81], "method": method, "bodies": [rope]});
+        world(&scene).warnings().to_vec()
+    };
+    // 24 bits of 100 km are 1.2e-2 m.
+    assert!(
+        words("f32", 1e5)[0].contains("rounded to 1.2e-2 m, 2.38 % of the shortest bond"),
+        "{:?}",
+        words("f32", 1e5)
+    );
+    assert!(words("f32", 10.0).is_empty() && words("f64", 1e5).is_empty());
+}

@@ -20,6 +20,8 @@ use crate::sim::vector::{length, sub};
 
 /// Ways that are shorter than this are not told of `[m]`.
 const LEAST_TOLD: f64 = 5e-4;
+/// Share of the shortest bond to which places may be rounded without a word `[1]`.
+const ROUNDED: f64 = 1e-4;
 
 impl<S: Real, const D: usize> World<S, D> {
     /// Tells of bonds, by their numbers, that were given other lengths.
@@ -114,6 +116,19 @@ impl<S: Real, const D: usize> World<S, D> {
             self.warnings.push(format!(
                 "{who} pinned: the velocity at the start is left out: unpin, or lead by `pin_motion` ({})",
                 named("point", &dropped)
+            ));
+        }
+    }
+
+    /// Tells of places so far from the origin `[m]` that the scalar of the world rounds them by more than bonds bear.
+    pub(super) fn warn_of_rounding(&mut self, position: &[[f64; D]]) {
+        let far = position.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let lengths = self.bonds.iter().map(|bond| bond.rest_length).filter(|rest| *rest > 0.0);
+        let (shortest, rounded) = (lengths.fold(f64::INFINITY, f64::min), far * S::EPSILON.to_f64());
+        if rounded > ROUNDED * shortest {
+            let share = 100.0 * rounded / shortest;
+            self.warnings.push(format!(
+                "so far from the origin places are rounded to {rounded:.1e} m, {share:.2} % of the shortest bond: move the scene nearer"
             ));
         }
     }
