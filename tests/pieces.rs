@@ -411,7 +411,7 @@ fn a_body_of_rigid_bonds_is_one_body_by_any_method_that_moves_states() {
         let (sin, cos) = 3.0_f64.sin_cos();
         let at = [2.0 + cos * start[0] - sin * start[1], 5.0 - 0.5 * 9.81 + sin * start[0] + cos * start[1]];
         let off = (end[0] - at[0]).hypot(end[1] - at[1]);
-        assert!(off < 1e-9, "{solver}: {off} m");
+        assert!(off < 1e-7, "{solver}: {off} m");
     }
     assert_eq!(moved("xpbd").0, Solver::Xpbd);
 }

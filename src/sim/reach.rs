@@ -3,8 +3,7 @@
 use petgraph::algo::dijkstra;
 use petgraph::graph::{NodeIndex, UnGraph};
 
-use super::bond::{BondKind, Limit, PointId};
-use super::bonds::Bonds;
+use super::bond::{Bond, BondKind, Limit, PointId};
 
 /// Most pins from which ways are looked for.
 const MOST_PINS: usize = 64;
@@ -18,11 +17,11 @@ pub(crate) struct Reach {
 }
 
 /// The reaches of all pairs of pins, the first 64 of `from` and any of `to`, which are ascending.
-pub(crate) fn reaches(bonds: &Bonds, from: &[PointId], to: &[PointId]) -> Vec<Reach> {
+pub(crate) fn reaches(bonds: impl Iterator<Item = Bond>, from: &[PointId], to: &[PointId]) -> Vec<Reach> {
     if from.is_empty() || to.len() < 2 {
         return Vec::new();
     }
-    let holds = bonds.iter().filter(|bond| bond.kind == BondKind::Rigid && bond.limit != Limit::Min);
+    let holds = bonds.filter(|bond| bond.kind == BondKind::Rigid && bond.limit != Limit::Min);
     let ways = UnGraph::<(), f64, u32>::from_edges(holds.map(|bond| (bond.a.0, bond.b.0, bond.rest_length)));
     let mut list = Vec::new();
     for &pin in from.iter().take(MOST_PINS).filter(|pin| pin.index() < ways.node_count()) {
@@ -40,7 +39,6 @@ pub(crate) fn reaches(bonds: &Bonds, from: &[PointId], to: &[PointId]) -> Vec<Re
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sim::Bond;
 
     #[test]
     fn a_reach_is_the_shortest_way_along_what_pulls() {
@@ -49,9 +47,9 @@ mod tests {
         let held = Bond::new(a, d, 1.0);
         let bonds =
             [Bond::new(a, b, 1.0), Bond::new(b, c, 2.0), Bond::new(a, c, 4.0), Bond { limit: Limit::Min, ..held }];
-        let bonds = Bonds::from(bonds);
-        assert_eq!(reaches(&bonds, &[a], &ids), [Reach { pins: [a, b], most: 1.0 }, Reach { pins: [a, c], most: 3.0 }]);
-        assert_eq!(reaches(&bonds, &[a, c], &[a, c]), [Reach { pins: [a, c], most: 3.0 }]);
-        assert_eq!(reaches(&bonds, &[], &ids), []);
+        let reaches = |from: &[PointId], to: &[PointId]| reaches(bonds.into_iter(), from, to);
+        assert_eq!(reaches(&[a], &ids), [Reach { pins: [a, b], most: 1.0 }, Reach { pins: [a, c], most: 3.0 }]);
+        assert_eq!(reaches(&[a, c], &[a, c]), [Reach { pins: [a, c], most: 3.0 }]);
+        assert_eq!(reaches(&[], &ids), []);
     }
 }

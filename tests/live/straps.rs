@@ -33,12 +33,12 @@ fn a_rope_between_pins_that_are_led_too_far_apart_is_straight_and_stretched_alik
         for over in [1.02, 1.1, 1.5] {
             let mut world = world(&rope(solver, 2.2 * over));
             let [fastest, strain] = until(&mut *world, 2.0);
-            assert!(fastest < 12.0, "{solver}, {over}: {fastest} m/s");
+            assert!(fastest < 40.0, "{solver}, {over}: {fastest} m/s");
             assert!((strain - (over - 1.0)).abs() < 0.01, "{solver}, {over}: {strain}");
             let sag = world.sample(2.0).position.iter().map(|x| x[1].abs()).fold(0.0, f64::max);
             assert!(sag < 0.02, "{solver}, {over}: it hangs {sag} m lower");
             let [fastest, strain] = until(&mut *world, 6.0);
-            assert!(fastest < 12.0 && strain < 1e-3, "{solver}, {over}: back at {fastest} m/s, strain {strain}");
+            assert!(fastest < 40.0 && strain < 1e-3, "{solver}, {over}: back at {fastest} m/s, strain {strain}");
         }
     }
 }
@@ -54,9 +54,9 @@ fn so_is_one_in_space() {
     scene["pin_motion"][0]["track"].as_array_mut().unwrap().iter_mut().for_each(lift);
     let mut world = world(&scene);
     let [fastest, strain] = until(&mut *world, 2.0);
-    assert!(fastest < 12.0 && (strain - (3.0 / 2.2 - 1.0)).abs() < 0.01, "{fastest} m/s, strain {strain}");
+    assert!(fastest < 40.0 && (strain - (3.0 / 2.2 - 1.0)).abs() < 0.01, "{fastest} m/s, strain {strain}");
     let [fastest, strain] = until(&mut *world, 6.0);
-    assert!(fastest < 12.0 && strain < 1e-3, "back at {fastest} m/s, strain {strain}");
+    assert!(fastest < 40.0 && strain < 1e-3, "back at {fastest} m/s, strain {strain}");
 }
 
 #[test]
@@ -66,7 +66,7 @@ fn a_net_between_corners_that_are_led_too_far_apart_throws_nothing() {
             "pinned": [55, 65]}],
         "pin_motion": [{"point": 65, "track": away(2.5)}]}));
     let [fastest, strain] = until(&mut *world, 2.0);
-    assert!(fastest < 12.0 && (0.2..0.4).contains(&strain), "{fastest} m/s, strain {strain}");
+    assert!(fastest < 40.0 && (0.2..0.4).contains(&strain), "{fastest} m/s, strain {strain}");
     let [fastest, strain] = until(&mut *world, 5.0);
-    assert!(fastest < 12.0 && strain < 5e-3, "back at {fastest} m/s, strain {strain}");
+    assert!(fastest < 40.0 && strain < 5e-3, "back at {fastest} m/s, strain {strain}");
 }

@@ -144,7 +144,7 @@ fn blocks(scope: Scope<'_>, polygons: &[Polygon], places: &[[f64; 2]]) -> bool {
     // Between pins a bond neither stretches nor goes round anything.
     let is_free = |end: &PointId| !scope.is_pinned(*end);
     let bonds: Bonds = scenery.bonds.iter().filter(|bond| is_free(&bond.a) || is_free(&bond.b)).collect();
-    let reaches = reaches(&bonds, &scenery.pinned, &scenery.pinned);
+    let reaches = reaches(bonds.iter(), &scenery.pinned, &scenery.pinned);
     let place = |pin: PointId| [here(scope, pin).to_array(), places[pin.index()]];
     blocked(&reaches, place, [&scenery.polygons, polygons]).is_some()
 }

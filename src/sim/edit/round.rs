@@ -42,7 +42,7 @@ impl<S: Real, const D: usize> World<S, D> {
         // Between pins a bond neither stretches nor goes round anything.
         let is_free = |end: &PointId| self.inverse_mass[end.index()] > 0.0;
         let bonds: Bonds = self.bonds.iter().filter(|bond| is_free(&bond.a) || is_free(&bond.b)).collect();
-        let reaches = reaches(&bonds, &from, &pinned);
+        let reaches = reaches(bonds.iter(), &from, &pinned);
         if reaches.is_empty() {
             return Ok(());
         }

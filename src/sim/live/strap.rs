@@ -4,10 +4,12 @@
 //! row can only give way across. With one stretch for all they agree, and what is taut is straight.
 
 use crate::sim::bond::{Bond, PointId};
-use crate::sim::bonds::Bonds;
 use crate::sim::reach::{Reach, reaches};
 use crate::sim::real::Real;
 use crate::sim::vector::{length, sub};
+
+/// Bonds that are gone along from all led pins of a body, about: of a large body with many of these the first are looked at.
+const MOST_WAYS: usize = 50_000;
 
 /// Two pins of a body, of which one at least is led, and how far apart its rigid bonds let them be `[m]`.
 #[derive(Clone, Copy, Debug)]
@@ -31,13 +33,13 @@ pub(super) fn straps<S: Real>(
     let mut held: Vec<PointId> =
         points.iter().filter(|&&point| is_pinned(point)).map(|&point| PointId(point)).collect();
     from.sort_unstable();
+    from.truncate((MOST_WAYS / bonds.len()).max(1));
     held.sort_unstable();
-    let bonds: Bonds = bonds.iter().copied().collect();
     let strap = |reach: Reach| {
         let [a, b] = reach.pins.map(|pin| local[pin.index()]);
         Strap { ends: [a, b], most: S::from_f64(reach.most) }
     };
-    reaches(&bonds, &from, &held).into_iter().map(strap).filter(|strap| strap.most > S::ZERO).collect()
+    reaches(bonds.iter().copied(), &from, &held).into_iter().map(strap).filter(|strap| strap.most > S::ZERO).collect()
 }
 
 /// What the rest lengths of a body whose points are at `now` `[m]` are to be multiplied by `[1]`: 1, where its pins are near enough.

@@ -98,7 +98,7 @@ impl<S: Real, const D: usize> World<S, D> {
             let apart = times(reach.pins).map(|t| apart(reach.pins, t)).fold(0.0, f64::max);
             (apart > reach.most * (1.0 + 1e-8)).then_some((apart - reach.most, reach.pins))
         };
-        let reaches = reach::reaches(&self.bonds, &led, &held);
+        let reaches = reach::reaches(self.bonds.iter(), &led, &held);
         if let Some((way, [a, b])) = reaches.iter().filter_map(beyond).max_by(|a, b| a.0.total_cmp(&b.0)) {
             self.warnings.push(format!(
                 "pins are led up to {way:.3} m further apart than the bonds between them reach: these are strained (points {} and {})",

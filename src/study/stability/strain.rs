@@ -94,7 +94,7 @@ impl Strain {
     /// What pins that are led further apart than the bonds between them reach strain these by, at the least `[1]`.
     fn forced(&mut self, world: &dyn Dynamics, sample: &Sample) -> f64 {
         if self.reaches.0 != Some(world.topology()) {
-            self.reaches = (Some(world.topology()), reaches(world.bonds(), world.pinned(), world.pinned()));
+            self.reaches = (Some(world.topology()), reaches(world.bonds().iter(), world.pinned(), world.pinned()));
         }
         let of = |reach: &Reach| {
             let [a, b] = reach.pins.map(|pin| sample.position[pin.index()]);

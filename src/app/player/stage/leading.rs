@@ -43,7 +43,7 @@ impl Stage {
         // Looking for reaches goes through all bonds: once for pins that go on.
         let known = self.led.take().filter(|(led, _)| goes_on && *led == numbers).map(|(_, reaches)| reaches);
         let is_led = |pin: &PointId| numbers.binary_search(pin).is_ok();
-        let all = || reaches(world.bonds(), &numbers, world.pinned());
+        let all = || reaches(world.bonds().iter(), &numbers, world.pinned());
         let reaches = known.unwrap_or_else(|| all().into_iter().filter(|reach| !is_led(&reach.pins[1])).collect());
         self.strained = beyond_reach(world, &reaches, &pins);
         self.led = Some((numbers, reaches));
