@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use egui::{Area, Id, LayerId, Order, Rect, RichText, Ui, pos2};
+use egui::{Area, Id, LayerId, Order, Popup, Rect, RichText, Ui, pos2};
 
+use super::icons::{self, Icon};
 use super::theme::{colors, floating};
 use super::{Facts, Wish, legend};
 use crate::scene::{BesideKeys, MOST_BESIDE, SolverName};
@@ -133,7 +134,8 @@ fn choice(ui: &mut Ui, facts: &Facts, solver: SolverName, words: &str) -> bool {
 /// The menu of what is put beside the scene, and taken away.
 pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let said = "the same start by another method beside this one, under the same mouse";
-    let opened = ui.menu_button("Beside…", |ui| {
+    let button = icons::worded(ui, Icon::Beside, "Beside…", (true, false));
+    Popup::menu(&button).show(|ui| {
         ui.set_min_width(210.0);
         for (place, neighbor) in facts.neighbors.iter().skip(1).enumerate() {
             if ui.button(format!("Take away: {}", neighbor.title)).clicked() {
@@ -162,5 +164,5 @@ pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             }
         }
     });
-    opened.response.on_hover_text(said);
+    button.on_hover_text(said);
 }
