@@ -199,7 +199,7 @@ mod tests {
         assert!(changed(&before, &[tools(), figures(200.0)], &screen).is_empty(), "nothing did");
         let parts = changed(&before, &[tools(), figures(130.0)], &screen);
         assert_eq!(parts, [[128, 32, 32, 32], [192, 32, 32, 32]], "where it was and where it is");
-        assert_eq!(changed(&before, &[tools()], &screen).len(), 3, "it is gone");
+        assert_eq!(changed(&before, &[tools()], &screen).len(), 2, "it is gone");
         // What lies in a part is cut to it.
         let cut = cut(&before, &parts, &screen);
         let places: Vec<[f32; 4]> =

@@ -65,6 +65,9 @@ struct Worn {
 /// Marks corners of triangles of which only what the picture covers is shown: `CLIPPED` in skin.wgsl.
 const CLIPPED: u32 = 1 << 31;
 
+/// Where one of so many triangles is seen through, all of them are.
+const FADING: usize = 8;
+
 /// In a tint: the picture is shown as opaque as it is there, `tint.a` in skin.wgsl.
 const THROUGH: u32 = 255 << 24;
 
@@ -217,8 +220,12 @@ impl Worn {
         let size = [skin.picture.width as f32, skin.picture.height as f32];
         let place = |point: u32| [0, 1].map(|axis| at(point)[axis] * size[axis]);
         let whole = sides.whole(&skin.triangles);
-        let through: Vec<bool> =
+        let mut through: Vec<bool> =
             whole.iter().map(|corners| ink::is_triangle_through(&skin.picture, corners.map(place))).collect();
+        // What fades out has opaque triangles too: between them and others there would be an edge.
+        if FADING * through.iter().filter(|is| **is).count() >= through.len() {
+            through.fill(true);
+        }
         let both = || whole.iter().zip(&through);
         let mut triangles: Vec<Corner> =
             both().flat_map(|(corners, &is)| corners.map(|point| corner(point, is))).collect();

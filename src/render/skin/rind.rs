@@ -159,7 +159,8 @@ fn side(
     if !(length > 0.0 && high > 0.0) {
         return None;
     }
-    let most = (WIDTH * length).clamp(WIDTHS[0], WIDTHS[1]);
+    // What fades out ends further away than what is cut off.
+    let most = if is_through { WIDTHS[1] } else { (WIDTH * length).clamp(WIDTHS[0], WIDTHS[1]) };
     let mut width = most;
     for k in 0..LOOKS {
         let from = beyond(a, along, (k as f32 + 0.5) / LOOKS as f32);
