@@ -70,12 +70,16 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
         let x = x + ROOM;
         // What lies in the corner is not covered.
         let reach = x + legend::WIDTH.min(neighbor.width);
-        let below_it = |top: f32, at: &Rect| {
-            let is_there = at.left() < reach && at.top() < top + TITLE && at.bottom() > top;
-            if is_there { at.bottom() + ROOM } else { top }
+        let below_it = |high: f32| {
+            move |top: f32, at: &Rect| {
+                let is_there = at.left() < reach && at.top() < top + high && at.bottom() > top;
+                if is_there { at.bottom() + ROOM } else { top }
+            }
         };
-        let base = corner.iter().fold(top, below_it);
-        let top = of_tool.iter().fold(base, below_it);
+        let base = corner.iter().fold(top, below_it(TITLE));
+        // The last one is as high as its legend makes it.
+        let high = if place == last { height(facts) } else { TITLE };
+        let top = of_tool.iter().fold(base, below_it(high));
         let area = Area::new(Id::unique(("beside", place))).fixed_pos(pos2(x, top));
         let shown = area.interactable(false).show(context, |ui| {
             floating(ui).show(ui, |ui| {
