@@ -2,7 +2,7 @@
 // too short to be told apart.
 
 struct Packed {
-    // With the colour, and the kind, in the bits from FORM on.
+    // With what it has of its body's own, and the kind, in the bits from FORM on.
     a: u32,
     b: u32,
     // [m]
@@ -11,7 +11,14 @@ struct Packed {
 
 @group(0) @binding(3) var<storage, read> bonds: array<Packed>;
 
+// What each point's body has of its own: red, green and blue from the lowest byte on, and how wide its bonds are [m], as its bits.
+@group(0) @binding(5) var<storage, read> own: array<vec2<u32>>;
+
 const FORM: u32 = 29u;
+// A bond has the colour, and the width; and it lies on a fill or a picture of that colour.
+const OF_COLOR: u32 = 1u;
+const OF_WIDTH: u32 = 2u;
+const COVERED: u32 = 4u;
 
 struct Bond {
     a: u32,
@@ -19,8 +26,8 @@ struct Bond {
     // [m]
     rest_length: f32,
     kind: u32,
-    // One above the place of its colour and width among the frame's; 0: none of its own.
-    color: u32,
+    // What it has of its body's own.
+    own: u32,
 }
 
 fn bond_at(index: u32) -> Bond {
@@ -57,12 +64,12 @@ fn strain_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
 
 // How wide a bond is of its own, between points there [px]; 0: as is usual.
 fn own_width(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
-    if bond.color == 0u || frame.own_colors[bond.color - 1u].a == 0.0 {
+    if (bond.own & OF_WIDTH) == 0u {
         return 0.0;
     }
     let to_x = vec3(frame.clip_from_world[0].x, frame.clip_from_world[1].x, frame.clip_from_world[2].x);
     let depth = (frame.clip_from_world * vec4(0.5 * (a + b), 1.0)).w;
-    return frame.own_colors[bond.color - 1u].a * length(to_x) * 0.5 * frame.viewport.x / max(depth, 1e-6);
+    return bitcast<f32>(own[bond.a].y) * length(to_x) * 0.5 * frame.viewport.x / max(depth, 1e-6);
 }
 
 fn is_rope(bond: Bond) -> bool {
@@ -85,8 +92,8 @@ fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
     if bond.kind == MUSCLE && is_set(frame.coil_length, a.x) {
         return vec4(FLESH, frame.bond_color.a);
     }
-    if bond.color > 0u && frame.own_colors[bond.color - 1u].r >= 0.0 {
-        return vec4(frame.own_colors[bond.color - 1u].rgb, frame.bond_color.a);
+    if (bond.own & OF_COLOR) != 0u && ((bond.own & COVERED) == 0u || !is_set(frame.fill_opacity, a.x)) {
+        return vec4(unpack4x8unorm(own[bond.a].x).rgb, frame.bond_color.a);
     }
     if is_rope(bond) && is_set(frame.coil_length, a.x) {
         return frame.rope_color;
@@ -123,8 +130,8 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
     let bond = bond_at(chunk * CHUNK + index / 6u);
     let a = position_of(bond.a);
     let b = position_of(bond.b);
-    let own = own_width(bond, a, b);
-    var width = max(frame.bond_width, own);
+    let wide = own_width(bond, a, b);
+    var width = max(frame.bond_width, wide);
     var form = vec4(0.0);
     if is_set(frame.coil_length, a.x) && bond.kind != 0u {
         let span = distance(pixel_of(frame.clip_from_world * vec4(a, 1.0)), pixel_of(frame.clip_from_world * vec4(b, 1.0)));
@@ -132,17 +139,17 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
         if bond.kind == ROD || bond.kind == STRUT {
             // A bar of pins has no length at rest: it is as thick as any rod, however short its pieces are.
             let half = select(min(ROD_SHARE * span, ROD_MOST * unit), ROD_MOST * unit, bond.rest_length < 0.0);
-            width = select(max(width, 2.0 * half), width, own > 0.0);
+            width = select(max(width, 2.0 * half), width, wide > 0.0);
             form = vec4(f32(ROD), 0.0, 0.0, width);
         } else if is_rope(bond) {
-            width = select(max(width, 2.0 * ROPE_HALF * unit), width, own > 0.0);
+            width = select(max(width, 2.0 * ROPE_HALF * unit), width, wide > 0.0);
             form = vec4(f32(ROPE), 0.0, 0.0, width);
         } else if bond.kind == COIL {
             // Waves grow out of the straight stroke as the camera comes nearer.
             let grown = smoothstep(frame.coil_length, 1.5 * frame.coil_length, span);
-            let free = select(min(COIL_SHARE * span, COIL_MOST * unit), 0.5 * (width - frame.bond_width), own > 0.0);
+            let free = select(min(COIL_SHARE * span, COIL_MOST * unit), 0.5 * (width - frame.bond_width), wide > 0.0);
             let height = grown * free;
-            width = select(width, mix(width, frame.bond_width, grown), own > 0.0);
+            width = select(width, mix(width, frame.bond_width, grown), wide > 0.0);
             let at_rest = span / max(1.0 + strain_of(bond, a, b), 0.05);
             let turns = clamp(round(at_rest / (TURN * unit)), 3.0, 18.0);
             form = vec4(f32(COIL), height, turns, width);
@@ -151,7 +158,7 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
             // It gets thicker as it gets shorter.
             let thick = clamp(1.0 - strain_of(bond, a, b), 0.6, 1.6);
             let belly = 2.0 * clamp(BELLY_SHARE * thick * span, BELLY.x * unit, BELLY.y * thick * unit);
-            width = select(max(width, belly), thick * width, own > 0.0);
+            width = select(max(width, belly), thick * width, wide > 0.0);
             form = vec4(f32(MUSCLE), 0.0, 0.0, width);
         } else {
             form = vec4(f32(RELAXED), 0.0, 0.0, width);

@@ -12,8 +12,6 @@ struct Frame {
     ground: vec4<f32>,
     bond_color: vec4<f32>,
     rope_color: vec4<f32>,
-    // Those that bonds have of their bodies' own, below 0 where they have none, and how wide they are [m]; 0: as is usual.
-    own_colors: array<vec4<f32>, 7>,
     // From squeezed by `strain_full` to stretched by it.
     strain_colors: array<vec4<f32>, 9>,
     point_color: vec4<f32>,
@@ -47,7 +45,7 @@ struct Frame {
     least_pin: f32,
     // Length of a spring on the screen from which on it is drawn as a coil [px]; 0: all bonds are plain strokes.
     coil_length: f32,
-    // Opacity of fills, and the width of their outlines [px].
+    // Opacity of fills, 0 where they and pictures are not shown, and the width of their outlines [px].
     fill_opacity: f32,
     fill_outline: f32,
     // Distances from the camera from which on, and up to which, things fade into the ground [m], and by how much at most.

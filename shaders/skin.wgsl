@@ -1,7 +1,8 @@
 // Skins: pictures on triangles, and along their free sides a stroke in the picture's own colours, which smooths the edge; or, where the picture
 // ends beside a side, strips on which it goes on up to its own edge.
 
-// A corner of a triangle: its point, where that lies in the picture, and what the picture is multiplied by there.
+// A corner of a triangle: its point, where that lies in the picture, and what the picture is multiplied by there; with an opacity in its last byte
+// the picture is seen through, as opaque as it is.
 struct Corner {
     point: u32,
     u: f32,
@@ -18,7 +19,7 @@ struct Skin {
     @location(0) at: vec2<f32>,
     // Above 0: only what the picture covers is shown.
     @location(1) @interpolate(flat) clipped: f32,
-    @location(2) tint: vec3<f32>,
+    @location(2) tint: vec4<f32>,
 }
 
 // Marks corners of triangles of which only what the picture covers is shown.
@@ -31,7 +32,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Skin {
     out.position = frame.clip_from_world * vec4(position_of(corner.point & ~CLIPPED), 1.0);
     out.at = vec2(corner.u, corner.v);
     out.clipped = select(0.0, 1.0, corner.point >= CLIPPED);
-    out.tint = unpack4x8unorm(corner.tint).rgb;
+    out.tint = unpack4x8unorm(corner.tint);
     return out;
 }
 
@@ -40,7 +41,8 @@ fn fragment(in: Skin) -> @location(0) vec4<f32> {
     let color = textureSample(picture, smooth_sampler, in.at);
     // The share of a pixel on the inner side of where the picture is half opaque.
     let covers = (color.a - 0.5) / max(fwidth(color.a), 1e-4) + 0.5;
-    return vec4(color.rgb * in.tint, select(1.0, clamp(covers, 0.0, 1.0), in.clipped > 0.0));
+    let alone = select(1.0, clamp(covers, 0.0, 1.0), in.clipped > 0.0);
+    return vec4(color.rgb * in.tint.rgb, select(alone, color.a, in.tint.a > 0.5));
 }
 
 // A corner of a strip: nine numbers, the points of the triangle that it moves with, its shares of them, where it lies in the picture, and
@@ -58,18 +60,28 @@ fn rind_vertex(@builtin(vertex_index) index: u32) -> Skin {
     out.position = frame.clip_from_world * vec4(place, 1.0);
     out.at = vec2(bitcast<f32>(corner[6]), bitcast<f32>(corner[7]));
     out.clipped = 1.0;
-    out.tint = unpack4x8unorm(corner[8]).rgb;
+    out.tint = unpack4x8unorm(corner[8]);
     return out;
 }
 
 // Width of the stroke along free sides [px].
 const EDGE: f32 = 1.6;
-// Along dark ink, which would be lost on the dark ground, it is a light rim: its width [px] and colour.
+// Along dark ink, which would be lost on the dark ground, it is a light rim: its width [px] and colour, and how much of the ink's hue is in it.
 const RIM: f32 = 2.4;
 const LIGHT: vec3<f32> = vec3(0.60, 0.67, 0.76);
+const HUE: f32 = 0.6;
 // Ink is dark below the first luminance [1], and not at all from the second on: the ground has 0.007, and 0.121 stands out
 // from it by a contrast of 3 : 1.
 const DARK: vec2<f32> = vec2(0.09, 0.17);
+
+// The colour of a rim along ink of a colour: of the same hue, as light as it takes.
+fn rim_of(ink: vec3<f32>) -> vec3<f32> {
+    let most = max(max(ink.r, ink.g), ink.b);
+    let least = min(min(ink.r, ink.g), ink.b);
+    // What is nearly black has no hue.
+    let strength = (most - least) / max(most, 0.15);
+    return mix(LIGHT, ink / max(most, 0.01), HUE * strength);
+}
 
 // Free sides follow the triangles in the list: two corners each.
 @vertex
@@ -78,12 +90,13 @@ fn edge_vertex(@builtin(vertex_index) index: u32) -> Stroke {
     let a = corners[first];
     let b = corners[first + 1u];
     let middle = 0.5 * vec2(a.u + b.u, a.v + b.v);
-    let tint = 0.5 * (unpack4x8unorm(a.tint) + unpack4x8unorm(b.tint)).rgb;
-    let color = textureSampleLevel(picture, smooth_sampler, middle, 0.0).rgb * tint;
+    let tint = 0.5 * (unpack4x8unorm(a.tint) + unpack4x8unorm(b.tint));
+    let ink = textureSampleLevel(picture, smooth_sampler, middle, 0.0);
+    let color = ink.rgb * tint.rgb;
     // About the luminance of a colour in sRGB.
     let luminance = dot(color * color * (0.3 * color + 0.7), vec3(0.2126, 0.7152, 0.0722));
-    let rim = 1.0 - smoothstep(DARK.x, DARK.y, luminance);
-    let shown = vec4(mix(color, LIGHT, rim), 1.0);
+    let rim = select(1.0 - smoothstep(DARK.x, DARK.y, luminance), 0.0, tint.a > 0.5);
+    let shown = vec4(mix(color, rim_of(color), rim), select(1.0, ink.a, tint.a > 0.5));
     return stroke(index % 6u, position_of(a.point), position_of(b.point), shown, mix(EDGE, RIM, rim));
 }
 

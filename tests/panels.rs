@@ -74,6 +74,38 @@ fn every_tool_is_chosen_by_its_button_and_says_what_it_does_and_by_which_key() {
 }
 
 #[test]
+fn every_button_of_the_bar_is_found_by_its_name_and_says_what_it_does_and_by_which_key() {
+    let mut panels = open(&[]);
+    for (name, said) in [
+        ("the scene before", "the scene before"),
+        ("the scene after", "the scene after"),
+        ("New", "new: an empty scene"),
+        ("Draw", "draw a body"),
+        ("Open", "open a scene, a recording or a picture"),
+        ("Save", "save this moment, or all that was done"),
+        ("undo", "undo"),
+        ("redo", "redo"),
+        ("Fit", "fit all points"),
+        ("Bodies", ""),
+        ("Strain", ""),
+        ("Bonds", ""),
+        ("lessons: how it works", "lessons: how it works"),
+        ("plots of the energies", "plots of the energies"),
+        ("settings of the scene", "settings of the scene"),
+        ("?", "the keys"),
+        ("one frame on", "one frame on"),
+        ("back to the start", "back to the start"),
+    ] {
+        let button = panels.get_by_label(name);
+        let place = button.rect();
+        assert!(place.width() >= 26.0 && place.height() >= 26.0, "{name}: {place:?}");
+        button.hover();
+        panels.run_steps(8);
+        assert!(says(&panels, &format!("{said} (")), "{name} has no tip with its key");
+    }
+}
+
+#[test]
 fn wind_has_a_button_of_its_own() {
     let mut panels = open(&[]);
     press(&mut panels, "wind: drag an arrow through the air");

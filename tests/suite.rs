@@ -5,6 +5,7 @@ mod common;
 
 mod architecture;
 mod cli;
+mod colors;
 mod commands;
 mod determinism;
 mod documents;

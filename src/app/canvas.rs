@@ -119,6 +119,9 @@ impl Canvas {
     /// Panels' textures must be applied on every frame, drawn or not.
     #[allow(clippy::iter_over_hash_type, reason = "textures are independent of each other")]
     fn apply_textures(&mut self, paint: &mut Paint) {
+        if !paint.textures.set.is_empty() {
+            self.overlay.spoil();
+        }
         for (id, deltas) in paint.textures.set.drain() {
             for delta in deltas {
                 self.panels.update_texture(&self.gpu.device, &self.gpu.queue, id, &delta);

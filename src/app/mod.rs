@@ -7,6 +7,7 @@ pub mod action;
 mod canvas;
 mod clip;
 mod count;
+pub mod distances;
 mod fetch;
 mod import;
 pub mod keys;

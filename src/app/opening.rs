@@ -9,13 +9,12 @@ use crate::scene::{Scene, Vector, ViewKeys};
 const MADE_FOR: f64 = 16.0 / 9.0;
 /// A picture of that shape `[px]`.
 const USUAL: [u32; 2] = [1600, 900];
-/// Room beside what a narrower picture would cut off `[1]`.
+/// Room beside what a narrower picture would cut off `[1]`: beside walls, and beside points, which pins and springs are wider than.
 const ROOM: f64 = 1.03;
+const OUTER: f64 = 1.09;
+/// The same in a picture of space, beside all of it, as a share of its lesser side `[1]`.
+const BORDER: f64 = 0.03;
 
-/// The distance of the last colours beside the height of a scene `[1]`.
-const FULL: f64 = 0.05;
-/// The least distance of the last colours beside that `[1]`.
-const LEAST_FULL: f64 = 1e-5;
 /// Least width of what is seen of a scene, in its heights `[1]`.
 const SLIMMEST: f64 = 0.75;
 
@@ -23,10 +22,27 @@ const SLIMMEST: f64 = 0.75;
 pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
     let [width, tall] = size.map(f64::from);
     let height = |height: f64, center: DVec2| height_for(height, width / tall, center.x, seen);
-    look(scene.view.as_ref(), height, seen, size)
+    let camera = look(scene.view.as_ref(), height, seen, size);
+    let Pose::Orbit { .. } = camera.pose else { return camera };
+    // In space what a narrower picture cuts off is seen from further away.
+    let border = BORDER * width.min(tall);
+    match width < MADE_FOR * tall {
+        true => whole(camera, seen, [[border; 2], [width - border, tall - border]]),
+        false => camera,
+    }
 }
 
-/// The same in a picture of usual shape: what is measured by it does not depend on the window.
+/// The same, drawn back and moved so that what it shows lies where nothing lies over it: in the free part of its picture, and below what lies in
+/// its upper right corner, whose left lower corner is `corner` `[px]`.
+pub fn opened(scene: &Scene, seen: &View<'_>, size: [u32; 2], (free, corner): (Free, Option<[f64; 2]>)) -> Camera {
+    let opened = camera(scene, seen, size);
+    match opened.pose {
+        Pose::Plane { .. } => beside_corner(|free| clear(opened, seen, free), seen, free, corner),
+        Pose::Orbit { .. } => whole(opened, seen, free),
+    }
+}
+
+/// The camera of a scene in a picture of usual shape: what is measured by it does not depend on the window.
 pub fn alone(scene: &Scene, seen: &View<'_>) -> Camera {
     camera(scene, seen, USUAL)
 }
@@ -73,23 +89,19 @@ pub fn tiles(alone: &Camera, seen: &View<'_>, (count, size): (usize, [u32; 2]), 
     Tiles::new(count, [width, height], size, taken)
 }
 
-/// The distance of the last colours, where the difference of two worlds is shown `[m]`: a round number near a twentieth of the scene's height.
-pub fn full_distance(alone: &Camera) -> f64 {
-    round_up(FULL * alone.height())
+/// How `count` worlds of a scene share what panels leave of the window, `area` `[px]`, of which nothing lies over the part `free`.
+pub fn shared(scene: &Scene, seen: &View<'_>, count: usize, (area, free): ([u32; 2], Free)) -> Tiles {
+    let [low, high] = free;
+    let taken = [0, 1].map(|axis| (f64::from(area[axis]) - (high[axis] - low[axis])).max(0.0));
+    tiles(&alone(scene, seen), seen, (count, area), taken)
 }
 
-/// The same for distances that are `most` at most, where `usual` is that of the scene `[m]`: no more than it takes, from a hundred thousandth of
-/// the usual one on, so that what rounding leaves stays grey.
-pub fn round_distance(most: f32, usual: f32) -> f32 {
-    let least = LEAST_FULL * f64::from(usual);
-    round_up(f64::from(most).max(least)).min(f64::from(usual)) as f32
-}
-
-/// 1, 2 or 5 times a power of ten, not less than a number above 0.
-fn round_up(wanted: f64) -> f64 {
-    let decade = 10_f64.powf(wanted.log10().floor());
-    let almost = wanted * (1.0 - 1e-6);
-    [1.0, 2.0, 5.0].map(|step| step * decade).into_iter().find(|step| *step >= almost).unwrap_or(10.0 * decade)
+/// What nothing lies over of a pane of this size `[px]`: at each side as much is left out as what lies over the picture takes there.
+pub fn free_of_pane(pane: [u32; 2], (area, free): ([u32; 2], Free)) -> Free {
+    let [low, high] = free;
+    let ends = [0, 1].map(|axis| high[axis] - f64::from(area[axis]) + f64::from(pane[axis]));
+    let has_room = (0..2).all(|axis| ends[axis] > low[axis]);
+    if has_room { [low, ends] } else { [[0.0; 2], pane.map(f64::from)] }
 }
 
 /// A camera as a file has it.
@@ -111,10 +123,13 @@ pub fn keys(camera: &Camera) -> ViewKeys {
 /// The height `[m]` of a picture `aspect` times as wide as high, in which nothing of points and walls is cut off to the sides
 /// that one of `height` shows which is as wide as views are made for.
 fn height_for(height: f64, aspect: f64, center: f64, view: &View<'_>) -> f64 {
-    let sides = [points(view), surroundings(view)].map(|extent| extent.map(|corner| (corner[0] - center).abs()));
-    let shown = sides.into_iter().flatten().filter(|&side| side <= 0.5 * MADE_FOR * height).fold(0.0, f64::max);
+    let shown = |extent: [[f64; 3]; 2]| {
+        let sides = extent.map(|corner| (corner[0] - center).abs());
+        sides.into_iter().filter(|&side| side <= 0.5 * MADE_FOR * height).fold(0.0, f64::max)
+    };
+    let wide = (2.0 * OUTER * shown(points(view))).max(2.0 * ROOM * shown(surroundings(view)));
     // In a picture higher than wide there is room beside what is slim, too.
-    height.max(SLIMMEST * height / aspect).max(2.0 * ROOM * shown / aspect)
+    height.max(SLIMMEST * height / aspect).max(wide / aspect)
 }
 
 /// A camera that shows all points, with walls and polygons too or without. Where there are no points it shows those anyway.
@@ -206,14 +221,20 @@ pub fn whole(camera: Camera, seen: &View<'_>, free: Free) -> Camera {
 const ROUNDS: usize = 6;
 const FURTHEST: f64 = 4.0;
 
-/// The box about all points in a picture `[px]`.
+/// The box about all points, and in space about what is solid, in a picture `[px]`.
 fn on_screen(camera: &Camera, seen: &View<'_>) -> [[f64; 2]; 2] {
     let (positions, dimensions) = (seen.current, seen.dimensions);
     let place = |first: usize| {
         let place = std::array::from_fn(|axis| if axis < dimensions { positions.get(first + axis) } else { 0.0 });
         camera.screen_from_world(DVec3::from_array(place)).filter(|at| at.iter().all(|x| x.is_finite()))
     };
+    let solids = seen.convex.iter().flat_map(|convex| {
+        let ends = convex.figure.extent();
+        (0..8).map(move |corner| DVec3::from_array(std::array::from_fn(|axis| ends[corner >> axis & 1][axis])))
+    });
+    let on_screen = |place: DVec3| camera.screen_from_world(place).filter(|at| at.iter().all(|x| x.is_finite()));
     let all = (0..positions.len()).step_by(dimensions.max(1)).filter_map(place);
+    let all = all.chain(solids.filter_map(on_screen));
     all.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], at| {
         [[0, 1].map(|axis| low[axis].min(at[axis])), [0, 1].map(|axis| high[axis].max(at[axis]))]
     })
@@ -381,6 +402,34 @@ mod tests {
     }
 
     #[test]
+    fn in_space_what_a_narrower_picture_would_cut_off_is_seen_from_further_away() {
+        let text = r#"{"wobble": 1, "dimensions": 3, "points": {"position": [[-3, 0, 0], [3, 1, 2], [0, 4, 0]]},
+            "obstacles": [{"circle": {"center": [-3, -1, 0], "radius": 1}}], "view": {"target": [0, 1, 0], "distance": 9}}"#;
+        let scene = Scene::parse(text, "x.json").unwrap();
+        let world = scene.world(None).unwrap();
+        let view = View::of(&*world);
+        let distance = |camera: Camera| match camera.pose {
+            Pose::Orbit { distance, .. } => distance,
+            Pose::Plane { .. } => 0.0,
+        };
+        assert_eq!(distance(camera(&scene, &view, [1600, 900])), 9.0, "as it is made for");
+        for [width, height] in [[600, 1000], [700, 700]] {
+            let narrow = camera(&scene, &view, [width, height]);
+            let [low, high] = on_screen(&narrow, &view);
+            assert!(
+                distance(narrow) >= if width < 700 { 9.1 } else { 9.0 } && low[0] > 0.0 && high[0] < f64::from(width),
+                "{low:?} {high:?}"
+            );
+        }
+        let free = [[76.0, 60.0], [870.0, 650.0]];
+        let [low, high] = on_screen(&opened(&scene, &view, [1280, 676], (free, None)), &view);
+        assert!(
+            (0..2).all(|axis| low[axis] > free[0][axis] - 1.0 && high[axis] < free[1][axis] + 1.0),
+            "{low:?} {high:?}"
+        );
+    }
+
+    #[test]
     fn points_do_not_lie_below_what_is_in_the_corner() {
         let text = |x: f64| format!(r#"{{"wobble": 1, "points": {{"position": [[-4, -3], [{x}, 3]]}}}}"#);
         let (size, free, corner) = ([1000, 600], [[80.0, 60.0], [990.0, 570.0]], [840.0, 140.0]);
@@ -397,13 +446,6 @@ mod tests {
             let after = at(beside_corner(look, &view, free, Some(corner)));
             assert_eq!(after[1] >= corner[1] - 0.1, is_hidden, "{after:?}");
         }
-    }
-
-    #[test]
-    fn colours_of_distances_go_as_far_as_there_are_any() {
-        let full = [0.0, 3e-6, 0.0012, 0.05, 0.3, 40.0].map(|most| round_distance(most, 0.5));
-        assert_eq!(full.map(|full| format!("{full:e}")), ["5e-6", "5e-6", "2e-3", "5e-2", "5e-1", "5e-1"]);
-        assert_eq!([0.05, 0.0007, 9.0].map(round_up), [0.05, 0.001, 10.0]);
     }
 
     #[test]

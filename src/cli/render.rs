@@ -10,8 +10,8 @@ use image::{Delay, Frame, ImageFormat, RgbaImage};
 
 use super::replay::say_notes;
 use super::{progress, values};
-use crate::app::opening;
 use crate::app::player::driven;
+use crate::app::{distances, opening};
 use crate::history::{Companion, Do, Entry, Replay, Start, chunk, distances};
 use crate::output;
 use crate::picture::{Skin, Tint};
@@ -108,7 +108,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let tiles = opening::tiles(&alone, &View::of(run.world()), worlds, [0.0; 2]);
     let mut own = opening::camera(scene, &View::of(run.world()), tiles.pane(arguments.size));
     let mut camera = tiles.whole(&own, arguments.size);
-    let difference_full = opening::full_distance(&alone) as f32;
+    let difference_full = distances::full_distance(&alone) as f32;
     let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, .. } = *arguments;
     let overlay = arguments.overlay(scene);
     let scale_factor = scale_factor(arguments.size);

@@ -6,9 +6,9 @@
 
 use std::ops::Range;
 
-use super::buffers::GpuBond;
 use super::counters::RenderCounters;
 use super::detail::{Detail, is_surface};
+use super::gpu_bond::GpuBond;
 use super::sight::{Extent, Sight};
 
 /// Bonds of a chunk: `CHUNK` in bonds.wgsl. As many as a patch of 16 x 16 points has in a cloth with both diagonals:

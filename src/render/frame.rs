@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 
-use super::buffers::{COLORS, Own, WorldBuffers};
+use super::buffers::WorldBuffers;
 use super::camera::{Camera, Pose};
 use super::chunks::Wanted;
 use super::detail::dot_radius;
@@ -19,7 +19,6 @@ pub(super) struct Frame {
     ground: Color,
     bond_color: Color,
     rope_color: Color,
-    own_colors: [Color; COLORS],
     strain_colors: [Color; 9],
     point_color: Color,
     pin_color: Color,
@@ -48,7 +47,7 @@ pub(super) struct Frame {
     difference_full: f32,
 }
 
-const _: () = assert!(size_of::<Frame>() == 556);
+const _: () = assert!(size_of::<Frame>() == 444);
 
 impl Frame {
     /// The uniforms of a picture of what lies in `buffers`.
@@ -64,7 +63,6 @@ impl Frame {
             ground: look.ground,
             bond_color: look.bond,
             rope_color: look.rope,
-            own_colors: buffers.colors.map(Own::row),
             strain_colors: look.strain,
             point_color: [r, g, b, opacity * point_strength(look, bond_pixels)],
             pin_color: look.pin,
@@ -84,7 +82,7 @@ impl Frame {
             dot_radius: dot_radius(bond_width, buffers.is_surface()),
             least_pin: if look.has_forms && buffers.pin_count <= FEW { scale * look.least_pin } else { 0.0 },
             coil_length: if look.has_forms { scale * coil_length(buffers.bare_count()) } else { 0.0 },
-            fill_opacity: if look.has_mesh { UNDER_MESH } else { 1.0 },
+            fill_opacity: fill_opacity(look),
             fill_outline: scale * (OUTLINE_OF_BOND * covered_pixels).clamp(OUTLINES[0], OUTLINES[1]) as f32,
             fog_from: (FOG[0] * camera.distance()) as f32,
             fog_to: (FOG[1] * camera.distance()) as f32,
@@ -94,10 +92,10 @@ impl Frame {
         }
     }
 
-    /// What the picture wants of bonds and points that are relative to `origin` `[m]`.
-    pub(super) fn wanted(&self, camera: &Camera, origin: DVec3, has_mesh: bool) -> Wanted {
-        let widest = self.own_colors.iter().map(|own| own[3]).fold(0.0, f32::max) * camera.pixels_per_metre() as f32;
-        let own = 0.5 * widest;
+    /// What the picture wants of bonds and points as they lie in `buffers`.
+    pub(super) fn wanted(&self, camera: &Camera, buffers: &WorldBuffers, has_mesh: bool) -> Wanted {
+        let origin = buffers.origin;
+        let own = 0.5 * (buffers.widest_own * camera.pixels_per_metre()) as f32;
         let shapes = [0.5 * self.bond_width, own, self.dot_radius, LARGEST_PIN * self.point_radius, self.least_pin];
         // A shape reaches a pixel beyond itself at most, and its place is rounded.
         let margin = 2.0 + f64::from(shapes.into_iter().fold(0.0, f32::max));
@@ -120,6 +118,15 @@ impl Frame {
     /// Whether there is a region to draw.
     pub(super) fn has_region(&self) -> bool {
         self.region[3] != 0.0
+    }
+}
+
+/// Of fills, 0 where there are none.
+fn fill_opacity(look: &Look) -> f32 {
+    match (look.has_fills, look.has_mesh) {
+        (false, _) => 0.0,
+        (true, true) => UNDER_MESH,
+        (true, false) => 1.0,
     }
 }
 

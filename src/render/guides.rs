@@ -320,7 +320,6 @@ fn walls(list: &mut Vec<Guide>, [low, high]: [[f64; 3]; 2], dimensions: usize, o
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::buffers::tests::empty;
     use crate::sim::Bonds;
 
     /// The guides of a world that has the picture for itself.
@@ -341,7 +340,7 @@ mod tests {
     fn there_is_no_grid_where_numbers_end() {
         let count = |center: DVec2, height: f64| {
             let camera = Camera::new(Pose::Plane { center, height }, [640, 480]);
-            drawn(&empty(&Bonds::default(), 2), &camera, camera.focus(), &Look::default()).0.len()
+            drawn(&View::empty(&Bonds::default(), 2), &camera, camera.focus(), &Look::default()).0.len()
         };
         assert!((10..1000).contains(&count(DVec2::splat(1e3), 1e-3)));
         assert_eq!(count(DVec2::splat(1e20), 1e-6), 0, "both edges are the same number");
@@ -355,7 +354,7 @@ mod tests {
     #[test]
     fn numbers_come_last_and_over_obstacles() {
         let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
-        let of = |look: Look| drawn(&empty(&Bonds::default(), 2), &camera, DVec3::ZERO, &look);
+        let of = |look: Look| drawn(&View::empty(&Bonds::default(), 2), &camera, DVec3::ZERO, &look);
         let (all, [below, ..]) = of(Look::default());
         let bare = of(Look { number: [0.0; 4], ..Look::default() });
         assert_eq!((bare.0.len(), bare.1), (below, [below, 0, 0]), "lines alone lie below");
@@ -367,7 +366,7 @@ mod tests {
         let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
         let places = |covered: &[[f32; 4]]| {
             let bonds = Bonds::default();
-            let view = View { covered, ..empty(&bonds, 2) };
+            let view = View { covered, ..View::empty(&bonds, 2) };
             let (all, [below, ..]) = drawn(&view, &camera, DVec3::ZERO, &Look::default());
             let ends = all[below..].iter().flat_map(|guide| [guide.a, guide.b]);
             ends.map(|[x, y, ..]| [320.0 + 60.0 * x, 240.0 - 60.0 * y]).collect::<Vec<_>>()
@@ -416,7 +415,7 @@ mod tests {
         let bonds = Bonds::default();
         let numbers = |clip| {
             let (all, [below, ..]) =
-                guides((&empty(&bonds, 2), &camera, &[]), (clip, None), DVec3::ZERO, &Look::default());
+                guides((&View::empty(&bonds, 2), &camera, &[]), (clip, None), DVec3::ZERO, &Look::default());
             let ends = all[below..].iter().flat_map(|guide| [guide.a, guide.b]);
             ends.map(|[x, y, ..]| [320.0 + 60.0 * x, 240.0 - 60.0 * y]).collect::<Vec<_>>()
         };
@@ -434,7 +433,7 @@ mod tests {
         let of = |ways: Ways, places: &[f64]| {
             let current = crate::sim::Positions::F64(places);
             let hinges = vec![Hinge { points: [0, 1, 2].map(PointId), ways }];
-            let view = View { hinges, previous: current, current, ..empty(&bonds, 2) };
+            let view = View { hinges, previous: current, current, ..View::empty(&bonds, 2) };
             let (all, [below, over, marks]) = drawn(&view, &camera, DVec3::ZERO, &Look::default());
             assert_eq!(all.len(), below + over + marks);
             all[below + over..].to_vec()
@@ -457,6 +456,6 @@ mod tests {
             list.len()
         };
         assert_eq!((count(2), count(3)), (4, 12));
-        assert!(drawn(&empty(&Bonds::default(), 3), &camera, DVec3::ZERO, &Look::default()).0.is_empty());
+        assert!(drawn(&View::empty(&Bonds::default(), 3), &camera, DVec3::ZERO, &Look::default()).0.is_empty());
     }
 }

@@ -1,8 +1,8 @@
 //! The order that the points and bonds of a large scene are drawn in: along a curve that keeps neighbours together, so
 //! that a stretch of a buffer is a patch of the scene.
 
-use super::buffers::GpuBond;
 use super::chunks::CHUNK;
+use super::gpu_bond::GpuBond;
 use crate::sim::Positions;
 
 /// Cells of the curve along each axis, as a power of two: as many as give a key of 32 bits in the plane, 30 in space.

@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::buffers::WorldBuffers;
+use super::buffers::{BOUND, WorldBuffers};
 use super::chunks::{CHUNK, Run};
 use super::counters::RenderCounters;
 use super::fills::Fills;
@@ -258,16 +258,9 @@ impl Passes {
     pub(super) fn rebind(&mut self, gpu: &Gpu, buffers: &WorldBuffers) {
         // The region reads no list.
         let WorldBuffers { guides, bonds, points, solids, floor, .. } = buffers;
-        let lists = [guides, bonds, points, guides, solids, floor];
+        let lists = [&guides.buffer, bonds, points, &guides.buffer, &solids.buffer, &floor.buffer];
         self.bindings = Some(std::array::from_fn(|shader| {
-            let entries = buffers.bound(&buffers.frame, lists[shader]);
-            let entry =
-                |i: usize| wgpu::BindGroupEntry { binding: i as u32, resource: entries[i].buffer.as_entire_binding() };
-            gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some(SHADERS[shader].0),
-                layout: &self.layout,
-                entries: &[entry(0), entry(1), entry(2), entry(3), entry(4)],
-            })
+            buffers.bind(gpu, (SHADERS[shader].0, &self.layout), [&buffers.frame.buffer, lists[shader]])
         }));
     }
 
@@ -368,7 +361,7 @@ fn bindings_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     };
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("world"),
-        entries: &[entry(0), entry(1), entry(2), entry(3), entry(4)],
+        entries: &std::array::from_fn::<_, BOUND, _>(|binding| entry(binding as u32)),
     })
 }
 

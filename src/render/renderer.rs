@@ -104,7 +104,8 @@ impl Renderer {
         self.buffers.set_floor(gpu, floor::rows(view, self.obstacles.patches(), origin, look), counters)?;
         self.has_region = frame.has_region();
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
-        self.buffers.select(view, &frame.wanted(camera, origin, look.has_mesh || !look.has_fills), counters);
+        let wanted = frame.wanted(camera, &self.buffers, look.has_mesh || !look.has_fills);
+        self.buffers.select(view, &wanted, counters);
         counters.bytes_held = self.buffers.bytes();
         let is_other = self.buffers.take_unbound();
         if is_other {

@@ -97,15 +97,17 @@ fn places(view: &View<'_>) -> Vec<DVec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::buffers::tests::empty;
     use crate::sim::{Bonds, Positions};
 
     #[test]
     fn trails_fade_and_end_where_points_are_and_go_back_with_time() {
         let bonds = Bonds::default();
         let mut trails = Trails::new(1.5);
-        let view =
-            |x: &'static [f64]| View { previous: Positions::F64(x), current: Positions::F64(x), ..empty(&bonds, 2) };
+        let view = |x: &'static [f64]| View {
+            previous: Positions::F64(x),
+            current: Positions::F64(x),
+            ..View::empty(&bonds, 2)
+        };
         let noted: [&[f64]; 4] = [&[0.0, 5.0], &[1.0, 5.0], &[2.0, 5.0], &[3.0, 5.0]];
         for (time, x) in [0.0, 1.0, 2.0, 3.0].into_iter().zip(noted) {
             trails.note(time, &view(x));

@@ -111,6 +111,34 @@ pub struct View<'a> {
 }
 
 impl<'a> View<'a> {
+    /// A world of nothing.
+    #[cfg(test)]
+    pub(in crate::render) fn empty(bonds: &'a Bonds, dimensions: usize) -> Self {
+        View {
+            dimensions,
+            previous: Positions::F64(&[]),
+            current: Positions::F64(&[]),
+            mix: 1.0,
+            motion: 0,
+            topology: 0,
+            bonds,
+            skins: &[],
+            triangles: &[],
+            tints: &[],
+            values: None,
+            trails: None,
+            pinned: &[],
+            bounds: None,
+            planes: Vec::new(),
+            polygons: &[],
+            convex: &[],
+            mouse: None,
+            hinges: Vec::new(),
+            joints: Vec::new(),
+            covered: &[],
+        }
+    }
+
     /// The world as it is now; `motion` is 0, `topology` the number of bonds that broke.
     pub fn of(world: &'a dyn Dynamics) -> Self {
         View {

@@ -20,7 +20,9 @@ pub(in crate::app) fn show(context: &egui::Context, question: &Question) -> Opti
     let mut answer = None;
     let area = Area::new(Id::unique("asking")).order(Order::Foreground).anchor(Align2::CENTER_CENTER, [0.0, 0.0]);
     area.show(context, |ui| {
-        floating(ui).show(ui, |ui| {
+        // Lines of the world behind it would be read with it.
+        let ground = floating(ui).fill(colors(ui).panel);
+        ground.show(ui, |ui| {
             ui.set_width(WIDTH.min(context.content_rect().width() - 40.0));
             ui.label(RichText::new(&question.words).color(colors(ui).text));
             ui.horizontal(|ui| {

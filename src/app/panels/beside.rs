@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use egui::{Area, Id, LayerId, Order, Rect, RichText, Ui, pos2};
+use egui::{Area, Id, LayerId, Order, Popup, Rect, RichText, Ui, pos2};
 
+use super::icons::{self, Icon};
 use super::theme::{colors, floating};
 use super::{Facts, Wish, legend};
 use crate::scene::{BesideKeys, MOST_BESIDE, SolverName};
@@ -69,12 +70,16 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
         let x = x + ROOM;
         // What lies in the corner is not covered.
         let reach = x + legend::WIDTH.min(neighbor.width);
-        let below_it = |top: f32, at: &Rect| {
-            let is_there = at.left() < reach && at.top() < top + TITLE && at.bottom() > top;
-            if is_there { at.bottom() + ROOM } else { top }
+        let below_it = |high: f32| {
+            move |top: f32, at: &Rect| {
+                let is_there = at.left() < reach && at.top() < top + high && at.bottom() > top;
+                if is_there { at.bottom() + ROOM } else { top }
+            }
         };
-        let base = corner.iter().fold(top, below_it);
-        let top = of_tool.iter().fold(base, below_it);
+        let base = corner.iter().fold(top, below_it(TITLE));
+        // The last one is as high as its legend makes it.
+        let high = if place == last { height(facts) } else { TITLE };
+        let top = of_tool.iter().fold(base, below_it(high));
         let area = Area::new(Id::unique(("beside", place))).fixed_pos(pos2(x, top));
         let shown = area.interactable(false).show(context, |ui| {
             floating(ui).show(ui, |ui| {
@@ -133,7 +138,8 @@ fn choice(ui: &mut Ui, facts: &Facts, solver: SolverName, words: &str) -> bool {
 /// The menu of what is put beside the scene, and taken away.
 pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let said = "the same start by another method beside this one, under the same mouse";
-    let opened = ui.menu_button("Beside…", |ui| {
+    let button = icons::worded(ui, Icon::Beside, "Beside…", (true, false));
+    Popup::menu(&button).show(|ui| {
         ui.set_min_width(210.0);
         for (place, neighbor) in facts.neighbors.iter().skip(1).enumerate() {
             if ui.button(format!("Take away: {}", neighbor.title)).clicked() {
@@ -162,5 +168,5 @@ pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             }
         }
     });
-    opened.response.on_hover_text(said);
+    button.on_hover_text(said);
 }

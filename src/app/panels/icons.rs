@@ -3,7 +3,10 @@
 use std::f32::consts::{PI, TAU};
 
 use egui::epaint::PathShape;
-use egui::{Color32, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
+use egui::{
+    Align2, Color32, FontId, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, TextStyle, Ui, Vec2,
+    WidgetInfo, pos2, vec2,
+};
 
 use super::primitives;
 use super::theme::colors;
@@ -35,6 +38,17 @@ pub(super) enum Icon {
     Plot,
     Book,
     Close,
+    New,
+    Draw,
+    Open,
+    Save,
+    Fit,
+    Bodies,
+    Strain,
+    Bonds,
+    Beside,
+    Keys,
+    Picture,
     Primitive(Primitive),
 }
 
@@ -54,6 +68,32 @@ pub(super) fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, is_on: boo
     paint(ui.painter(), icon, rect, color);
     response
 }
+
+/// A button with a sign and, where there is room for it, the word that it is called by. `is_on`: it is what is chosen of several.
+pub(super) fn worded(ui: &mut Ui, icon: Icon, word: &str, (has_word, is_on): (bool, bool)) -> Response {
+    let font = TextStyle::Button.resolve(ui.style());
+    let galley = has_word.then(|| ui.painter().layout_no_wrap(word.to_owned(), font, Color32::PLACEHOLDER));
+    let wide = galley.as_ref().map_or(0.0, |galley| galley.size().x + PAD - SIDE);
+    let (rect, response) = ui.allocate_exact_size(SMALL + vec2(wide, 0.0), Sense::click());
+    let is_enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, word));
+    let visuals = ui.style().interact(&response);
+    let (fill, color) = match is_on {
+        true => (ui.visuals().selection.bg_fill, colors(ui).accent),
+        false => (visuals.weak_bg_fill, visuals.fg_stroke.color),
+    };
+    ui.painter().rect_filled(rect, visuals.corner_radius, fill);
+    paint(ui.painter(), icon, rect.with_max_x(rect.left() + SMALL.x), color);
+    if let Some(galley) = galley {
+        let at = pos2(rect.left() + SMALL.x - SIDE, rect.center().y - 0.5 * galley.size().y);
+        ui.painter().galley(at, galley, color);
+    }
+    response
+}
+
+/// Room at the right of such a word, and so much nearer to its sign than a button of that sign would end `[points]`.
+const PAD: f32 = 8.0;
+const SIDE: f32 = 2.0;
 
 /// Draws a sign into the middle of a rectangle.
 fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
@@ -187,6 +227,69 @@ fn paint(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
             line(&[(-0.6, -0.6), (0.6, 0.6)]);
             line(&[(-0.6, 0.6), (0.6, -0.6)]);
         }
+        Icon::New => {
+            // A sheet with a corner turned down, and a plus.
+            line(&[(0.1, 1.1), (-0.9, 1.1), (-0.9, -1.1), (0.3, -1.1), (0.9, -0.5), (0.9, 0.0)]);
+            line(&[(0.3, -1.1), (0.3, -0.5), (0.9, -0.5)]);
+            line(&[(0.75, 0.35), (0.75, 1.25)]);
+            line(&[(0.3, 0.8), (1.2, 0.8)]);
+        }
+        Icon::Draw => {
+            // A pencil.
+            line(&[(-1.1, 1.1), (-0.85, 0.25), (0.55, -1.15), (1.15, -0.55), (-0.25, 0.85), (-1.1, 1.1)]);
+            line(&[(0.15, -0.75), (0.75, -0.15)]);
+        }
+        Icon::Open => {
+            // A folder.
+            line(&[(-1.2, 0.95), (-1.2, -0.95), (-0.45, -0.95), (-0.1, -0.55), (0.95, -0.55), (0.95, -0.15)]);
+            line(&[(-1.2, 0.95), (-0.75, -0.15), (1.35, -0.15), (0.95, 0.95), (-1.2, 0.95)]);
+        }
+        Icon::Save => {
+            // Into a tray.
+            line(&[(0.0, -1.2), (0.0, 0.3)]);
+            line(&[(-0.5, -0.2), (0.0, 0.35), (0.5, -0.2)]);
+            line(&[(-1.1, 0.2), (-1.1, 1.05), (1.1, 1.05), (1.1, 0.2)]);
+        }
+        Icon::Fit => {
+            // The corners of what is seen, and what is shown in it.
+            for [x, y] in [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]] {
+                line(&[(1.15 * x, 0.5 * y), (1.15 * x, 1.05 * y), (0.55 * x, 1.05 * y)]);
+            }
+            painter.circle_filled(at(0.0, 0.0), 0.42 * unit, color);
+        }
+        Icon::Bodies => {
+            painter.circle_filled(at(-0.45, 0.35), 0.75 * unit, color);
+            line(&[(0.2, -0.5), (0.2, -1.1), (1.1, -1.1), (1.1, -0.2), (0.6, -0.2)]);
+        }
+        Icon::Strain => {
+            // What is pulled apart.
+            line(&[(-0.45, 0.0), (0.45, 0.0)]);
+            filled(&[(-1.3, 0.0), (-0.6, -0.5), (-0.6, 0.5)]);
+            filled(&[(1.3, 0.0), (0.6, -0.5), (0.6, 0.5)]);
+            line(&[(-0.5, -0.95), (-0.5, -1.05), (0.5, -1.05), (0.5, -0.95)]);
+            line(&[(-0.5, 0.95), (-0.5, 1.05), (0.5, 1.05), (0.5, 0.95)]);
+        }
+        Icon::Bonds => {
+            let corners = [(-0.95, 0.8), (0.95, 0.8), (0.0, -0.9)];
+            line(&[corners[0], corners[1], corners[2], corners[0]]);
+            corners.into_iter().for_each(|(x, y)| _ = painter.circle_filled(at(x, y), 0.34 * unit, color));
+        }
+        Icon::Beside => {
+            // Two windows side by side.
+            for x in [-0.65, 0.65] {
+                line(&[(x - 0.5, -0.9), (x + 0.5, -0.9), (x + 0.5, 0.9), (x - 0.5, 0.9), (x - 0.5, -0.9)]);
+            }
+        }
+        Icon::Keys => {
+            let font = FontId::proportional(2.1 * unit);
+            _ = painter.text(rect.center(), Align2::CENTER_CENTER, "?", font, color);
+        }
+        Icon::Picture => {
+            // Hills in a frame.
+            line(&[(-1.2, -0.95), (1.2, -0.95), (1.2, 0.95), (-1.2, 0.95), (-1.2, -0.95)]);
+            line(&[(-1.2, 0.7), (-0.4, -0.15), (0.2, 0.5), (0.55, 0.15), (1.2, 0.75)]);
+            painter.circle_filled(at(0.6, -0.45), 0.2 * unit, color);
+        }
         Icon::Primitive(primitive) => primitives::paint(painter, primitive, &at, stroke),
     }
 }
@@ -221,7 +324,8 @@ mod tests {
         for icon in all
             .into_iter()
             .chain(more)
-            .chain([Icon::Gear, Icon::Plot, Icon::Book, Icon::Close])
+            .chain([Icon::Gear, Icon::Plot, Icon::Book, Icon::Close, Icon::New, Icon::Draw, Icon::Open, Icon::Save])
+            .chain([Icon::Fit, Icon::Bodies, Icon::Strain, Icon::Bonds, Icon::Beside, Icon::Keys, Icon::Picture])
             .chain(Primitive::ALL.map(Icon::Primitive))
         {
             let mut output = context.run_ui(egui::RawInput::default(), |ui| {

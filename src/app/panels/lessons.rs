@@ -13,8 +13,15 @@ use crate::app::action::Action;
 use crate::lessons::{Lesson, Step, lessons};
 use crate::scene::Scene;
 
-/// Width of the panel `[points]`.
+/// Width of the panel: the narrowest, and the widest, in which a step and its plot lie one above the other on a laptop `[points]`.
 pub(super) const WIDTH: f32 = 270.0;
+const WIDEST: f32 = 380.0;
+/// It takes this share of the room's width, between those `[1]`.
+const SHARE: f32 = 0.3;
+/// From this width on names stand beside their words, and all that leads on in one row `[points]`.
+const WIDE: f32 = 370.0;
+/// Width of such names `[points]`.
+const NAMES: f32 = 62.0;
 /// Frame and header, above what is scrolled `[points]`.
 const HEAD: f32 = 56.0;
 /// Along the lower edge it takes this share of the height at most `[1]`.
@@ -110,11 +117,21 @@ pub(super) fn has_room(room: Rect, at_edge: f32) -> bool {
     at_edge == 0.0 || room.width() >= at_edge + WIDTH + BESIDE
 }
 
-/// Shows it at the lower right corner of a room, beside what takes so much of the right edge `[points]`.
-pub(super) fn show(context: &egui::Context, (room, at_edge): (Rect, f32), state: &mut Lessons, wishes: &mut Vec<Wish>) {
-    let width = WIDTH.min((0.5 * room.width() - MIDDLE).max(180.0));
+/// Its width in a room, beside what takes so much of the right edge `[points]`.
+pub(super) fn width(room: Rect, at_edge: f32) -> f32 {
+    let wide = if at_edge > 0.0 { WIDTH } else { (SHARE * room.width()).clamp(WIDTH, WIDEST) };
+    wide.min((0.5 * room.width() - MIDDLE).max(180.0))
+}
+
+/// Shows it at the lower right corner of a room, beside what takes so much of the right edge `[points]`. Returns where it begins.
+pub(super) fn show(
+    context: &egui::Context,
+    (room, at_edge): (Rect, f32),
+    state: &mut Lessons,
+    wishes: &mut Vec<Wish>,
+) -> f32 {
     let corner = room.right_bottom() - egui::vec2(10.0 + at_edge, 0.0);
-    panel(context, (Align2::RIGHT_BOTTOM, corner), [width, room.height()], state, wishes);
+    panel(context, (Align2::RIGHT_BOTTOM, corner), [width(room, at_edge), room.height()], state, wishes)
 }
 
 /// Shows it along the lower edge of a room. Returns where it begins `[points]`.
@@ -135,8 +152,8 @@ fn panel(
     let shown = Area::new(Id::unique("lessons")).pivot(pivot).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_width(width);
-            header(ui, state, wishes);
             let open = state.lesson.and_then(|place| Some((place, lessons().get(place)?)));
+            header(ui, state, open.map(|(_, lesson)| &*lesson.title), wishes);
             match open {
                 Some((place, lesson)) => {
                     let at = At { lesson: place, step: state.step(place).min(lesson.steps.len().saturating_sub(1)) };
@@ -151,7 +168,7 @@ fn panel(
     shown.response.rect.top()
 }
 
-fn header(ui: &mut Ui, state: &mut Lessons, wishes: &mut Vec<Wish>) {
+fn header(ui: &mut Ui, state: &mut Lessons, title: Option<&str>, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
         if state.lesson.is_none() {
             ui.label(RichText::new("Lessons").color(colors(ui).text).strong());
@@ -161,6 +178,12 @@ fn header(ui: &mut Ui, state: &mut Lessons, wishes: &mut Vec<Wish>) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if ui.button("Close").on_hover_text(described("close the lessons", Action::Lessons)).clicked() {
                 wishes.push(Wish::Act(Action::Lessons));
+            }
+            if let Some(title) = title {
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    let words = RichText::new(title).color(colors(ui).weak).size(12.0);
+                    ui.add(Label::new(words).truncate().selectable(false));
+                });
             }
         });
     });
@@ -207,8 +230,8 @@ fn line(ui: &mut Ui, words: RichText) {
 /// A step, with what leads to others below it, and from the last one to the `next` lesson.
 fn of_lesson(ui: &mut Ui, lesson: &Lesson, (at, next): (At, Option<At>), height: f32, wishes: &mut Vec<Wish>) {
     let Some(step) = lesson.steps.get(at.step) else { return };
-    line(ui, RichText::new(&lesson.title).color(colors(ui).weak).size(12.0));
-    let height = (height - 96.0).max(60.0);
+    let is_wide = ui.available_width() >= WIDE;
+    let height = (height - if is_wide { 42.0 } else { 78.0 }).max(60.0);
     let scroll = ScrollArea::vertical().id_salt((at.lesson, at.step)).max_height(height).min_scrolled_height(height);
     scroll.show(ui, |ui| {
         of_step(ui, step);
@@ -222,6 +245,9 @@ fn of_lesson(ui: &mut Ui, lesson: &Lesson, (at, next): (At, Option<At>), height:
             wishes.push(Wish::Learn(At { step: at.step.saturating_sub(1), ..at }));
         }
         ui.label(RichText::new(format!("step {} of {}", at.step + 1, lesson.steps.len())).color(colors(ui).weak));
+        if is_wide {
+            again(ui, at, wishes);
+        }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let (words, to) = match at.step + 1 < lesson.steps.len() {
                 true => ("Next", Some(At { step: at.step + 1, ..at })),
@@ -234,7 +260,14 @@ fn of_lesson(ui: &mut Ui, lesson: &Lesson, (at, next): (At, Option<At>), height:
             }
         });
     });
-    if ui.button("Open the scene again").clicked() {
+    if !is_wide {
+        again(ui, at, wishes);
+    }
+}
+
+/// Leads to the start of the step that is open.
+fn again(ui: &mut Ui, at: At, wishes: &mut Vec<Wish>) {
+    if ui.button("Begin again").on_hover_text("open the scene of this step again").clicked() {
         wishes.push(Wish::Learn(at));
     }
 }
@@ -256,12 +289,25 @@ fn of_step(ui: &mut Ui, step: &Step) {
     }
 }
 
-/// A few lines below a word that says what they are.
+/// A few lines beside a word that says what they are, or below it where there is little width.
 fn part<'a>(ui: &mut Ui, name: &str, lines: impl IntoIterator<Item = &'a str>) {
     ui.add_space(3.0);
-    ui.scope(|ui| {
+    let name = RichText::new(name).color(colors(ui).accent).size(12.0);
+    let words = |ui: &mut Ui| {
         ui.spacing_mut().item_spacing.y = 2.0;
-        line(ui, RichText::new(name).color(colors(ui).accent).size(12.0));
         lines.into_iter().for_each(|words| line(ui, RichText::new(words).color(colors(ui).text)));
+    };
+    if ui.available_width() < WIDE - NAMES {
+        line(ui, name);
+        ui.scope(words);
+        return;
+    }
+    ui.horizontal_top(|ui| {
+        ui.allocate_ui_with_layout(egui::vec2(NAMES, 0.0), Layout::top_down(Align::Min), |ui| {
+            ui.set_width(NAMES);
+            ui.add_space(1.5);
+            line(ui, name);
+        });
+        ui.vertical(words);
     });
 }

@@ -51,7 +51,7 @@ impl Screen {
         let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
         let mut output = self.context.run_ui(input, |ui| {
             let room = Rect::from_min_size(Pos2::ZERO, [SIZE[0], SIZE[1] - BAR].into());
-            lessons::show(ui.ctx(), (room, self.at_edge), &mut self.state, &mut wishes);
+            _ = lessons::show(ui.ctx(), (room, self.at_edge), &mut self.state, &mut wishes);
         });
         output.textures_delta.clear();
         (wishes, output.shapes.into_iter().map(|clipped| (clipped.clip_rect, clipped.shape)).collect())
@@ -104,7 +104,7 @@ fn a_lesson_is_chosen_gone_through_and_left_where_it_is() {
     assert_eq!(screen.click("Next"), [Wish::Learn(At { lesson: 1, step: 1 })]);
     screen.enter(At { lesson: 1, step: 2 });
     assert!(screen.place_of(&second.steps[2].heading).is_some() && screen.place_of(&first.title).is_none());
-    assert_eq!(screen.click("Open the scene again"), [Wish::Learn(At { lesson: 1, step: 2 })]);
+    assert_eq!(screen.click("Begin again"), [Wish::Learn(At { lesson: 1, step: 2 })]);
     assert_eq!(screen.click("Back"), [Wish::Learn(At { lesson: 1, step: 1 })]);
     assert_eq!(screen.click("All lessons"), []);
     assert!(

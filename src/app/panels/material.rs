@@ -383,15 +383,15 @@ fn visible(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     });
 }
 
+/// The colour of its own, or that which it is drawn in.
 fn color(ui: &mut Ui, matter: &Matter, drawn: Option<[u8; 3]>, sink: &mut Sink<'_>) {
-    let mut color = match matter.color {
+    let color = match matter.color {
         Coloring::One(color) => color,
         Coloring::Palette | Coloring::Mixed => drawn.unwrap_or([143, 166, 194]),
     };
     row(ui, "colour", |ui, label| {
         let words = "a picture is tinted by it: white leaves that as it is";
-        let by = ui.color_edit_button_srgb(&mut color).labelled_by(label).on_hover_text(words);
-        if by.changed() {
+        if let Some((by, color)) = super::color::button(ui, color, label, words) {
             sink.set(&by, MatterChange::Color(color));
         }
         match matter.color {

@@ -166,3 +166,43 @@ fn what_nothing_made_is_named_by_its_shape() {
         {"make": "disc", "radius": 1, "spacing": 0.5, "origin": [0, 5], "material": {"kind": "spring", "stiffness": 100, "mass": 1}}]}"#;
     assert_eq!([named(made, 0..5), named(made, 5..9)].map(|name| name.unwrap()), ["rope", "disc"]);
 }
+
+#[test]
+fn a_colour_is_clicked_on_or_dragged_to() {
+    let mut screen = Screen::new(Some(matter()));
+    let label = screen.place("colour");
+    let at = label + vec2(80.0, 0.0);
+    click(at).into_iter().for_each(|events| _ = screen.frame(events));
+    (0..20).for_each(|_| _ = screen.frame(Vec::new()));
+    let texts = screen.frame(Vec::new()).1;
+    for name in ["hue", "strength", "lightness"] {
+        assert!(texts.iter().any(|(text, _)| text == name), "{name}: {texts:?}");
+    }
+    let fonts = [egui::FontId::proportional(13.5), egui::FontId::monospace(12.0)];
+    for (text, _) in &texts {
+        let is_known =
+            |sign: char| fonts.iter().any(|font| screen.context.fonts_mut(|fonts| fonts.has_glyph(font, sign)));
+        assert!(text.chars().all(|sign| sign == '\n' || is_known(sign)), "{text} has a sign that no font has");
+    }
+    // Of the samples the first lies at the left of the first row, above the first bar.
+    let hue = screen.place("hue");
+    let sample = hue - vec2(3.0, 45.0);
+    let wishes: Vec<Wish> = click(sample).into_iter().flat_map(|events| screen.frame(events).0).collect();
+    let [Wish::Matter(MatterChange::Color(_), false)] = wishes[..] else { panic!("{wishes:?}") };
+    // A drag along the bar is one edit.
+    let bar = hue + vec2(90.0, 0.0);
+    screen.frame(vec![Event::PointerMoved(bar)]);
+    let mut all = screen.frame(vec![button(bar, true)]).0;
+    for x in [15.0, 30.0, 45.0] {
+        all.extend(screen.frame(vec![Event::PointerMoved(bar + vec2(x, 0.0))]).0);
+    }
+    all.extend(screen.frame(vec![button(bar + vec2(45.0, 0.0), false)]).0);
+    let goes_on: Vec<bool> = all
+        .iter()
+        .map(|wish| match wish {
+            Wish::Matter(MatterChange::Color(_), goes_on) => *goes_on,
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    assert!(goes_on.len() >= 3 && !goes_on[0] && goes_on[1..].iter().all(|goes_on| *goes_on), "{all:?}");
+}

@@ -5,6 +5,9 @@ mod asking;
 mod beside;
 #[cfg(test)]
 mod beside_tests;
+mod color;
+#[cfg(test)]
+mod column_tests;
 mod dial;
 mod drives;
 mod gallery;
@@ -79,6 +82,9 @@ pub(super) const TOOLS: f32 = 66.0;
 
 /// What a panel at the right edge takes there beside its width `[points]`.
 const GAP: f32 = 28.0;
+
+/// Rooms so high have place for the figures above a lesson with its plots `[points]`.
+const FIGURES: f32 = 800.0;
 
 /// What the panels ask for.
 #[derive(Clone, Debug, PartialEq)]
@@ -295,15 +301,20 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let has_lessons = state.lessons.is_open && has_panels && (!has_settings || state.has_room_for_both);
     let takes = |is_shown: bool, width: f32| if is_shown && !stands_upright { width + GAP } else { 0.0 };
     let edge = takes(has_settings, settings::WIDTH);
-    let panels_edge = edge + takes(has_lessons, lessons::WIDTH);
+    let column = lessons::width(room, edge);
+    let panels_edge = edge + takes(has_lessons, column);
     // Beside worlds that lie side by side plots take room, as panels do: there is no place that none of them is in.
     let has_plots = state.plots.is_some() && has_panels;
-    let are_docked = has_plots && !stands_upright && !facts.neighbors.is_empty() && !state.plots_at.is_dragged();
+    let stays = has_plots && !stands_upright && !state.plots_at.is_dragged();
+    // A lesson and its plots are one column: what is read and what is seen leave the world alone.
+    let are_stacked = stays && has_lessons;
+    let are_docked = stays && !are_stacked && !facts.neighbors.is_empty();
     // Along the lower edge, where that leaves more to each of them.
     let (worlds, high) = (facts.neighbors.len(), plots::low_height(room));
     let is_low = are_docked && places.are_larger_above(worlds, panels_edge, [plots::WIDTH, high]);
     let all_edge = panels_edge + takes(are_docked && !is_low, plots::WIDTH);
-    if !state.hides_hud && room.width() > 560.0 && !is_covered {
+    let has_figures = room.width() > 560.0 && (!are_stacked || room.height() > FIGURES);
+    if !state.hides_hud && has_figures && !is_covered {
         hud::show(&context, &mut places, facts);
     }
     if facts.look.overlay == Overlay::Strain && !is_covered {
@@ -312,15 +323,24 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     if has_lessons && stands_upright {
         places.below = lessons::show_below(&context, places.below_buttons(), &mut state.lessons, &mut wishes);
     } else if has_lessons {
-        lessons::show(&context, (places.beside(), edge), &mut state.lessons, &mut wishes);
+        let mut at = places.beside(column);
+        let all = at;
+        if are_stacked {
+            at.min.y = (at.min.y + plots::LEAST_ABOVE + places::APART).min(at.max.y);
+        }
+        let top = lessons::show(&context, (at, edge), &mut state.lessons, &mut wishes);
+        if let Some(plots) = state.plots.as_mut().filter(|_| are_stacked) {
+            let above = all.with_max_y((top - places::APART).max(all.top()));
+            plots::show_above(&context, (above, edge, column), plots, &mut wishes);
+        }
     }
     if has_settings && stands_upright {
         places.below = settings::show_below(&context, places.below_buttons(), state, facts, &mut wishes);
     } else if has_settings {
-        settings::show(&context, places.beside(), state, facts, &mut wishes);
+        settings::show(&context, places.beside(settings::WIDTH), state, facts, &mut wishes);
     }
     let (mut plotted, mut strip) = (None, None);
-    if let Some(plots) = state.plots.as_mut().filter(|_| has_panels) {
+    if let Some(plots) = state.plots.as_mut().filter(|_| has_panels && !are_stacked) {
         if stands_upright {
             places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes).top();
         } else if is_low {

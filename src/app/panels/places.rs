@@ -78,9 +78,9 @@ impl Places {
         }
     }
 
-    /// For a panel at the right edge: below all else there, above the numbers.
-    pub(super) fn beside(&mut self) -> Rect {
-        self.make_way(super::lessons::WIDTH + GAP);
+    /// For a panel so wide at the right edge: below all else there, above the numbers.
+    pub(super) fn beside(&mut self, width: f32) -> Rect {
+        self.make_way(width + GAP);
         Rect::from_min_max(pos2(self.room.left(), self.right), pos2(self.room.right(), self.below))
     }
 

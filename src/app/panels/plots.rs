@@ -23,8 +23,13 @@ const LOW: f32 = 0.18;
 const TALL: f32 = 850.0;
 /// Where it begins beside the tools, and below them `[points]`.
 const LEFT: [f32; 2] = [76.0, 10.0];
-/// Its frame, header, choices and names, above the plot `[points]`.
+/// Its frame, header, choices and names, above the plot `[points]`; those of one that has its choices in the header.
 const HEAD: f32 = 118.0;
+const SHORT: f32 = 86.0;
+/// Beside a lesson a plot is no lower than this `[points]`.
+const LEAST: f32 = 70.0;
+/// About how high it is there at least `[points]`.
+pub(super) const LEAST_ABOVE: f32 = LEAST + SHORT;
 /// Points so near to it are covered by what lies about them `[points]`.
 const ROOM: f32 = 12.0;
 /// Width of what lies in the upper right corner, figures and legends, with some room `[points]`.
@@ -77,9 +82,6 @@ impl PlotsAt {
     }
 }
 
-/// Opacity of the panel: what lies below is seen `[1]`.
-const OPACITY: f32 = 0.8;
-
 /// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge. Returns where it lies `[points]`.
 pub(super) fn show(
     context: &egui::Context,
@@ -102,18 +104,31 @@ pub(super) fn show(
         pos2(corner.x.min(room.right() - size.x - APART), corner.y.max(room.top() + size.y).min(room.bottom()));
     let corner = if at.is_dragged { corner } else { below_corner(corner, size, (room, top)) };
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
-    let shown = area.show(context, |ui| panel(ui, [SIZE[0], high], plots, wishes));
+    let shown = area.show(context, |ui| panel(ui, ([SIZE[0], high], false), plots, wishes));
     if shown.response.dragged() {
         *at = PlotsAt { corner: Some(corner + shown.response.drag_delta()), is_dragged: true };
     }
     shown.response.rect
 }
 
+/// Shows it at the lower right corner of a room, as wide and as high as that, beside what takes so much of the right edge `[points]`.
+pub(super) fn show_above(
+    context: &egui::Context,
+    (room, at_edge, width): (Rect, f32, f32),
+    plots: &mut Plots,
+    wishes: &mut Vec<Wish>,
+) {
+    let high = (room.height() - SHORT).clamp(LEAST, SIZE[1]);
+    let corner = room.right_bottom() - vec2(10.0 + at_edge, 0.0);
+    let area = Area::new(Id::unique("plots above")).pivot(Align2::RIGHT_BOTTOM).fixed_pos(corner);
+    area.show(context, |ui| panel(ui, ([width, high], true), plots, wishes));
+}
+
 /// Shows it along the lower edge of a room. Returns where it lies `[points]`.
 pub(super) fn show_below(context: &egui::Context, room: Rect, plots: &mut Plots, wishes: &mut Vec<Wish>) -> Rect {
     let size = [(room.width() - 36.0).max(180.0), low(room)];
     let area = Area::new(Id::unique("plots below")).pivot(Align2::CENTER_BOTTOM).fixed_pos(room.center_bottom());
-    area.show(context, |ui| panel(ui, size, plots, wishes)).response.rect
+    area.show(context, |ui| panel(ui, (size, false), plots, wishes)).response.rect
 }
 
 /// Height of a plot there `[points]`.
@@ -126,16 +141,18 @@ pub(super) fn low_height(room: Rect) -> f32 {
     low(room) + HEAD
 }
 
-/// The panel with a plot of this size.
-fn panel(ui: &mut Ui, size: [f32; 2], plots: &mut Plots, wishes: &mut Vec<Wish>) {
-    let ground = floating(ui);
-    let fill = ground.fill.gamma_multiply(OPACITY);
-    ground.fill(fill).show(ui, |ui| {
+/// The panel with a plot of this size: a short one has its choices in the header.
+fn panel(ui: &mut Ui, (size, is_short): ([f32; 2], bool), plots: &mut Plots, wishes: &mut Vec<Wish>) {
+    floating(ui).show(ui, |ui| {
         ui.set_width(size[0]);
         let fold = CollapsingState::load_with_default_open(ui.ctx(), Id::unique("plots are open"), true);
-        let header = fold.show_header(ui, |ui| header(ui, wishes));
+        // What is against each other has no place there.
+        let is_short = is_short && plots.probes().iter().flatten().count() < 2;
+        let header = fold.show_header(ui, |ui| header(ui, plots, is_short, wishes));
         header.body_unindented(|ui| {
-            choices(ui, plots);
+            if !is_short {
+                ui.horizontal(|ui| choices(ui, plots));
+            }
             legend(ui, plots);
             plot(ui, size, plots);
         });
@@ -168,8 +185,12 @@ fn quiet((room, top): (Rect, f32), size: Vec2, points: &[Pos2]) -> Pos2 {
     places.into_iter().min_by_key(inside).unwrap_or(at_left)
 }
 
-fn header(ui: &mut Ui, wishes: &mut Vec<Wish>) {
+fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>) {
     ui.label(RichText::new("Plots").color(colors(ui).text).strong());
+    // Where there is but one choice nothing is to be chosen.
+    if is_short && plots.probes().iter().any(Option::is_some) {
+        choices(ui, plots);
+    }
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         if ui.button("Close").on_hover_text(described("close the plots", Action::Plots)).clicked() {
             wishes.push(Wish::Act(Action::Plots));
@@ -186,18 +207,16 @@ fn header(ui: &mut Ui, wishes: &mut Vec<Wish>) {
 /// What is looked at; without a probe how to put one.
 fn choices(ui: &mut Ui, plots: &mut Plots) {
     let count = plots.probes().iter().flatten().count();
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        ui.selectable_value(&mut plots.subject, Subject::Energies, "energies");
-        if count == 0 {
-            ui.weak("click a point or bond with tool 6 to probe it");
-            return;
-        }
-        ui.selectable_value(&mut plots.subject, Subject::Probes, if count == 1 { "probe" } else { "probes" });
-        if count == 2 {
-            ui.selectable_value(&mut plots.subject, Subject::Phase, "against each other");
-        }
-    });
+    ui.spacing_mut().item_spacing.x = 4.0;
+    ui.selectable_value(&mut plots.subject, Subject::Energies, "energies");
+    if count == 0 {
+        ui.weak("click a point or bond with tool 6 to probe it");
+        return;
+    }
+    ui.selectable_value(&mut plots.subject, Subject::Probes, if count == 1 { "probe" } else { "probes" });
+    if count == 2 {
+        ui.selectable_value(&mut plots.subject, Subject::Phase, "against each other");
+    }
 }
 
 /// The names of the curves in their colours, and which quantity of the probes they show.

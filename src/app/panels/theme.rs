@@ -157,11 +157,14 @@ fn visuals(theme: Theme, colors: &Colors) -> Visuals {
     visuals
 }
 
+/// How opaque what floats is: what lies below is guessed at, and words are read over white and over black bodies `[1]`.
+const FLOATING: f32 = 0.96;
+
 /// The ground of what floats over the world.
 pub(super) fn floating(context: &Context) -> egui::Frame {
     let colors = colors(context);
     egui::Frame::new()
-        .fill(colors.panel.gamma_multiply(0.92))
+        .fill(colors.panel.gamma_multiply(FLOATING))
         .stroke(Stroke::new(1.0, colors.line))
         .corner_radius(CornerRadius::same(10))
         .inner_margin(Margin::symmetric(8, 6))
@@ -199,12 +202,14 @@ mod tests {
                 assert!(found >= 4.5, "{palette:?}: {text:?} on {ground:?}: {found:.2}");
             }
             let look = Look::in_palette(palette);
-            // What floats is a little transparent: the ground of the world shines through it.
-            let through = |a: f32, b: f32| 0.92 * a + 0.08 * b;
-            let (panel, ground) = (plain(colors.panel), look.ground);
-            let floating = std::array::from_fn(|part| through(panel[part], ground[part]));
-            for text in written {
-                assert!(contrast(plain(text), floating) >= 4.5, "{palette:?}: {text:?} on what floats");
+            // What floats is a little transparent: the ground of the world shines through it, or a body of any colour.
+            let panel = plain(colors.panel);
+            for behind in [look.ground, [0.0, 0.0, 0.0, 1.0], [1.0; 4]] {
+                let floating = std::array::from_fn(|part| FLOATING * panel[part] + (1.0 - FLOATING) * behind[part]);
+                for text in written.into_iter().chain(colors.probes).chain(colors.energies) {
+                    let found = contrast(plain(text), floating);
+                    assert!(found >= 4.5, "{palette:?}: {text:?} on what floats over {behind:?}: {found:.2}");
+                }
             }
             // What is marked in the world has the colours of the world's own marks.
             assert_eq!(look.region[..3], plain(colors.accent)[..3]);

@@ -1,14 +1,17 @@
 //! What floats at the top: the scene with those before and after it, and what can be brought in or saved.
 
-use egui::{Area, Id, Rect, RichText};
+use egui::{Area, Id, Rect, RichText, Ui};
 
 use super::icons::{self, Icon};
 use super::theme::{colors, floating};
-use super::{Facts, Wish, button, described, icon};
+use super::{Facts, Wish, described, icon};
 use crate::app::action::{Action, Showing};
 
 /// In narrower rooms buttons stand closer to each other, so that most of them are in one row `[points]`.
 const TIGHT: f32 = 1080.0;
+
+/// From this width on there is room for words beside the signs `[points]`.
+const WORDS: f32 = 1500.0;
 
 /// Width of the name of what is open `[points]`: what it is called moves no button. The second is that in narrower rooms.
 const NAME: [f32; 2] = [150.0, 104.0];
@@ -32,35 +35,59 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
                 if ui.add_sized([width, height], name).on_hover_text(said).clicked() {
                     wishes.push(Wish::Act(Action::Gallery));
                 }
+                // A word beside its sign where there is room, and always where signs alone say little.
+                let has_words = room.width() >= WORDS;
+                let mut plain = |ui: &mut Ui, sign: Icon, word: &str, said: &str, action: Action| {
+                    worded(ui, (sign, word), (described(said, action), action), [has_words, false], wishes);
+                };
                 ui.separator();
-                button(ui, "New", "an empty scene", Action::New, wishes);
-                button(ui, "Draw", "draw a body", Action::Paint, wishes);
-                button(ui, "Open", "open a scene, a recording or a picture", Action::Open, wishes);
-                button(ui, "Save", "save this moment, or all that was done", Action::Save, wishes);
+                plain(ui, Icon::New, "New", "new: an empty scene", Action::New);
+                plain(ui, Icon::Draw, "Draw", "draw a body", Action::Paint);
+                plain(ui, Icon::Open, "Open", "open a scene, a recording or a picture", Action::Open);
+                plain(ui, Icon::Save, "Save", "save this moment, or all that was done", Action::Save);
                 ui.separator();
                 icon(ui, Icon::Undo, "undo", Action::Undo, wishes);
                 icon(ui, Icon::Redo, "redo", Action::Redo, wishes);
                 ui.separator();
-                button(ui, "Fit", "fit all points", Action::Fit, wishes);
+                let fit = described("fit all points", Action::Fit);
+                worded(ui, (Icon::Fit, "Fit"), (fit, Action::Fit), [has_words, false], wishes);
                 for showing in Showing::ALL {
-                    let is_on = facts.showing == showing;
+                    let sign = match showing {
+                        Showing::Bodies => Icon::Bodies,
+                        Showing::Strain => Icon::Strain,
+                        Showing::Bonds => Icon::Bonds,
+                    };
                     let said = described(showing.words(), Action::NextShowing);
-                    if ui.selectable_label(is_on, showing.name()).on_hover_text(said).clicked() {
-                        wishes.push(Wish::Act(Action::Show(showing)));
-                    }
+                    let is_on = facts.showing == showing;
+                    worded(ui, (sign, showing.name()), (said, Action::Show(showing)), [true, is_on], wishes);
                 }
                 super::beside::menu(ui, facts, wishes);
                 ui.separator();
                 icon(ui, Icon::Book, "lessons: how it works", Action::Lessons, wishes);
                 icon(ui, Icon::Plot, "plots of the energies", Action::Plots, wishes);
                 icon(ui, Icon::Gear, "settings of the scene", Action::Settings, wishes);
-                button(ui, "?", "the keys", Action::Help, wishes);
+                let keys = described("the keys", Action::Help);
+                worded(ui, (Icon::Keys, "?"), (keys, Action::Help), [false; 2], wishes);
                 // Last: where a scene has none no other button stands elsewhere.
                 if facts.has_picture {
-                    button(ui, "Picture", "cut the scene's first picture out anew", Action::Import, wishes);
+                    let said = described("cut the scene's first picture out anew", Action::Import);
+                    worded(ui, (Icon::Picture, "Picture"), (said, Action::Import), [true, false], wishes);
                 }
             });
         });
     });
     shown.response.rect
+}
+
+/// A button with a sign, the word that it is called by, and what is said of it and done by it: the word stands beside the sign, or it is lit.
+fn worded(
+    ui: &mut Ui,
+    (sign, word): (Icon, &str),
+    (said, action): (String, Action),
+    [has_word, is_on]: [bool; 2],
+    wishes: &mut Vec<Wish>,
+) {
+    if icons::worded(ui, sign, word, (has_word, is_on)).on_hover_text(said).clicked() {
+        wishes.push(Wish::Act(action));
+    }
 }

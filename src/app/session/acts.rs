@@ -368,10 +368,7 @@ impl Session {
         let own = match framing {
             Framing::Opening => match &self.player.start().recording().view {
                 Some(saved) => opening::saved(saved, &view, pane),
-                None => {
-                    let opened = opening::camera(&self.scene, &view, pane);
-                    opening::beside_corner(|free| opening::clear(opened, &view, free), &view, free, corner)
-                }
+                None => opening::opened(&self.scene, &view, pane, (free, corner)),
             },
             Framing::Fit => opening::beside_corner(|free| opening::fit_in(&view, free, pane), &view, free, corner),
             Framing::Free => {

@@ -262,10 +262,7 @@ impl Session {
 
     /// What nothing lies over of a pane of this size `[px]`: at each side as much is left out as what lies over the picture takes there.
     pub(super) fn free_of_pane(&self, pane: [u32; 2]) -> opening::Free {
-        let [low, high] = self.free;
-        let ends = [0, 1].map(|axis| high[axis] - f64::from(self.area[axis]) + f64::from(pane[axis]));
-        let has_room = (0..2).all(|axis| ends[axis] > low[axis]);
-        if has_room { [low, ends] } else { [[0.0; 2], pane.map(f64::from)] }
+        opening::free_of_pane(pane, (self.area, self.free))
     }
 
     /// The part of the plane that is seen beside panels: its lower and upper corner `[m]`, to a hundredth of its height.

@@ -4,10 +4,10 @@ use glam::DVec2;
 
 use super::Session;
 use crate::app::lengths::LengthUnit;
-use crate::app::opening;
 use crate::app::panels::{Neighbor, TOOLS, solvers};
 use crate::app::player::{Beside, Companions, Order};
 use crate::app::tools::{Mark, Role};
+use crate::app::{distances, opening};
 use crate::render::{Camera, Look, Overlay, Pane, Trails, View};
 use crate::scene::{BesideKeys, Meeting, Scene, SolverName};
 use crate::sim::{Cursor, MouseForce};
@@ -27,10 +27,8 @@ impl Session {
     pub(super) fn line_up(&mut self) {
         let view = self.shown().view();
         let alone = opening::alone(&self.scene, &view);
-        let [low, high] = self.free;
-        let taken = [0, 1].map(|axis| (f64::from(self.area[axis]) - (high[axis] - low[axis])).max(0.0));
-        self.tiles = opening::tiles(&alone, &view, (self.worlds(), self.area), taken);
-        self.difference_most = opening::full_distance(&alone) as f32;
+        self.tiles = opening::shared(&self.scene, &view, self.worlds(), (self.area, self.free));
+        self.difference_most = distances::full_distance(&alone) as f32;
         self.fit_distances();
         self.cell = self.cell.min(self.tiles.count() - 1);
     }
@@ -39,7 +37,7 @@ impl Session {
     fn fit_distances(&mut self) {
         let apart = self.shown().beside.iter().filter_map(|world| world.farthest).filter(|most| most.is_finite());
         self.most_apart = apart.fold(self.most_apart, f32::max);
-        self.look.difference_full = opening::round_distance(self.most_apart, self.difference_most);
+        self.look.difference_full = distances::round_distance(self.most_apart, self.difference_most);
     }
 
     /// Which solvers cannot run the scene: found anew where bodies meet since, or do not meet any more.

@@ -106,7 +106,8 @@ impl Session {
             hand.take(Tool::Select);
             hand.select(hidden);
         });
-        self.dirty = true;
+        // In place of what was said when it was hidden.
+        self.say("all is drawn again, and selected".to_owned());
     }
 
     /// How many bodies are hidden: of the tool that selects, whose panel alone says it.

@@ -14,10 +14,11 @@ use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 
-use super::buffers::{GpuBond, WorldBuffers};
+use super::buffers::WorldBuffers;
 use super::counters::RenderCounters;
 use super::error::RenderError;
 use super::gpu::Gpu;
+use super::gpu_bond::GpuBond;
 use super::growing::GrowingBuffer;
 use super::view::View;
 use crate::picture::Tint;
@@ -183,8 +184,8 @@ impl Fills {
         if !(all || is_other || self.bindings.is_none()) {
             return;
         }
-        let world = buffers.bound(&buffers.frame, &self.primitives);
-        self.bindings = Some([bind(gpu, layout, &world), bind(gpu, &self.layout, &[&self.shades])]);
+        let world = buffers.bind(gpu, ("fill", layout), [&buffers.frame.buffer, &self.primitives]);
+        self.bindings = Some([world, bind(gpu, &self.layout, &[&self.shades])]);
     }
 
     /// Draws all fills, with their outlines and shadows; of bodies with a picture too where a map is shown in place of it.
@@ -358,7 +359,6 @@ mod tests {
 
     #[test]
     fn a_second_diagonal_is_drawn_on_its_body_and_sides_are_not_again() {
-        use crate::render::buffers::tests::empty;
         use crate::sim::{Bond, Bonds, Positions};
         let ends = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [3, 1], [1, 4]];
         let bonds: Bonds = ends.iter().map(|&[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).collect();
@@ -366,7 +366,7 @@ mod tests {
         let at = Positions::F64(&places);
         let triangles = [[0, 1, 2], [0, 2, 3]];
         let body = Filled { color: [1, 2, 3], triangles: triangles.to_vec() };
-        let view = View { previous: at, current: at, ..empty(&bonds, 2) };
+        let view = View { previous: at, current: at, ..View::empty(&bonds, 2) };
         let list = inner(&view, std::slice::from_ref(&body));
         assert_eq!(list, [vec![[1, 3]]]);
         let kinds = primitives(&[body], &Lines { inner: list, ..Lines::default() }, 2).0;
@@ -376,7 +376,6 @@ mod tests {
 
     #[test]
     fn what_has_joints_with_stops_is_a_figure_of_limbs() {
-        use crate::render::buffers::tests::empty;
         use crate::sim::{Bonds, Positions};
         // Two squares that share a corner, the second one half as large.
         let places = [0.0, 0.0, 2.0, 0.0, 2.0, 2.0, 0.0, 2.0, 3.0, 2.0, 3.0, 3.0, 2.0, 3.0];
@@ -384,7 +383,7 @@ mod tests {
         let body = Filled { color: [1, 2, 3], triangles };
         assert_eq!(pieces(&body.triangles).iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
         let (at, bonds) = (Positions::F64(&places), Bonds::default());
-        let view = View { previous: at, current: at, joints: vec![PointId(2)], ..empty(&bonds, 2) };
+        let view = View { previous: at, current: at, joints: vec![PointId(2)], ..View::empty(&bonds, 2) };
         let found = limbs(&view, std::slice::from_ref(&body));
         assert_eq!(found, [Some((FLESH_SHARE * 0.5) as f32)], "as the smaller one: 2 m^2 by 4 m");
         assert!(limbs(&View { joints: Vec::new(), ..view.clone() }, std::slice::from_ref(&body)).is_empty());

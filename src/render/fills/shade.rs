@@ -1,7 +1,7 @@
 //! What fills are shaded by, a row a point: its normal in space, and the mean strain of its bonds.
 
-use crate::render::buffers::GpuBond;
 use crate::render::forms::acting;
+use crate::render::gpu_bond::GpuBond;
 
 /// A row as the shader reads it: a unit normal (0 in the plane) and a strain `[1]`.
 pub(super) type Shade = [f32; 4];

@@ -182,14 +182,7 @@ impl Obstacles {
         if !(all || own.contains(&true) || self.binding.is_none()) {
             return;
         }
-        let lists = buffers.bound(&self.frame, &self.triangles);
-        let entry =
-            |k: usize| wgpu::BindGroupEntry { binding: k as u32, resource: lists[k].buffer.as_entire_binding() };
-        self.binding = Some(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("obstacles"),
-            layout,
-            entries: &[entry(0), entry(1), entry(2), entry(3), entry(4)],
-        }));
+        self.binding = Some(buffers.bind(gpu, ("obstacles", layout), [&self.frame, &self.triangles]));
     }
 
     /// Adds up what is covered of a picture of `size` `[px]`, and finds the rims, unless that is known.

@@ -3,8 +3,10 @@
 //! A triangle is drawn as long as all of its sides are bonds: where one broke, the skin is open. Along the sides that are then
 //! free, and along bonds that are no triangle's, goes a stroke in the picture's colours: triangles alone have ragged edges. In the plane, where
 //! the picture ends beside a side, it is drawn on up to its own edge instead (`rind.rs`).
+//! Where a picture is half transparent it is seen through, without such a stroke: it ends where it is clear.
 //! A body with a colour of its own is seen as through glass of that colour: the picture's are multiplied by it.
 
+mod ink;
 mod rind;
 mod sides;
 pub(super) mod texture;
@@ -30,7 +32,7 @@ struct Corner {
     point: u32,
     u: f32,
     v: f32,
-    /// What the picture is multiplied by there: red, green, blue from the lowest bits on.
+    /// What the picture is multiplied by there: red, green, blue from the lowest bits on, and [`THROUGH`].
     tint: u32,
 }
 
@@ -62,6 +64,12 @@ struct Worn {
 
 /// Marks corners of triangles of which only what the picture covers is shown: `CLIPPED` in skin.wgsl.
 const CLIPPED: u32 = 1 << 31;
+
+/// Where one of so many triangles is seen through, all of them are.
+const FADING: usize = 8;
+
+/// In a tint: the picture is shown as opaque as it is there, `tint.a` in skin.wgsl.
+const THROUGH: u32 = 255 << 24;
 
 /// Vertices of a stroke.
 const QUAD: u32 = 6;
@@ -162,18 +170,8 @@ impl Skins {
             if !(all || is_other || worn.bindings.is_none()) {
                 continue;
             }
-            worn.bindings = Some([&worn.rind, &worn.triangles, &worn.edges].map(|list| {
-                let entries = buffers.bound(&buffers.frame, list);
-                let entries: Vec<_> = (0..)
-                    .zip(entries)
-                    .map(|(binding, of)| wgpu::BindGroupEntry { binding, resource: of.buffer.as_entire_binding() })
-                    .collect();
-                gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                    label: Some("skin"),
-                    layout,
-                    entries: &entries,
-                })
-            }));
+            let bound = |list| buffers.bind(gpu, ("skin", layout), [&buffers.frame.buffer, list]);
+            worn.bindings = Some([&worn.rind, &worn.triangles, &worn.edges].map(bound));
         }
     }
 
@@ -213,24 +211,55 @@ impl Worn {
             let [red, green, blue] = Tint::of(tints, point).and_then(|tint| tint.color).unwrap_or(CLEAR);
             u32::from_le_bytes([red, green, blue, 0])
         };
-        let corner = |&point: &u32| {
-            let [u, v] = skin.texture.get((point - skin.first) as usize).copied().unwrap_or_default();
-            Corner { point, u, v, tint: tint(point) }
+        let tint = |point: u32, is_through: bool| tint(point) | if is_through { THROUGH } else { 0 };
+        let at = |point: u32| skin.texture.get((point - skin.first) as usize).copied().unwrap_or_default();
+        let corner = |point: u32, is_through: bool| {
+            let [u, v] = at(point);
+            Corner { point, u, v, tint: tint(point, is_through) }
         };
+        let size = [skin.picture.width as f32, skin.picture.height as f32];
+        let place = |point: u32| [0, 1].map(|axis| at(point)[axis] * size[axis]);
         let whole = sides.whole(&skin.triangles);
-        let mut triangles: Vec<Corner> = whole.iter().flatten().map(corner).collect();
+        let mut through: Vec<bool> =
+            whole.iter().map(|corners| ink::is_triangle_through(&skin.picture, corners.map(place))).collect();
+        // What fades out has opaque triangles too: between them and others there would be an edge.
+        if FADING * through.iter().filter(|is| **is).count() >= through.len() {
+            through.fill(true);
+        }
+        let both = || whole.iter().zip(&through);
+        let mut triangles: Vec<Corner> =
+            both().flat_map(|(corners, &is)| corners.map(|point| corner(point, is))).collect();
         let has_picture = |point: u32| (point.wrapping_sub(skin.first) as usize) < skin.texture.len();
         let mut edges = sides.edges(&skin.triangles, &whole, has_picture);
         let mut rind = Rind::default();
         if is_plane {
             let mut free = edges.clone();
             free.sort_unstable();
-            rind = Rind::of(skin, &whole, &free, tint);
+            rind = Rind::of(skin, (&whole, &through), &free, tint);
             let is_clipped = rind.clipped.iter().flat_map(|triangle| 3 * triangle..3 * triangle + 3);
             is_clipped.for_each(|corner| triangles[corner].point |= CLIPPED);
             edges.retain(|side| rind.sides.binary_search(side).is_err());
+            // Of what is shown only as far as the picture goes, a side beyond that is nothing.
+            let mut beyond: Vec<[u32; 2]> = rind.clipped.iter().flat_map(|&k| sides::sides(whole[k])).collect();
+            beyond.iter_mut().for_each(|side| *side = sides::ordered(*side));
+            beyond.sort_unstable();
+            edges.retain(|side| {
+                beyond.binary_search(side).is_err() || ink::is_strand_there(&skin.picture, side.map(place))
+            });
         }
-        let edges: Vec<Corner> = edges.iter().flatten().map(corner).collect();
+        let [opaque, seen_through] = [false, true].map(|wanted| {
+            let of = both().filter(|(_, is)| **is == wanted).flat_map(|(&corners, _)| sides::sides(corners));
+            let mut list: Vec<[u32; 2]> = of.map(sides::ordered).collect();
+            list.sort_unstable();
+            list
+        });
+        edges.retain(|side| seen_through.binary_search(side).is_err());
+        // A side of an opaque triangle lies where the picture ends: strands alone may be seen through.
+        let of_edge = |side: &[u32; 2]| {
+            let is = opaque.binary_search(side).is_err() && ink::is_strand_through(&skin.picture, side.map(place));
+            side.map(|point| corner(point, is))
+        };
+        let edges: Vec<Corner> = edges.iter().flat_map(of_edge).collect();
         self.rind.write(gpu, bytemuck::cast_slice(&rind.corners), counters)?;
         self.triangles.write(gpu, bytemuck::cast_slice(&triangles), counters)?;
         self.edges.write(gpu, bytemuck::cast_slice(&edges), counters)?;

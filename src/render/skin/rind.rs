@@ -5,6 +5,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
+use super::ink::{Place, alpha, luminance};
 use crate::picture::{Picture, Skin};
 
 /// A corner of a strip as the shader reads it: `Rind` in skin.wgsl.
@@ -29,12 +30,12 @@ const LOOKS: u32 = 5;
 const STEP: f32 = 0.5;
 /// So far inside a side the picture is there, as a share of the triangle's height `[1]`.
 const INSIDE: f32 = 0.3;
-/// A pixel is covered from this opacity on, as in skin.wgsl `[1]`.
+/// A pixel is covered from this opacity on, as in skin.wgsl; where the picture is seen through, from this share of the opacity inside on `[1]`.
 const COVERED: f32 = 0.5;
-/// A body that is fainter than this on the whole is left as it is: where it ends is another opacity `[1]`.
-const FAINTEST: f32 = 0.85;
 /// Ink darker than this has a light rim along its mesh, which is seen on a dark ground: the second luminance of `DARK` in skin.wgsl.
 const DARK: f32 = 0.17;
+/// A pixel fainter than this is clear `[1]`.
+const FAINTEST: f32 = 0.02;
 /// Strips meet in a corner at most so many of their widths away from it `[1]`.
 const SHARPEST: f32 = 2.0;
 
@@ -48,8 +49,6 @@ pub(super) struct Rind {
     /// The free sides that have a strip, ascending: they are not drawn as strokes.
     pub(super) sides: Vec<[u32; 2]>,
 }
-
-type Place = [f32; 2];
 
 fn sub(a: Place, b: Place) -> Place {
     [a[0] - b[0], a[1] - b[1]]
@@ -69,24 +68,26 @@ struct Side {
 }
 
 impl Rind {
-    /// Of the whole `triangles` of a skin, of which these sides are free, both ends ascending and all of them too; `tint`: what the picture is
-    /// multiplied by at a point.
-    pub(super) fn of(skin: &Skin, triangles: &[[u32; 3]], free: &[[u32; 2]], tint: impl Fn(u32) -> u32) -> Rind {
+    /// Of the whole `triangles` of a skin, each with whether it is seen through, of which these sides are free, both ends ascending and all of them
+    /// too; `tint`: what the picture is multiplied by at a point, of a triangle that is seen through or not.
+    pub(super) fn of(
+        skin: &Skin,
+        (triangles, through): (&[[u32; 3]], &[bool]),
+        free: &[[u32; 2]],
+        tint: impl Fn(u32, bool) -> u32,
+    ) -> Rind {
         let size = [skin.picture.width as f32, skin.picture.height as f32];
         let place = |point: u32| {
             let at = skin.texture.get(point.checked_sub(skin.first)? as usize)?;
             Some([at[0] * size[0], at[1] * size[1]])
         };
-        if opacity(&skin.picture, triangles, place) < FAINTEST {
-            return Rind::default();
-        }
         let mut sides: Vec<Side> = Vec::new();
         for (triangle, &[a, b, c]) in triangles.iter().enumerate() {
             for points in [[a, b, c], [b, c, a], [c, a, b]] {
                 let ends = [points[0].min(points[1]), points[0].max(points[1])];
                 let [Some(p), Some(q), Some(r)] = points.map(place) else { continue };
                 if free.binary_search(&ends).is_ok() {
-                    sides.extend(side(&skin.picture, (triangle, points, [p, q, r])));
+                    sides.extend(side(&skin.picture, (triangle, points, [p, q, r]), through[triangle]));
                 }
             }
         }
@@ -95,7 +96,7 @@ impl Rind {
             sides.iter().enumerate().flat_map(|(k, side)| [(side.points[0], k), (side.points[1], k)]).collect();
         of_points.sort_unstable();
         for side in &sides {
-            let tints = [0, 1].map(|end| tint(side.points[end]));
+            let tints = [0, 1].map(|end| tint(side.points[end], through[side.triangle]));
             rind.strip((side, tints), (&sides, &of_points), size);
             rind.clipped.push(side.triangle);
             rind.sides.push([side.points[0].min(side.points[1]), side.points[0].max(side.points[1])]);
@@ -141,38 +142,13 @@ impl Rind {
     }
 }
 
-/// How opaque a picture is in the middles of triangles, on the whole `[1]`.
-fn opacity(picture: &Picture, triangles: &[[u32; 3]], place: impl Fn(u32) -> Option<Place>) -> f32 {
-    let middles = triangles.iter().filter_map(|corners| {
-        let [Some(a), Some(b), Some(c)] = corners.map(&place) else { return None };
-        Some(alpha(picture, [0, 1].map(|axis| (a[axis] + b[axis] + c[axis]) / 3.0)))
-    });
-    let (sum, count) = middles.fold((0.0, 0_u32), |(sum, count), alpha| (sum + alpha, count + 1));
-    if count == 0 { 0.0 } else { sum / count as f32 }
-}
-
-/// The opacity of the pixel that a place lies in `[1]`: clear outside the picture.
-fn alpha(picture: &Picture, at: Place) -> f32 {
-    pixel(picture, at).map_or(0.0, |rgba| f32::from(rgba[3]) / 255.0)
-}
-
-fn pixel(picture: &Picture, [x, y]: Place) -> Option<[u8; 4]> {
-    let is_inside = x >= 0.0 && y >= 0.0 && x < picture.width as f32 && y < picture.height as f32;
-    let first = 4 * (y as usize * picture.width as usize + x as usize);
-    is_inside.then(|| picture.rgba[first..first + 4].try_into().ok()).flatten()
-}
-
-/// About the luminance of the ink at a place.
-fn luminance(picture: &Picture, at: Place) -> f32 {
-    let [red, green, blue] = pixel(picture, at).map_or([255; 3], |[r, g, b, _]| [r, g, b]).map(|part| {
-        let part = f32::from(part) / 255.0;
-        part * part * (0.3 * part + 0.7)
-    });
-    0.2126 * red + 0.7152 * green + 0.0722 * blue
-}
-
-/// A side beyond which the picture ends: how far it is drawn on. `None`: it goes on, or is not there inside either, or is dark.
-fn side(picture: &Picture, (triangle, points, places): (usize, [u32; 3], [Place; 3])) -> Option<Side> {
+/// A side beyond which the picture ends: how far it is drawn on. `None`: it goes on, or is not there inside either, or is dark, which what is
+/// seen through may be.
+fn side(
+    picture: &Picture,
+    (triangle, points, places): (usize, [u32; 3], [Place; 3]),
+    is_through: bool,
+) -> Option<Side> {
     let [a, b, c] = places;
     let along = sub(b, a);
     let length = along[0].hypot(along[1]);
@@ -183,13 +159,15 @@ fn side(picture: &Picture, (triangle, points, places): (usize, [u32; 3], [Place;
     if !(length > 0.0 && high > 0.0) {
         return None;
     }
-    let most = (WIDTH * length).clamp(WIDTHS[0], WIDTHS[1]);
-    let is_covered = |at: Place| alpha(picture, at) >= COVERED;
+    // What fades out ends further away than what is cut off.
+    let most = if is_through { WIDTHS[1] } else { (WIDTH * length).clamp(WIDTHS[0], WIDTHS[1]) };
     let mut width = most;
     for k in 0..LOOKS {
         let from = beyond(a, along, (k as f32 + 0.5) / LOOKS as f32);
         let inside = beyond(from, normal, -INSIDE * high);
-        if !is_covered(inside) || luminance(picture, inside) < DARK {
+        let least = COVERED * if is_through { alpha(picture, inside) } else { 1.0 };
+        let is_covered = |at: Place| alpha(picture, at) >= least.max(FAINTEST);
+        if !is_covered(inside) || (!is_through && luminance(picture, inside) < DARK) {
             return None;
         }
         // Where it ends; what comes after a gap is another part of it.
@@ -259,7 +237,7 @@ mod tests {
     #[test]
     fn a_strip_reaches_the_edge_of_the_picture_that_a_side_cuts_off() {
         let (skin, triangles, free) = disc([255, 200, 80, 255]);
-        let rind = Rind::of(&skin, &triangles, &free, |_| CLEAR);
+        let rind = Rind::of(&skin, (&triangles, &[false; 6]), &free, |_, _| CLEAR);
         assert_eq!((rind.corners.len(), rind.clipped.len(), &rind.sides), (36, 6, &free));
         let far = |corner: &Corner| {
             let [x, y] = corner.at.map(|x| 64.0 * x - 32.0);
@@ -283,21 +261,33 @@ mod tests {
         // Half of it is gone: the sides in the middle are free, and the picture goes on beyond them.
         let torn = Rind::of(
             &skin,
-            &triangles[..3],
+            (&triangles[..3], &[false; 3]),
             &{
                 let mut free = free.clone();
                 free.extend([[10, 11], [10, 14]]);
                 free.sort_unstable();
                 free
             },
-            |_| CLEAR,
+            |_, _| CLEAR,
         );
         assert_eq!(torn.sides.len(), 3, "{:?}", torn.sides);
         let (dark, ..) = disc([20, 20, 30, 255]);
-        assert!(Rind::of(&dark, &triangles, &free, |_| CLEAR).sides.is_empty());
+        assert!(Rind::of(&dark, (&triangles, &[false; 6]), &free, |_, _| CLEAR).sides.is_empty());
         let opaque = Skin { picture: Arc::new(Picture::filled(64, 64, [255; 4])), ..skin.clone() };
-        assert!(Rind::of(&opaque, &triangles, &free, |_| CLEAR).sides.is_empty());
+        assert!(Rind::of(&opaque, (&triangles, &[false; 6]), &free, |_, _| CLEAR).sides.is_empty());
         let clear = Skin { picture: Arc::new(Picture::filled(64, 64, [0; 4])), ..skin };
-        assert!(Rind::of(&clear, &triangles, &free, |_| CLEAR).corners.is_empty());
+        assert!(Rind::of(&clear, (&triangles, &[false; 6]), &free, |_, _| CLEAR).corners.is_empty());
+    }
+
+    #[test]
+    fn what_is_seen_through_ends_where_it_is_half_as_opaque() {
+        let (faint, triangles, free) = disc([255, 200, 80, 70]);
+        let drawn_on = |through: bool| {
+            Rind::of(&faint, (&triangles, &[through; 6]), &free, |_, through| CLEAR | u32::from(through) << 24)
+        };
+        assert!(drawn_on(false).sides.is_empty(), "it would be clear by the usual law");
+        let rind = drawn_on(true);
+        assert_eq!(rind.sides, free);
+        assert!(rind.corners.iter().all(|corner| corner.tint >> 24 == 1));
     }
 }

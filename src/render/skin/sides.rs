@@ -66,11 +66,13 @@ fn braces(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
     braces
 }
 
-fn ordered([a, b]: [u32; 2]) -> [u32; 2] {
+/// The lower one first.
+pub(super) fn ordered([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+/// Of a triangle.
+pub(super) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
