@@ -12,6 +12,8 @@ use crate::scene::KeyName;
 const WIDTH: f32 = 230.0;
 /// Most of what the sliders reach: share of a length, period `[s]`, speed `[rad/s]`, torque `[N m]`.
 const MOST: [f64; 4] = [0.6, 4.0, 20.0, 300.0];
+/// Lengths of a wave that they reach, in lengths of the stroke.
+const LENGTHS: [f64; 2] = [0.2, 3.0];
 /// The shortest period that they reach `[s]`.
 const QUICKEST: f64 = 0.2;
 
@@ -43,6 +45,11 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
     if muscle.has_wave || muscle.key.is_none() {
         slider(ui, "period", &mut muscle.period, QUICKEST..=MOST[1], " s");
         slider(ui, "phase", &mut muscle.phase, 0.0..=std::f64::consts::TAU, " rad");
+        ui.add(Checkbox::new(&mut muscle.runs, "runs along the stroke"))
+            .on_hover_text("a worm crawls by a wave that runs along it; without, all muscles of a stroke move as one");
+        if muscle.runs {
+            slider(ui, "wave length", &mut muscle.length, LENGTHS[0]..=LENGTHS[1], " strokes");
+        }
     }
     keys(ui, &mut muscle.key, &mut muscle.back);
 }
