@@ -75,6 +75,8 @@ pub struct Stage {
     led_at: Option<f64>,
     /// How far obstacles went of the way that they are on.
     hauled: Option<Hauled>,
+    /// The tracks of pins that are stuck in them, as they were before any of it was gone.
+    tracks: Vec<(PointId, Vec<(f64, [f64; 3])>)>,
     /// What stops them.
     jam: Option<Jam>,
     /// The pins that are led, and how far they may be from others.
@@ -134,6 +136,7 @@ impl Stage {
             strained: None,
             led_at: None,
             hauled: None,
+            tracks: Vec::new(),
             jam: None,
             led: None,
         };
