@@ -356,6 +356,5 @@ fn a_car_that_the_tools_build_stays_where_it_is_on_level_ground() {
         stage.obey(Order::Step(None));
         most = most.max((place(&stage) - from).abs());
     }
-    println!("a car creeps {most} m");
     assert!(most < 0.03, "it creeps {most} m in 10 s");
 }

@@ -24,7 +24,7 @@ use crate::app::tools::Hauled;
 use crate::history::{BranchView, History, HistoryError, Recording, Start};
 use crate::scene::{MethodKeys, Parameter, ViewKeys};
 use crate::sim::reach::Reach;
-use crate::sim::{Jam, MouseForce, PointId};
+use crate::sim::{Jam, Knots, MouseForce, PointId};
 pub use giving::too_many_to_meet;
 
 /// What another solver is called.
@@ -76,7 +76,7 @@ pub struct Stage {
     /// How far obstacles went of the way that they are on.
     hauled: Option<Hauled>,
     /// The tracks of pins that are stuck in them, as they were before any of it was gone.
-    tracks: Vec<(PointId, Vec<(f64, [f64; 3])>)>,
+    tracks: Vec<(PointId, Knots)>,
     /// What stops them.
     jam: Option<Jam>,
     /// The pins that are led, and how far they may be from others.
