@@ -24,7 +24,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 13] = [
     (
         "history",
         &["sim", "body", "picture", "scene", "output"],
-        &["base64", "flate2", "serde", "serde_json", "serde_path_to_error", "schemars"],
+        &["base64", "flate2", "serde", "serde_json", "serde_path_to_error", "schemars", "libm"],
     ),
     ("lessons", &["sim", "scene"], &["serde", "serde_json"]),
     (

@@ -239,7 +239,9 @@ fn what_is_selected_gets_another_matter_by_its_button() {
     panels.state_mut().select((0..9).map(PointId).collect());
     panels.run_steps(4);
     let stiffness = |panels: &Panels| {
-        let world = panels.state().history().world();
+        // What gets stiffer is led there: as it will be.
+        let ahead = panels.state().history().ahead();
+        let world = ahead.as_deref().unwrap_or(panels.state().history().world());
         world.bonds().iter().find_map(|bond| match bond.kind {
             BondKind::Spring { stiffness, .. } => Some(stiffness),
             _ => None,

@@ -1,4 +1,4 @@
-//! Warnings of worlds as a window says them.
+//! Warnings and refusals of worlds as a window says them: not in the words of files.
 
 /// What numbers in brackets may be of.
 const NUMBERED: [&str; 4] = ["point", "bond", "triangle", "angle"];
@@ -10,6 +10,47 @@ pub(super) fn seen(warning: &str) -> &str {
         Some((words, inside)) if numbers(inside) => words,
         _ => warning,
     }
+}
+
+/// Where another solver is chosen.
+const CHOOSE: &str = "choose \"auto\" as the solver in the settings (G)";
+
+/// Why something cannot be done, in the words of who plays: what files call keys is named as the window does, and numbers that nobody sees
+/// are left out.
+pub(super) fn refused(why: &str) -> String {
+    let mut words = why.replace("leave `solver` out", CHOOSE).replace("leave that out, or use another solver", CHOOSE);
+    if let Some((before, others)) = words.split_once(": use ") {
+        words = format!("{before}: choose {others} as the solver in the settings (G)");
+    }
+    if let Some((before, after)) = words.clone().split_once("the loop of source ") {
+        let rest = after.split_once(' ').map_or("", |(_, rest)| rest);
+        words = format!("{before}this scene runs the loop of its source as it is printed, which {rest}");
+    }
+    words = words.replace("solver as-printed", "the loop of the source, as it is printed,");
+    // What a list of a file calls it by.
+    if let Some((path, rest)) = words.clone().split_once(": ")
+        && path.contains(['[', '.'])
+        && !path.contains(' ')
+    {
+        words = rest.to_owned();
+    }
+    without_numbers(&words.replace('`', "\""))
+}
+
+/// "bond 12 is" becomes "a bond is".
+fn without_numbers(words: &str) -> String {
+    let mut said: Vec<&str> = Vec::new();
+    for word in words.split(' ') {
+        let is_number = !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_digit());
+        match said.last() {
+            Some(last) if is_number && NUMBERED.contains(last) => {
+                let at = said.len() - 1;
+                said.insert(at, if *last == "angle" { "an" } else { "a" });
+            }
+            _ => said.push(word),
+        }
+    }
+    said.join(" ")
 }
 
 #[cfg(test)]
@@ -43,5 +84,56 @@ mod tests {
         }
         assert!(count >= 4, "{count} have numbers");
         assert_eq!(seen("bodies pass through each other (as said)"), "bodies pass through each other (as said)");
+    }
+
+    #[test]
+    fn what_is_refused_is_said_without_the_words_of_files() {
+        use crate::app::player::{Note, Order, Stage};
+        use crate::history::{Do, MoveKeys, SetKeys};
+        use crate::scene::{AddKeys, BodyKeys, KindName, MakerName, Material, Meeting, gallery};
+        assert_eq!(
+            refused("the loop of source 001 has no obstacle: leave that out, or use another solver"),
+            format!("this scene runs the loop of its source as it is printed, which has no obstacle: {CHOOSE}")
+        );
+        assert_eq!(
+            refused("bond 12 is rigid, which solver rk4 refuses: use verlet or path"),
+            "a bond is rigid, which solver rk4 refuses: choose verlet or path as the solver in the settings (G)"
+        );
+        assert_eq!(refused("the pins are 3 m apart"), "the pins are 3 m apart");
+        // What tools ask for in the scenes of the sources as they are printed.
+        let body = BodyKeys {
+            make: MakerName::Disc,
+            radius: Some(0.3),
+            material: Some(Material::default()),
+            ..BodyKeys::default()
+        };
+        let rigid = SetKeys { bonds: Some(vec![0]), kind: Some(KindName::Rigid), ..SetKeys::default() };
+        let meets = SetKeys { contact: Some(Meeting::Is(true)), ..SetKeys::default() };
+        let asked = [
+            Do::Add(Box::new(AddKeys { bodies: vec![body], ..AddKeys::default() })),
+            Do::Set(Box::new(rigid)),
+            Do::Set(Box::new(meets)),
+            Do::Move(Box::new(MoveKeys {
+                points: vec![0],
+                scale: Some(crate::history::Factors::One(2.0)),
+                ..MoveKeys::default()
+            })),
+        ];
+        let mut said = 0;
+        for entry in gallery().iter().filter(|entry| entry.name.ends_with("as-printed")) {
+            for act in &asked {
+                let mut stage = Stage::new(entry.scene().unwrap().into()).unwrap();
+                let why = match stage.obey(Order::Give(vec![act.clone()], Some("x"))) {
+                    Some(Note::Refused(why) | Note::Added(Some(why))) => why,
+                    _ => continue,
+                };
+                let words = refused(&why);
+                for file in ["`", "as-printed", "source 0", "leave", " use "] {
+                    assert!(!words.contains(file), "{}: {words}", entry.name);
+                }
+                said += 1;
+            }
+        }
+        assert!(said > 5, "{said} are refused");
     }
 }

@@ -133,8 +133,8 @@ impl Companion {
             let at = next.map(|next| next.at);
             match next {
                 Some(next) if next.at <= time && self.frame.is_due(next.at) => self.obey(next),
-                Some(next) if next.at <= time => self.frame.step(at),
-                _ if self.frame.ends_by(time) => self.frame.step(at),
+                Some(next) if next.at <= time => self.frame.step(at, &self.scene),
+                _ if self.frame.ends_by(time) => self.frame.step(at, &self.scene),
                 _ => return,
             }
         }
@@ -182,7 +182,7 @@ impl Companion {
         self.keyframes.keep_now_and_then(&mut self.kept, self.branch, &self.frame);
         flat_into(&*self.frame.world, &mut self.previous.0);
         self.previous.1 = self.frame.world.time();
-        self.frame.step(None);
+        self.frame.step(None, &self.scene);
     }
 
     /// Does a command of the log, but for what it says of the method: that is the companion's own.
@@ -278,6 +278,7 @@ impl History {
 
     /// Whether nothing moves: neither the world nor what stands beside it.
     pub fn rests(&self) -> bool {
-        self.frame.world.is_asleep() && self.companions.iter().all(|companion| companion.world().is_asleep())
+        let is_still = self.frame.world.is_asleep() && self.frame.eased.is_empty();
+        is_still && self.companions.iter().all(|companion| companion.world().is_asleep())
     }
 }

@@ -133,6 +133,9 @@ object! {
             forces: Vec<u32>,
             /// Angles that get others.
             angles: Vec<u32>,
+            /// Over what time masses, or kind, stiffness and damping of bonds get there `[s]`, > 0: loaded springs throw nothing then. If not
+            /// said, they are set at once.
+            over: f64,
             /// Of points `[kg]`, > 0.
             mass: OneOrEach,
             /// Of points `[m/s]`: one for all or one each.
@@ -159,6 +162,8 @@ object! {
             limit: LimitName,
             /// Of bonds and angles: what moves them, or nothing any more.
             drive: DriveOrNone,
+            /// Of bonds that follow a wave: where it begins `[rad]`, in place of what their drives say.
+            phase: OneOrEach,
             /// Of obstacles `[1]`, >= 0; of the skins of points, to 1.
             restitution: f64,
             /// Of obstacles, or of the skins of points `[1]`, >= 0.
@@ -204,6 +209,33 @@ impl OneOrEach {
             let mut stays = stays.iter();
             list.retain(|_| stays.next().is_some_and(|stays| *stays));
         }
+    }
+}
+
+impl SetKeys {
+    /// The same for some of the points or bonds that it names: `stays` has one entry each.
+    pub fn among(mut self, stays: &[bool]) -> Self {
+        for named in [&mut self.points, &mut self.bonds].into_iter().flatten() {
+            let mut stays = stays.iter();
+            named.retain(|_| stays.next().is_some_and(|stays| *stays));
+        }
+        let lists = [
+            &mut self.mass,
+            &mut self.rest,
+            &mut self.stiffness,
+            &mut self.compliance,
+            &mut self.damping,
+            &mut self.relaxation,
+            &mut self.max_correction,
+            &mut self.break_strain,
+            &mut self.phase,
+        ];
+        lists.into_iter().flatten().for_each(|list| list.retain(stays));
+        if let Some(VectorOrEach::Each(list)) = &mut self.velocity {
+            let mut stays = stays.iter();
+            list.retain(|_| stays.next().is_some_and(|stays| *stays));
+        }
+        self
     }
 }
 

@@ -1,7 +1,8 @@
 //! A world at a place of the log, with what belongs to it: what keyframes are copies of.
 
-use super::command::{Do, Entry};
+use super::command::{Do, Entry, SetKeys};
 use super::dress::Dress;
+use super::eased::{self, Eased};
 use super::effort::Effort;
 use super::resolve::{Resolved, resolve};
 use crate::scene::Scene;
@@ -17,19 +18,22 @@ pub(super) struct Frame {
     pub(super) place: usize,
     /// What the steps to here cost.
     pub(super) effort: Effort,
+    /// Numbers on their way.
+    pub(super) eased: Vec<Eased>,
 }
 
 impl Clone for Frame {
     fn clone(&self) -> Self {
-        let Frame { world, dress, place, effort } = self;
-        Frame { world: world.boxed_clone(), dress: dress.clone(), place: *place, effort: effort.clone() }
+        let Frame { world, dress, place, effort, eased } = self;
+        let (dress, effort, eased) = (dress.clone(), effort.clone(), eased.clone());
+        Frame { world: world.boxed_clone(), dress, place: *place, effort, eased }
     }
 }
 
 impl Frame {
     /// A world before the first command of its branch.
     pub(super) fn new(world: Box<dyn Dynamics>, dress: Dress) -> Self {
-        Frame { world, dress, place: 0, effort: Effort::default() }
+        Frame { world, dress, place: 0, effort: Effort::default(), eased: Vec::new() }
     }
 
     /// Whether what is to be done at `at` `[s]` is to be done now.
@@ -52,6 +56,65 @@ impl Frame {
     ///
     /// Errors: in words, why it cannot be done; the world is as it was.
     pub(super) fn apply(&mut self, act: &Do, scene: &Scene) -> Result<Applied, String> {
+        let Do::Set(keys) = act else { return self.apply_now(act, scene) };
+        let applied = match keys.over {
+            Some(_) => self.ease(keys, scene)?,
+            None => {
+                let applied = self.apply_now(act, scene)?;
+                self.eased.retain_mut(|eased| eased.yields(keys));
+                applied
+            }
+        };
+        Ok(applied)
+    }
+
+    /// Sends numbers on their way.
+    fn ease(&mut self, keys: &SetKeys, scene: &Scene) -> Result<Applied, String> {
+        let parted = eased::part(keys, &*self.world)?;
+        // What could not be done at once cannot be done later.
+        let at_once = Do::Set(Box::new(SetKeys { over: None, ..keys.clone() }));
+        let mut trial = Frame::new(self.world.boxed_clone(), self.dress.clone());
+        let applied = trial.apply_now(&at_once, scene)?;
+        if let Some(now) = parted.now {
+            self.apply_now(&Do::Set(Box::new(now)), scene)?;
+        }
+        self.eased.retain_mut(|eased| eased.yields(keys));
+        self.eased.extend(parted.eased);
+        Ok(applied)
+    }
+
+    /// What is on its way gets the numbers of now.
+    fn pass_eased(&mut self, scene: &Scene) {
+        let time = self.world.time();
+        if !self.eased.iter().any(|eased| eased.is_due(time)) {
+            return;
+        }
+        for mut eased in std::mem::take(&mut self.eased) {
+            if eased.is_due(time)
+                && let Some(keys) = eased.pass(&*self.world)
+            {
+                // What has become impossible meanwhile is left as it is.
+                let _ = self.apply_now(&Do::Set(Box::new(keys)), scene);
+            }
+            if !eased.is_over(time) {
+                self.eased.push(eased);
+            }
+        }
+    }
+
+    /// The world as it will be made once all that is on its way is there; `None`: nothing is.
+    pub(super) fn ahead(&self, scene: &Scene) -> Option<Box<dyn Dynamics>> {
+        if self.eased.is_empty() {
+            return None;
+        }
+        let mut ahead = Frame::new(self.world.boxed_clone(), self.dress.clone());
+        for keys in self.eased.iter().filter_map(|eased| eased.end(&*self.world)) {
+            let _ = ahead.apply_now(&Do::Set(Box::new(keys)), scene);
+        }
+        Some(ahead.world)
+    }
+
+    fn apply_now(&mut self, act: &Do, scene: &Scene) -> Result<Applied, String> {
         match resolve(act, scene, &*self.world)? {
             Resolved::Engine(command) => self.world.apply(&command).map_err(|error| error.to_string()),
             Resolved::Made(made) => {
@@ -79,12 +142,13 @@ impl Frame {
     }
 
     /// Takes a step, which ends at the time of the next command `[s]` where it would go beyond.
-    pub(super) fn step(&mut self, next: Option<f64>) {
+    pub(super) fn step(&mut self, next: Option<f64>, scene: &Scene) {
         let before = *self.world.counters();
         match next {
             Some(at) => self.world.step_until(at),
             None => self.world.step(),
         }
         self.effort.add(&before, &*self.world);
+        self.pass_eased(scene);
     }
 }

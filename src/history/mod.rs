@@ -14,6 +14,7 @@ mod branch;
 pub mod chunk;
 mod command;
 mod dress;
+mod eased;
 mod effort;
 mod error;
 mod frame;

@@ -31,7 +31,7 @@ impl History {
                 Some(entry) if frame.is_due(entry.at) => _ = frame.follow(entry, &self.scene),
                 None if !frame.ends_by(here.time) => break,
                 next => {
-                    frame.step(next.map(|entry| entry.at));
+                    frame.step(next.map(|entry| entry.at), &self.scene);
                     see(&*frame.world);
                 }
             }

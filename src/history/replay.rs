@@ -57,7 +57,7 @@ impl Replay {
     /// Errors: it cannot be done; the motion leaves the finite numbers.
     pub fn follow(&mut self, number: usize, entry: &Entry) -> Result<(), HistoryError> {
         while !self.frame.is_due(entry.at) {
-            self.frame.step(Some(entry.at));
+            self.frame.step(Some(entry.at), &self.scene);
             self.look(LOOK_EVERY)?;
         }
         self.frame.follow(entry, &self.scene).map_err(|reason| {
@@ -73,7 +73,7 @@ impl Replay {
     /// Errors: the motion leaves the finite numbers.
     pub fn reach(&mut self, time: f64, next: Option<f64>) -> Result<(), HistoryError> {
         while self.frame.ends_by(time) {
-            self.frame.step(next);
+            self.frame.step(next, &self.scene);
             self.look(LOOK_EVERY)?;
         }
         self.look(1)
@@ -96,7 +96,7 @@ impl Replay {
 
     /// Takes one step; where it would go beyond the next command, at `next` `[s]`, it ends there.
     pub fn step(&mut self, next: Option<f64>) {
-        self.frame.step(next);
+        self.frame.step(next, &self.scene);
     }
 
     /// Looks whether the motion is finite, every so many times.

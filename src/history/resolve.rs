@@ -105,7 +105,7 @@ fn bonds(numbers: &[u32]) -> Vec<BondId> {
 
 /// The keys that go with each thing that is set.
 const OF_POINTS: [&str; 5] = ["mass", "velocity", "friction", "restitution", "radius"];
-const OF_BONDS: [&str; 10] = [
+const OF_BONDS: [&str; 11] = [
     "kind",
     "rest",
     "stiffness",
@@ -116,6 +116,7 @@ const OF_BONDS: [&str; 10] = [
     "break_strain",
     "limit",
     "drive",
+    "phase",
 ];
 const OF_ANGLES: [&str; 5] = ["rest", "stiffness", "damping", "range", "drive"];
 const OF_OBSTACLES: [&str; 2] = ["restitution", "friction"];
@@ -225,6 +226,7 @@ fn bond_change(keys: &SetKeys) -> Result<BondChange, String> {
             LimitName::Min => Limit::Min,
         }),
         drive: drive(keys, DriveKeys::told_bond)?,
+        phase: keys.phase.as_ref().map(values),
     })
 }
 

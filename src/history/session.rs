@@ -106,6 +106,11 @@ impl History {
         &*self.frame.world
     }
 
+    /// The world as it will be made once the numbers that are led to others are there; `None`: none is.
+    pub fn ahead(&self) -> Option<Box<dyn Dynamics>> {
+        self.frame.ahead(&self.scene)
+    }
+
     /// The scene that it began with.
     pub fn scene(&self) -> &Scene {
         &self.scene
@@ -175,7 +180,7 @@ impl History {
         self.mark_second();
         let next = self.tree.entry(self.branch, self.frame.place).map(|entry| entry.at);
         let is_cut = next.is_some_and(|at| self.frame.is_cut_at(at));
-        self.frame.step(next);
+        self.frame.step(next, &self.scene);
         self.tree.extend_to(self.branch, self.frame.world.time());
         self.keep_before_edit(is_cut);
         self.follow_due();

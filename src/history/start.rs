@@ -74,12 +74,11 @@ impl Recording {
     /// Errors: a scene that cannot be run; a state that is damaged or of a layout that is not known.
     pub(super) fn begin(&self, label: &str) -> Result<Frame, HistoryError> {
         let first = self.scene.world(self.scene.duration)?;
-        let mut dress = Dress::new(&self.scene)?;
+        let dress = Dress::new(&self.scene)?;
         let Some(state) = &self.state else {
             return Ok(Frame::new(first, dress));
         };
-        let world = state::go_on(state, &*first, &mut dress).map_err(|message| HistoryError::file(label, message))?;
-        Ok(Frame::new(world, dress))
+        state::go_on(state, &*first, dress).map_err(|message| HistoryError::file(label, message))
     }
 
     /// What is to be known of a recording that another version made: that its motion is worked out anew, and what of its state is

@@ -13,18 +13,22 @@ use flate2::write::ZlibEncoder;
 use serde_json::{Value, json};
 
 use super::dress::Dress;
+use super::eased::Eased;
 use super::frame::Frame;
-use super::pack::{AnyCore, Core, FIRST_WITH_HAND_OVERS, FIRST_WITH_TRIANGLES, put_world, take_world};
+use super::pack::{AnyCore, Core, FIRST_WITH_HAND_OVERS, FIRST_WITH_TRIANGLES, Packed, put_world, take_world};
 use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 
 /// How the numbers are laid out.
-pub(super) const LAYOUT: u64 = 9;
+pub(super) const LAYOUT: u64 = 10;
 
 /// The first layout that says which body added points are of.
 const FIRST_WITH_TINTS: u64 = 8;
 
 /// The first layout that says how wide bodies are drawn, and which are hidden.
 const FIRST_WITH_COATS: u64 = 9;
+
+/// The first layout that says which numbers are on their way.
+const FIRST_WITH_EASED: u64 = 10;
 
 /// The first layout that begins with the core.
 const FIRST_WITH_CORE: u64 = 2;
@@ -40,6 +44,7 @@ pub(super) fn pack(frame: &Frame, compression: Compression) -> Result<Vec<u8>, S
     let mut bytes = Vec::new();
     put_world(&saved, &mut bytes);
     frame.dress.put_added(&mut bytes)?;
+    serde_json::to_vec(&frame.eased).map_err(|error| error.to_string())?.put(&mut bytes);
     let mut packed = ZlibEncoder::new(Vec::new(), compression);
     packed.write_all(&bytes).and_then(|()| packed.finish()).map_err(|error| error.to_string())
 }
@@ -76,11 +81,13 @@ pub(super) fn layout(state: &Value) -> Option<u64> {
     state.get("layout").and_then(Value::as_u64)
 }
 
-/// The world of a file goes on, with the skins that came after the start put on `dress`. `start`: the world at the start of its scene, from
+/// The world of a file goes on, in the `dress` of its start with the skins that came after it. `start`: the world at the start of its scene, from
 /// which a state of another layout takes all but positions, velocities, bonds and time.
 ///
 /// Errors: in words, what of it is damaged or unknown, or has other dimensions or points than the start.
-pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> Result<Box<dyn Dynamics>, String> {
+pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: Dress) -> Result<Frame, String> {
+    let mut frame = Frame::new(start.boxed_clone(), dress);
+    let dress = &mut frame.dress;
     let layout = layout(state).ok_or("state: the key `layout` is missing")?;
     if layout < FIRST_WITH_CORE {
         return Err(format!("state: has layout {layout}, which no release of wobble wrote: get the file anew"));
@@ -102,7 +109,13 @@ pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> R
         }
         let has_triangles = layout >= FIRST_WITH_TRIANGLES;
         let has = [!has_triangles, layout >= FIRST_WITH_TINTS, layout >= FIRST_WITH_COATS];
-        dress.take_added(&mut rest, points, has).filter(|()| rest.is_empty()).ok_or_else(damaged)?;
+        dress.take_added(&mut rest, points, has).ok_or_else(damaged)?;
+        if layout >= FIRST_WITH_EASED {
+            frame.eased = take_eased(&mut rest).ok_or_else(damaged)?;
+        }
+        if !rest.is_empty() {
+            return Err(damaged());
+        }
         if !has_triangles {
             match &mut saved {
                 SavedWorld::Plane(saved) => cover(saved, start, dress),
@@ -121,8 +134,14 @@ pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: &mut Dress) -> R
         let core = AnyCore::take(&mut rest).ok_or_else(damaged)?;
         at_start(core, start)?
     };
-    let world = resume(&saved).map_err(|error| format!("state: {error}"))?;
-    if world.dimensions() == start.dimensions() { Ok(world) } else { Err(OTHER_DIMENSIONS.to_owned()) }
+    frame.world = resume(&saved).map_err(|error| format!("state: {error}"))?;
+    if frame.world.dimensions() == start.dimensions() { Ok(frame) } else { Err(OTHER_DIMENSIONS.to_owned()) }
+}
+
+/// Numbers on their way, from the front of the bytes.
+fn take_eased(from: &mut &[u8]) -> Option<Vec<Eased>> {
+    let eased: Vec<Eased> = serde_json::from_slice(&Vec::<u8>::take(from)?).ok()?;
+    eased.iter().all(Eased::is_fine).then_some(eased)
 }
 
 const OTHER_DIMENSIONS: &str = "state: has other dimensions than the scene: get the file anew";

@@ -123,8 +123,8 @@ impl History {
             let next = self.tree.entry(self.branch, self.frame.place).map(|entry| entry.at);
             match next {
                 Some(at) if self.frame.is_due(at) => self.pass(),
-                Some(at) if at <= t => self.frame.step(Some(at)),
-                _ if self.frame.ends_by(t) => self.frame.step(next),
+                Some(at) if at <= t => self.frame.step(Some(at), &self.scene),
+                _ if self.frame.ends_by(t) => self.frame.step(next, &self.scene),
                 _ => break,
             }
         }
@@ -162,11 +162,11 @@ impl History {
                     if self.frame.is_due(at) {
                         self.pass()
                     } else {
-                        self.frame.step(Some(at))
+                        self.frame.step(Some(at), &self.scene)
                     }
                 }
                 // A step that was cut short for what was undone is not: no file knows why.
-                _ if self.frame.ends_by(spot.time) => self.frame.step(None),
+                _ if self.frame.ends_by(spot.time) => self.frame.step(None, &self.scene),
                 _ => break,
             }
         }

@@ -255,6 +255,8 @@ pub struct BondChange {
     pub limit: Option<Limit>,
     /// What their rest lengths follow; `Some(None)`: nothing any more.
     pub drive: Option<Option<Drive>>,
+    /// Where the waves begin that they follow `[rad]`.
+    pub phase: Option<Values>,
 }
 
 /// What of angles changes.

@@ -52,7 +52,9 @@ impl Clip {
     /// triangles, angles and constant forces among them, the pictures that are drawn on them, their groups; obstacles. Its pins are led on
     /// as those of the original are from now on.
     pub(super) fn of(history: &History, chosen: &Chosen) -> Self {
-        let world = history.world();
+        // What is led to other numbers is copied as it will be.
+        let ahead = history.ahead();
+        let world = ahead.as_deref().unwrap_or(history.world());
         let dimensions = world.dimensions();
         let points: Vec<PointId> =
             chosen.points.iter().copied().filter(|point| world.gone().binary_search(point).is_err()).collect();

@@ -203,13 +203,15 @@ fn of_preset(world: &dyn Dynamics, (points, among): (&[PointId], &Among), preset
     let named = Some(numbers(&bonds, |_| true));
     let of_bonds = match springs {
         Some(springs) => springy(world, bonds, of_point, springs),
-        None => Some(SetKeys { bonds: named, kind: Some(KindName::Rigid), ..SetKeys::default() }),
+        None => Some(SetKeys { bonds: named.clone(), kind: Some(KindName::Rigid), ..SetKeys::default() }),
     };
-    let of_bonds = of_bonds.map(|keys| SetKeys { break_strain: Some(OneOrEach::One(breaks.unwrap_or(NEVER))), ..keys });
+    // What it bears it bears at once; what breaks is as stiff first.
+    let whole = SetKeys { bonds: named, break_strain: Some(OneOrEach::One(NEVER)), ..SetKeys::default() };
+    let of_bonds = of_bonds.map(|keys| SetKeys { break_strain: breaks.map(OneOrEach::One), ..keys });
     let of_points =
         SetKeys { points: Some(point_numbers(points)), mass: Some(OneOrEach::Each(mass)), ..SetKeys::default() };
     let mut all: Vec<Do> =
-        [Some(of_points), of_bonds].into_iter().flatten().map(|keys| Do::Set(Box::new(keys))).collect();
+        [Some(whole), Some(of_points), of_bonds].into_iter().flatten().map(|keys| Do::Set(Box::new(keys))).collect();
     let skin = SetKeys { friction: Some(friction), restitution: Some(restitution), ..SetKeys::default() };
     all.extend(surfaces(world, (points, among), skin));
     if !points.is_empty() {

@@ -2,12 +2,14 @@
 
 mod change;
 mod facts;
+mod led;
 mod preset;
 #[cfg(test)]
 mod tests;
 
 pub(super) use change::{MatterChange, commands};
 pub(super) use facts::{Coloring, Matter, NEVER, Span};
+pub(super) use led::led;
 pub(super) use preset::Preset;
 
 use crate::sim::{Angle, Bond, Dynamics, PointId};

@@ -185,3 +185,96 @@ fn what_cannot_be_changed_is_said() {
         assert_eq!(matter(&mut stage, &among), before);
     }
 }
+
+/// A soft disc that lies on the ground, pressed down by a weight on each of its points.
+const LOADED: &str = r#"{"wobble": 1, "gravity": [0, -30], "contact": {"friction": 0.4},
+    "bounds": {"min": [-5, 0], "max": [5, 8]},
+    "bodies": [{"make": "disc", "radius": 0.5, "spacing": 0.17, "origin": [0, 0.6],
+        "material": {"kind": "spring", "stiffness": 200, "damping": 1.2, "mass": 0.8}}]}"#;
+
+/// The disc of [`LOADED`] at rest, and all of it.
+fn loaded() -> (Stage, Among) {
+    let mut stage = Stage::new(Scene::parse(LOADED, "x.json").unwrap().into()).unwrap();
+    (0..300).for_each(|_| _ = stage.obey(Order::Step(None)));
+    let count = stage.history().world().point_count() as u32;
+    (stage, among(0..count))
+}
+
+/// The least and the mean height of all points `[m]`.
+fn heights(stage: &Stage) -> [f64; 2] {
+    let world = stage.history().world();
+    let all: Vec<f64> = (0..world.point_count()).map(|point| world.positions().get(2 * point + 1)).collect();
+    [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().sum::<f64>() / all.len() as f64]
+}
+
+#[test]
+fn what_is_pressed_flat_becomes_stiffer_without_a_hop_in_one_step_of_undo() {
+    for given in
+        [MatterChange::Preset(Preset::Steel), MatterChange::Preset(Preset::Rubber), MatterChange::Stiffness(5e4)]
+    {
+        let hop = |is_led: bool| {
+            let (mut stage, disc) = loaded();
+            let flat = heights(&stage);
+            assert!(flat[1] < 0.42, "it is pressed flat: {flat:?}");
+            if is_led {
+                change(&mut stage, &disc, given);
+            } else {
+                let list = super::commands(stage.history().world(), &disc, given).unwrap();
+                assert_eq!(stage.obey(Order::Give(list, Some("at once"))), None);
+            }
+            let mut highest = 0.0_f64;
+            for _ in 0..120 {
+                stage.obey(Order::Step(None));
+                highest = highest.max(heights(&stage)[0]);
+            }
+            (stage, highest)
+        };
+        let ((led, slow), (_, fast)) = (hop(true), hop(false));
+        assert!(slow < 0.03, "{given:?}: it leaves the ground by {slow} m");
+        assert!(fast > 4.0 * slow.max(5e-3), "{given:?}: at once it hops: {fast} m");
+        let there = matter(&mut { led }, &loaded().1);
+        if given == MatterChange::Preset(Preset::Steel) {
+            assert!(there.kinds[1] == 0 && there.mass > 6.5 * 0.8, "{there:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_led_to_another_matter_is_shown_as_it_will_be_undone_as_one_kept_in_files_and_replayed_to_the_bit() {
+    use crate::history::{Do, Replay, Start};
+    let (mut stage, disc) = loaded();
+    let before = matter(&mut stage, &disc);
+    let at = stage.history().world().time();
+    change(&mut stage, &disc, MatterChange::Preset(Preset::Steel));
+    assert_eq!(matter(&mut stage, &disc).kinds[1], 0, "steel is rigid, as soon as it was asked for");
+    (0..10).for_each(|_| _ = stage.obey(Order::Step(None)));
+    let springs = |world: &dyn crate::sim::Dynamics| {
+        world.bonds().iter().filter(|bond| matches!(bond.kind, BondKind::Spring { .. })).count()
+    };
+    assert!(springs(stage.history().world()) > 0, "it is on its way");
+    // A moment that is kept goes on as this does.
+    let moment = stage.history().snapshot().unwrap();
+    let mut other = Stage::new(Start::from(moment)).unwrap();
+    for stage in [&mut stage, &mut other] {
+        (0..60).for_each(|_| _ = stage.obey(Order::Step(None)));
+    }
+    assert_eq!([springs(stage.history().world()), springs(other.history().world())], [0, 0]);
+    let recording = stage.history().recording();
+    let led = |entry: &&crate::history::Entry| matches!(&entry.act, Do::Set(keys) if keys.over.is_some());
+    assert_eq!(recording.commands.iter().filter(led).count(), 2, "masses and bonds");
+    let mut replay = Replay::new(&recording, "x").unwrap();
+    replay.advance(&recording.commands, recording.end()).unwrap();
+    let places = |world: &dyn crate::sim::Dynamics| {
+        (0..2 * world.point_count()).map(|k| world.positions().get(k).to_bits()).collect::<Vec<_>>()
+    };
+    assert!(places(replay.world()) == places(stage.history().world()), "the same bits");
+    let Some(Note::Undone(name, _)) = stage.obey(Order::Undo(None)) else { panic!("nothing undone") };
+    assert_eq!((name.as_str(), matter(&mut stage, &disc)), ("Steel", before.clone()));
+    assert!((stage.history().world().time() - at).abs() < 1e-9);
+    let flat = heights(&stage)[1];
+    (0..60).for_each(|_| _ = stage.obey(Order::Step(None)));
+    let later = matter(&mut stage, &disc);
+    let numbers = |of: &Matter| (of.kinds, of.mass, of.stiffness, of.damping, of.color);
+    assert_eq!(numbers(&later), numbers(&before), "nothing is on its way any more");
+    assert!((heights(&stage)[1] - flat).abs() < 0.01);
+}

@@ -12,6 +12,8 @@ use crate::scene::KeyName;
 const WIDTH: f32 = 230.0;
 /// Most of what the sliders reach: share of a length, period `[s]`, speed `[rad/s]`, torque `[N m]`.
 const MOST: [f64; 4] = [0.6, 4.0, 20.0, 300.0];
+/// Lengths of a wave that they reach, in lengths of the stroke.
+const LENGTHS: [f64; 2] = [0.2, 3.0];
 /// The shortest period that they reach `[s]`.
 const QUICKEST: f64 = 0.2;
 
@@ -39,10 +41,21 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
     ui.label(RichText::new("Muscle").color(colors(ui).text).strong());
     ui.label(RichText::new("click a bond, or drag over some").color(colors(ui).weak));
     slider(ui, "stretch", &mut muscle.amplitude, -MOST[0]..=MOST[0], "");
-    ui.add(Checkbox::new(&mut muscle.has_wave, "wave"));
-    if muscle.has_wave || muscle.key.is_none() {
+    let follows = muscle.has_wave || muscle.key.is_none();
+    ui.horizontal(|ui| {
+        ui.add(Checkbox::new(&mut muscle.has_wave, "wave"));
+        if follows {
+            ui.add(Checkbox::new(&mut muscle.runs, "along the stroke")).on_hover_text(
+                "a worm crawls by a wave that runs along it; without, all muscles of a stroke move as one",
+            );
+        }
+    });
+    if follows {
         slider(ui, "period", &mut muscle.period, QUICKEST..=MOST[1], " s");
         slider(ui, "phase", &mut muscle.phase, 0.0..=std::f64::consts::TAU, " rad");
+        if muscle.runs {
+            slider(ui, "wave length", &mut muscle.length, LENGTHS[0]..=LENGTHS[1], " strokes");
+        }
     }
     keys(ui, &mut muscle.key, &mut muscle.back);
 }

@@ -12,20 +12,24 @@ use crate::app::tools::Link;
 /// What each makes, and how.
 fn words(primitive: Primitive) -> &'static str {
     match primitive {
-        Primitive::Box => "a soft box: drag from corner to corner",
-        Primitive::Disc => "a soft disc: drag from its middle to its rim",
+        Primitive::Box => "a soft box: drag from corner to corner (Alt: from its middle)",
+        Primitive::Disc => "a soft disc: drag from corner to corner of the square around it (Alt: from its middle)",
         Primitive::Rope => {
             "a rope: drag from end to end; it hangs where it began (Shift: it does not), and on points that it ends on"
         }
-        Primitive::Cloth => "a cloth: drag from corner to corner; it hangs by its upper corners (Shift: it does not)",
-        Primitive::Rim => "a soft rim: drag from its middle to its outside",
+        Primitive::Cloth => {
+            "a cloth: drag from corner to corner (Alt: from its middle); it hangs by its upper corners (Shift: it does not)"
+        }
+        Primitive::Rim => "a soft rim: drag from corner to corner of the square around it (Alt: from its middle)",
         Primitive::Figure => "a figure with joints: drag from its head to its feet, or from its feet up",
         Primitive::Bonds => {
             "points and bonds: click or drag from point to point, also to those that are there; Enter, Esc or a second click \
              ends the chain"
         }
-        Primitive::SolidBox => "an obstacle, a box: drag from corner to corner",
-        Primitive::SolidCircle => "an obstacle, a circle: drag from its middle to its rim",
+        Primitive::SolidBox => "an obstacle, a box: drag from corner to corner (Alt: from its middle)",
+        Primitive::SolidCircle => {
+            "an obstacle, a circle: drag from corner to corner of the square around it (Alt: from its middle)"
+        }
         Primitive::Slope => "an obstacle, a plank as floor, slope or wall: drag along its upper side, to the right",
         Primitive::Polygon => {
             "an obstacle: click corner by corner; the first one, Enter or a second click closes it. Or draw around it"

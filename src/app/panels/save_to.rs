@@ -15,6 +15,8 @@ pub(in crate::app) struct SaveTo {
     fault: Option<String>,
     /// A file that is there already, and was asked for once: asked for again it is replaced.
     asked: Option<PathBuf>,
+    /// The file that is being written.
+    written: Option<PathBuf>,
     /// This moment is saved, not all that was done.
     pub(in crate::app) is_moment: bool,
 }
@@ -44,7 +46,7 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
             let save = Button::new(RichText::new(words).color(colors(ui).on_accent)).fill(colors(ui).accent);
             let is_meant = field.lost_focus() || ui.memory(|memory| memory.focused().is_none());
             let is_entered = is_meant && ui.input(|input| input.key_pressed(Key::Enter));
-            let has_name = !state.path.trim().is_empty();
+            let has_name = !state.path.trim().is_empty() && state.save_to.written.is_none();
             if (ui.add_enabled(has_name, save).clicked() || is_entered) && has_name {
                 ask(state, wishes);
             }
@@ -93,7 +95,26 @@ const ENDINGS: [&str; 2] = ["json", "jsonl"];
 impl SaveTo {
     /// Another path: what was said of the last one goes.
     pub(in crate::app) fn begin(&mut self) {
-        (self.fault, self.asked) = (None, None);
+        (self.fault, self.asked, self.written) = (None, None, None);
+    }
+
+    /// A file begins to be written.
+    pub(in crate::app) fn begin_to_write(&mut self, path: &Path) {
+        self.written = Some(path.to_owned());
+    }
+
+    /// A file was written. Returns whether it is the one that was named here.
+    pub(in crate::app) fn is_written(&mut self, path: &Path) -> bool {
+        self.written.take_if(|written| written == path).is_some()
+    }
+
+    /// A file could not be written. Returns whether it is the one that was named here.
+    pub(in crate::app) fn failed(&mut self, why: &str) -> bool {
+        let is_own = self.written.take().is_some();
+        if is_own {
+            self.complain(why);
+        }
+        is_own
     }
 
     /// Something went wrong.
@@ -153,5 +174,20 @@ mod tests {
             assert!(state.fault.as_deref().is_some_and(|fault| fault.contains(words)), "{:?}", state.fault);
         }
         assert!(!folder.path().join("no").exists());
+    }
+
+    #[test]
+    fn what_could_not_be_written_is_said_where_it_was_named() {
+        let mut state = SaveTo::default();
+        assert!(!state.failed("the disk is full"), "nothing was named here");
+        assert_eq!(state.fault, None);
+        let path = PathBuf::from("mine.json");
+        state.begin_to_write(&path);
+        assert!(!state.is_written(Path::new("shot.png")), "another file");
+        assert!(state.failed("the disk is full"));
+        assert_eq!(state.fault.as_deref(), Some("the disk is full"));
+        state.begin();
+        state.begin_to_write(&path);
+        assert!(state.is_written(&path) && !state.is_written(&path));
     }
 }

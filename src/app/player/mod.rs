@@ -97,8 +97,9 @@ pub struct Player {
     playing: bool,
     played_by: u64,
     advances: u64,
-    /// Edits that were asked for, those before the last that was saved, and those that are known to be saved.
-    edits: [u64; 3],
+    /// The orders of edits that are not known to be saved, and the last one that asked for a file with all of them.
+    edits: Vec<u64>,
+    saving: u64,
 }
 
 impl Player {
@@ -123,7 +124,8 @@ impl Player {
             playing: true,
             played_by: 0,
             advances: 0,
-            edits: [0; 3],
+            edits: Vec::new(),
+            saving: 0,
         }
     }
 
@@ -168,6 +170,9 @@ impl Player {
         if papers.done >= self.serial {
             self.waiting_since = None;
         }
+        // What could not be done is nothing to save.
+        let refused = std::mem::take(&mut papers.refused);
+        self.edits.retain(|edit| !refused.contains(edit));
         if is_new && self.shown.serial >= self.played_by {
             self.playing = self.shown.figures.playing;
         }
@@ -188,10 +193,11 @@ impl Player {
         if let Order::Save(path) | Order::Moment(path) | Order::Picture(path, _) | Order::Table(path, _) = &order {
             self.written = Some((self.serial, path.clone()));
         }
-        let [asked, saving, _] = &mut self.edits;
-        *asked += u64::from(order.is_edit());
+        if order.is_edit() {
+            self.edits.push(self.serial);
+        }
         if let Order::Save(_) | Order::Moment(_) = order {
-            *saving = *asked;
+            self.saving = self.serial;
         }
         // One whose history could not begin does nothing.
         let _ = self.orders.send((self.serial, order));
@@ -260,13 +266,12 @@ impl Player {
 
     /// Whether something was built or changed since it was saved last. What is recorded to a file is saved as it is done.
     pub fn is_unsaved(&self) -> bool {
-        let [asked, _, saved] = self.edits;
-        asked > saved && self.record.is_none()
+        !self.edits.is_empty() && self.record.is_none()
     }
 
     /// What was to be saved last is.
     pub fn note_saved(&mut self) {
-        self.edits[2] = self.edits[1];
+        self.edits.retain(|edit| *edit > self.saving);
     }
 
     /// What it is recorded to.

@@ -272,6 +272,26 @@ fn a_player_steps_beside_and_answers() {
 }
 
 #[test]
+fn what_was_refused_is_no_work_to_be_saved() {
+    let mut player = Player::open(scene().into(), Keeping::default(), || {});
+    wait_for(&mut player, Player::is_open);
+    player.ask(Order::Add(Box::new(|_| Err("no room".to_owned()))));
+    player.give(vec![Do::Pin(vec![PointId(1 << 20)])], Some("pin"));
+    assert!(player.is_unsaved(), "until it is known");
+    wait_for(&mut player, |player| !player.is_busy() && player.waiting_since.is_none());
+    assert!(!player.is_unsaved(), "both were refused");
+    player.give(vec![Do::Pin(vec![PointId(0)])], Some("pin"));
+    wait_for(&mut player, |player| player.waiting_since.is_none());
+    assert!(player.is_unsaved());
+    let folder = tempfile::tempdir().unwrap();
+    player.ask(Order::Save(folder.path().join("x.json")));
+    player.give(vec![Do::Unpin(vec![PointId(0)])], Some("unpin"));
+    wait_for(&mut player, |player| player.waiting_since.is_none());
+    player.note_saved();
+    assert!(player.is_unsaved(), "what came after the file was asked for");
+}
+
+#[test]
 fn asking_never_waits_for_a_step() {
     // A hundred frames of work lie before what is asked: nothing here waits for them.
     let text = SCENE.replace("0.00142857142857142857", "0.000001");

@@ -39,6 +39,8 @@ pub(super) struct Papers {
     pub(super) failure: Option<HistoryError>,
     /// The last order that was done.
     pub(super) done: u64,
+    /// Orders that were refused, until the window knows.
+    pub(super) refused: Vec<u64>,
 }
 
 impl Desk {
@@ -128,7 +130,11 @@ pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wa
         let mut notes = Vec::new();
         for (serial, order) in list {
             desk.keeper().hear(&order);
+            let told = notes.len();
             let Some(next) = seat.obey(order, desk, &mut notes) else { return wake() };
+            if notes[told..].iter().any(|note| matches!(note, Note::Refused(_))) {
+                desk.lock().refused.push(serial);
+            }
             seat = next;
             done = serial;
         }

@@ -143,7 +143,8 @@ impl Session {
             Wish::WriteTable => self.write_table(),
             Wish::WriteFigure => self.write_figure(),
             Wish::SaveTo(path) => {
-                self.panels.sheet = None;
+                // The sheet stays until it is written.
+                self.panels.save_to.begin_to_write(&path);
                 match self.panels.save_to.is_moment {
                     true => self.save_moment(path),
                     false => self.save_to(path),
@@ -312,15 +313,10 @@ impl Session {
             let mut there: Vec<u32> = (0..scenery.bonds.len()).map(|place| scenery.bond_number(place)).collect();
             there.sort_unstable();
             let stays: Vec<bool> = bonds.iter().map(|bond| there.binary_search(bond).is_ok()).collect();
-            for list in [&mut keys.stiffness, &mut keys.damping, &mut keys.rest].into_iter().flatten() {
-                list.retain(&stays);
-            }
-            keys.bonds = Some(left(bonds, &stays));
-        }
-        if let Some(points) = &keys.points {
+            *keys = keys.among(&stays);
+        } else if let Some(points) = &keys.points {
             let stays: Vec<bool> = points.iter().map(|i| scenery.gone.binary_search(&PointId(*i)).is_err()).collect();
-            keys.mass.iter_mut().for_each(|list| list.retain(&stays));
-            keys.points = Some(left(points, &stays));
+            *keys = keys.among(&stays);
         }
         Do::Set(keys)
     }
@@ -417,9 +413,4 @@ impl Session {
         self.panels.notes.complaint = Some(line.to_owned());
         self.touch();
     }
-}
-
-/// The numbers that stay.
-fn left(numbers: &[u32], stays: &[bool]) -> Vec<u32> {
-    numbers.iter().zip(stays).filter(|(_, stays)| **stays).map(|(number, _)| *number).collect()
 }

@@ -17,6 +17,15 @@ const GHOST: f32 = 0.35;
 /// Radius of the pointer's ring there `[points]`.
 const GHOST_RADIUS: f64 = 5.0;
 
+/// What is further from the world than this is nowhere any more `[m]`.
+const BLOWN_UP: f32 = 1e6;
+
+/// How far a world is from the first one at most `[m]`, in words.
+fn apart(unit: LengthUnit, most: f32) -> String {
+    // Not a number is no less.
+    if most <= BLOWN_UP { format!("up to {} apart", unit.words(f64::from(most))) } else { "it has blown up".to_owned() }
+}
+
 impl Session {
     /// How many worlds there are side by side.
     pub(super) fn worlds(&self) -> usize {
@@ -35,7 +44,7 @@ impl Session {
 
     /// Colours of distances go up to the largest that there was, in round numbers.
     fn fit_distances(&mut self) {
-        let apart = self.shown().beside.iter().filter_map(|world| world.farthest).filter(|most| most.is_finite());
+        let apart = self.shown().beside.iter().filter_map(|world| world.farthest).filter(|most| *most <= BLOWN_UP);
         self.most_apart = apart.fold(self.most_apart, f32::max);
         self.look.difference_full = distances::round_distance(self.most_apart, self.difference_most);
     }
@@ -160,13 +169,14 @@ impl Session {
             Neighbor { title: title.to_owned(), words, at: [left, top], width, columns }
         };
         // One unit for all of them, that of the legend where there is one.
-        let farthest = shown.beside.iter().filter_map(|world| world.farthest).fold(0.0, f32::max);
+        let known = shown.beside.iter().filter_map(|world| world.farthest).filter(|most| *most <= BLOWN_UP);
+        let farthest = known.fold(0.0, f32::max);
         let largest = if self.tints_distance { self.look.difference_full } else { farthest };
         let unit = LengthUnit::of(f64::from(largest));
         let rests = |rests: bool| if rests { "at rest" } else { "" };
         let first = of(0, &format!("this scene: {}", shown.title), rests(shown.rests).to_owned());
         let others = shown.beside.iter().zip(1..).map(|(world, place)| {
-            let apart = world.farthest.map(|most| format!("up to {} apart", unit.words(f64::from(most))));
+            let apart = world.farthest.map(|most| apart(unit, most));
             let all: Vec<&str> = apart.as_deref().into_iter().chain([rests(world.rests)]).collect();
             let words = all.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join(", ");
             of(place, &world.title, if world.words.is_empty() { words } else { world.words.clone() })
@@ -191,5 +201,19 @@ impl Session {
         let entries = self.shown().beside.iter().enumerate().filter(|(other, _)| *other != place);
         let entries = entries.map(|(_, world)| world.entry.clone()).collect();
         self.player.ask(Order::Beside(Companions::These(entries)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LengthUnit, apart};
+
+    #[test]
+    fn a_world_that_has_no_numbers_left_is_said_to_have_blown_up() {
+        let unit = LengthUnit::of(2.0);
+        assert_eq!(apart(unit, 1.5), "up to 1.50 m apart");
+        for most in [f32::INFINITY, f32::NAN, 1e30] {
+            assert_eq!(apart(unit, most), "it has blown up");
+        }
     }
 }

@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 use egui::epaint::{ClippedShape, Shape};
 use egui::{Color32, FontId, Pos2, Rect, Stroke};
 
-use super::{Framing, Session, panels_for};
+use super::begun::panels_for;
+use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::panels::{self, Facts, Laid, Settings, parameters, theme};

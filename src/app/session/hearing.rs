@@ -1,8 +1,11 @@
 //! What the stepping thread has to tell: what is new, and what became of orders.
 
+use std::sync::Arc;
+
 use super::Session;
-use crate::app::panels::is_recording;
+use crate::app::panels::{Sheet, is_recording};
 use crate::app::player::{News, Note};
+use crate::app::warnings::refused;
 use crate::sim::HELD;
 
 impl Session {
@@ -17,6 +20,9 @@ impl Session {
             self.find_misfits();
             self.panels_dirty |= self.panels.has_settings && self.shown().settings != self.settings;
             self.panels_dirty |= self.shown().matter != self.matter;
+            // What is hidden is counted there.
+            let tints = Arc::clone(&self.shown().scenery.tints);
+            self.panels_dirty |= !Arc::ptr_eq(&tints, &std::mem::replace(&mut self.tints, Arc::clone(&tints)));
             self.gone_by.take_if(|serial| *serial <= self.player.shown().serial);
             self.plot();
             if self.base != self.shown().base {
@@ -69,9 +75,10 @@ impl Session {
             }
             Note::Added(Some(why)) => {
                 self.adding = None;
+                let why = refused(&why);
                 self.panels.notes.warn(format!("it is in the scene, but bodies pass through each other: {why}"));
             }
-            Note::Came(came, said, why) => self.have_come(came, said, why),
+            Note::Came(came, said, why) => self.have_come(came, said, why.as_deref().map(refused)),
             Note::Before(list) => self.plot_before(list),
             Note::Exact => {
                 self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());
@@ -79,19 +86,27 @@ impl Session {
             Note::Refused(why) if why == HELD => self.say(HELD_HERE.to_owned()),
             Note::Refused(why) => {
                 self.import = self.adding.take().or_else(|| self.import.take());
-                self.complain(&why);
+                self.complain(&refused(&why));
             }
             Note::Warned(lines) => lines.into_iter().for_each(|line| self.panels.notes.warn(line)),
             Note::Written(path) => {
                 self.say(format!("written: {}", path.display()));
+                if self.panels.save_to.is_written(&path) {
+                    self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
+                }
                 if is_recording(&path) {
                     self.remember(&path);
                     self.have_saved(true);
                 }
             }
             Note::NotWritten(why) => {
+                // Where the name is asked for it can be mended.
+                let is_asked = self.panels.save_to.failed(&why) && self.panels.sheet == Some(Sheet::SaveTo);
+                self.panels.is_fresh |= is_asked;
                 self.have_saved(false);
-                self.complain(&why);
+                if !is_asked {
+                    self.complain(&why);
+                }
             }
             Note::NotKept(why) => self.complain(&format!(
                 "what you do here would be lost if the program were killed, until this can be written again: {why}"

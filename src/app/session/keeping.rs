@@ -61,10 +61,12 @@ impl Session {
         let is_writing = self.panels.sheet == Some(Sheet::SaveTo);
         match chosen {
             Chosen::File(path) => {
-                self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
                 match is_recording(&path) {
                     // The dialog has asked whether what is there may go.
-                    true => self.grant(Wish::SaveTo(path)),
+                    true => {
+                        self.panels.path = path.display().to_string();
+                        self.grant(Wish::SaveTo(path));
+                    }
                     false => self.ask_for_ending(&path),
                 }
             }

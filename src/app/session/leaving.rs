@@ -83,7 +83,12 @@ impl Session {
             self.player.note_saved();
         }
         if self.leaving == Leaving::Writing {
-            self.leaving = if is_written { Leaving::Now } else { Leaving::Not };
+            self.leaving = match is_written {
+                true => Leaving::Now,
+                // Another name may do.
+                false if self.panels.sheet == Some(Sheet::SaveTo) => Leaving::Naming,
+                false => Leaving::Not,
+            };
         }
     }
 

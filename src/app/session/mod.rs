@@ -3,10 +3,13 @@
 mod acts;
 mod arrivals;
 mod asking;
+mod begun;
 mod beside;
+mod coming;
 mod copies;
 mod drawing;
 mod driving;
+mod frames;
 mod fresh;
 mod hearing;
 mod keeping;
@@ -18,19 +21,18 @@ mod plotting;
 mod pointing;
 mod selecting;
 mod shelf;
+mod told;
 
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 use std::time::{Duration, Instant};
 
-use winit::event::WindowEvent;
 use winit::event_loop::{EventLoopProxy, OwnedDisplayHandle};
 use winit::keyboard::PhysicalKey;
 use winit::window::{CursorIcon, Window};
 
 use super::AppError;
-use super::action::Tool;
 use super::canvas::{Canvas, Paint};
 use super::fetch::Fetch;
 use super::import::Import;
@@ -40,24 +42,23 @@ use super::loading::Loading;
 use super::matter::Matter;
 use super::meter::Meter;
 use super::opening::Free;
-use super::panels::{At, Misfits, PanelState, Sheet, listen, theme};
-use super::player::{Figures, Order, Player, Shown, too_many_to_meet};
+use super::panels::{At, Misfits, PanelState, theme};
+use super::player::{Figures, Order, Player, Shown};
 use super::pointer::Pointer;
 use super::preferences::Preferences;
 use super::saving::Saving;
-use super::shell::is_for_panels;
 use super::thumbnails::Thumbnails;
 use super::tools::{Chosen, Hand};
-use super::warnings::seen;
-use crate::history::{HistoryError, Start};
-use crate::render::{Camera, Look, Palette, RenderCounters, RenderError, Tiles, Trails};
-use crate::scene::{MOST_MEETING, Parameter, Scene, SolverName, gallery};
+use crate::history::HistoryError;
+use crate::picture::Tint;
+use crate::render::{Camera, Look, Palette, RenderCounters, Tiles, Trails};
+use crate::scene::{Parameter, Scene};
 use crate::sim::{Cursor, Key, MouseForce, SceneChange};
 use asking::Asked;
 use copies::{Copied, Row};
 use leaving::Leaving;
 use lost::Lost;
-use shelf::{Left, Shelf};
+use shelf::Shelf;
 
 /// The tag of scenes that are painted on.
 const BRUSH: &str = "brush";
@@ -208,110 +209,11 @@ pub(super) struct Session {
     figures: Figures,
     settings: SceneChange,
     matter: Option<Arc<Matter>>,
+    /// How points are drawn, and which are hidden, as panels say it.
+    tints: Arc<[Tint]>,
 }
 
 impl Session {
-    /// Shows what `player` plays, in `window`.
-    ///
-    /// Errors: no GPU that can draw to the window.
-    pub(super) fn new(
-        window: Arc<Window>,
-        (display, waker): (OwnedDisplayHandle, EventLoopProxy<()>),
-        (player, scene): (Player, Arc<Scene>),
-    ) -> Result<Self, RenderError> {
-        let canvas = Canvas::new(Arc::clone(&window), display.clone(), scene.dimensions())?;
-        let size = canvas.size();
-        let egui = panels_for(&window, &canvas, Palette::default());
-        let mut session = Session {
-            // Until the scene is there.
-            camera: Camera::fit([[-1.0; 3], [1.0; 3]], scene.dimensions(), size),
-            framing: Framing::Opening,
-            tiles: Tiles::ALONE,
-            cell: 0,
-            tints_distance: false,
-            beside_trails: Vec::new(),
-            misfits: Default::default(),
-            most_apart: 0.0,
-            difference_most: 1.0,
-            area: size,
-            free: [[0.0; 2], size.map(f64::from)],
-            corner: None,
-            covered: Vec::new(),
-            trails: Trails::new(TRAIL),
-            look: Look { scale_factor: window.scale_factor() as f32, least_pin: LEAST_PIN, ..Look::default() },
-            palette: Palette::default(),
-            has_picture: false,
-            window,
-            egui,
-            display,
-            canvas,
-            player,
-            shelf: Shelf::default(),
-            scene,
-            place: None,
-            named: Vec::new(),
-            pointer: Pointer::default(),
-            hand: Hand::default(),
-            held: Held::default(),
-            down: Down::default(),
-            driving: Vec::new(),
-            follows: false,
-            rewinds: false,
-            gone_by: None,
-            pushes: false,
-            inspected: Chosen::default(),
-            copied: None,
-            duplicated: None,
-            has_undone: false,
-            cursor_icon: CursorIcon::Default,
-            base: None,
-            panels: PanelState::default(),
-            paint: Paint::default(),
-            marked_words: String::new(),
-            lost: Lost::default(),
-            dirty: true,
-            panels_dirty: true,
-            panels_due: None,
-            panels_at: None,
-            was_over_panels: false,
-            was_near_panels: false,
-            wants_hint: true,
-            is_occluded: false,
-            failure: None,
-            import: None,
-            kept: None,
-            loading: None,
-            adding: None,
-            asked: None,
-            leaving: Leaving::Not,
-            dialog: None,
-            pasted: None,
-            saving: None,
-            last_file: None,
-            state_folder: None,
-            record: None,
-            search: None,
-            leftovers: Vec::new(),
-            thumbnails: None,
-            waker,
-            last_frame: None,
-            told: None,
-            frame_meter: Meter::default(),
-            frames: 0,
-            looks_again: None,
-            opening_since: None,
-            teaches: None,
-            figures: Figures::default(),
-            settings: SceneChange::default(),
-            matter: None,
-        };
-        match session.player.is_open() {
-            true => session.arrive(Arc::clone(&session.scene)),
-            false => session.await_it(),
-        }
-        Ok(session)
-    }
-
     /// Sessions outlive a killed program in `folder`, where earlier ones are looked for; the next history is recorded to `record`.
     pub(super) fn keep_in(&mut self, folder: Option<PathBuf>, record: Option<PathBuf>) {
         let preferred = folder.as_deref().map(Preferences::load).unwrap_or_default();
@@ -360,102 +262,9 @@ impl Session {
         self.shelf.players().chain([&self.player]).for_each(Player::leave);
     }
 
-    /// Whether another frame is needed: something moves or has changed.
-    pub(super) fn wants_frame(&self) -> bool {
-        self.dirty || self.panels_dirty || self.moves()
-    }
-
-    /// Whether time goes on: the world waits while a picture is being imported, which takes its place on the screen.
-    fn moves(&self) -> bool {
-        let fades = self.hand.is_fading() && self.player.is_playing();
-        !self.waits()
-            && (self.player.is_moving() || self.rewinds || fades || self.hand.is_leading() || self.hand.is_hauling())
-    }
-
-    /// Whether the world waits for what lies over it: what is saved is the moment at which it was asked for.
-    fn waits(&self) -> bool {
-        self.import.is_some() || self.asked.is_some() || self.panels.sheet.is_some_and(Sheet::stops_time)
-    }
-
     /// Whether something lies over the world that keys and the mouse are for.
     pub(super) fn is_covered(&self) -> bool {
         self.import.is_some() || self.panels.sheet.is_some() || self.asked.is_some()
-    }
-
-    /// Opens another scene, or a recording, in place of this one, which can be gone back to.
-    fn open(&mut self, start: Start) {
-        let keeping = self.keeping();
-        let is_another = start.scene().name() != self.scene.name();
-        let player = Player::open(start, keeping, self.wake_up());
-        self.put_on(player);
-        if is_another {
-            // What was held for the scene before would surprise in this one.
-            self.hand.take(Tool::Hand);
-        }
-    }
-
-    /// Plays another history; the present one goes onto the shelf.
-    fn put_on(&mut self, player: Player) {
-        self.leave_drawing();
-        // Whoever opens something else wants that.
-        self.panels.notes.offer = None;
-        self.take_leave();
-        let last = std::mem::replace(&mut self.player, player);
-        let recorded = last.record().map(|path| path.display().to_string());
-        // What nobody has seen yet is not gone back to, unless something is to be kept of it.
-        if self.opening_since.is_none() || last.record().is_some() {
-            self.shelf.keep(Left::now(last, self.camera));
-        }
-        self.await_it();
-        self.begin();
-        self.settle();
-        if let Some(path) = recorded {
-            self.say(format!("{path} has all that was done so far; another scene is not recorded there"));
-        }
-    }
-
-    /// A history is being made: it is called by its name from now on.
-    fn await_it(&mut self) {
-        self.opening_since = Some(Instant::now());
-        let scene = self.player.start().scene().clone();
-        self.place = place_of(&scene);
-        self.scene = Arc::new(scene);
-        self.call_window();
-        (self.named, self.has_picture) = (Vec::new(), false);
-        self.panels.notes.has_caption = false;
-        self.panels.notes.complaint = None;
-        self.panels.notes.begin();
-    }
-
-    /// The window is called by what is open in it.
-    fn call_window(&self) {
-        let name = self.player.start().name().unwrap_or(self.scene.name());
-        self.window.set_title(&format!("wobble · {name}"));
-    }
-
-    /// A history that is being made is not waited for: the one before it is there again. Returns whether there is one.
-    pub(super) fn stop_opening(&mut self) -> bool {
-        if self.opening_since.is_none() || self.player.record().is_some() {
-            return false;
-        }
-        let Some(left) = self.shelf.back() else { return false };
-        self.teaches = None;
-        drop(self.bring_back(left));
-        self.settle();
-        true
-    }
-
-    /// For how long a history is being made, and whether it can be given up for another.
-    fn opening(&self) -> Option<(Duration, bool)> {
-        self.opening_since.map(|since| (since.elapsed(), self.shelf.has_before() && self.player.record().is_none()))
-    }
-
-    /// The present history is left for another: nothing hangs on the hand in it.
-    pub(super) fn take_leave(&mut self) {
-        self.stop_driving();
-        let deed = self.hand.leave();
-        self.do_deed(deed);
-        self.tell_press();
     }
 
     /// The stepping thread is told whether the hand pushes.
@@ -480,170 +289,9 @@ impl Session {
         self.shown().figures.follows || self.rewinds || self.gone_by.is_some()
     }
 
-    /// Another history is shown: nothing of the last one is under way any more.
-    fn begin(&mut self) {
-        self.hand.let_go();
-        (self.asked, self.duplicated) = (None, None);
-        self.inspected = Chosen::default();
-        self.has_undone = false;
-        self.driving.clear();
-        self.panels.sheet = None;
-        (self.rewinds, self.last_frame, self.told, self.gone_by) = (false, None, None, None);
-        self.plot_anew();
-        self.touch();
-        let news = self.player.poll();
-        self.hear(news);
-    }
-
-    /// The history is there: its scene is shown as it opens.
-    fn arrive(&mut self, scene: Arc<Scene>) {
-        self.opening_since = None;
-        self.follows = false;
-        self.canvas.forget_world(scene.dimensions());
-        self.has_picture = scene.picture_body().is_some();
-        self.look.has_mesh = false;
-        self.trails = Trails::new(TRAIL * scene.rate());
-        self.beside_trails.clear();
-        (self.cell, self.misfits.0, self.most_apart) = (0, None, 0.0);
-        self.tints_distance = scene.method.solver == Some(SolverName::AsPrinted);
-        self.named = scene.named_parameters();
-        self.place = place_of(&scene);
-        self.scene = scene;
-        self.call_window();
-        self.plot_anew();
-        self.frame_as(Framing::Opening);
-        if let Some(camera) = self.looks_again.take() {
-            (self.camera, self.framing) = (camera, Framing::Free);
-            self.camera.resize(self.area);
-        }
-        self.take_base();
-        let passes =
-            self.has_picture && self.scene.contact.is_none() && self.shown().scenery.bonds.len() > MOST_MEETING;
-        let through = passes.then(|| format!("its bodies pass through each other: {}", too_many_to_meet()));
-        let warnings: Vec<&str> = self.shown().scenery.warnings.iter().map(|line| seen(line)).collect();
-        let warning = (!warnings.is_empty()).then(|| listed(&warnings));
-        let said: Vec<String> = [warning, through, self.taken_keys()].into_iter().flatten().collect();
-        self.panels.notes.complaint = (!said.is_empty()).then(|| said.join("\n"));
-        self.panels.notes.begin();
-        if self.player.start().is_replayed() {
-            self.panels.notes.warn(REPLAYED.to_owned());
-        }
-        self.panels.notes.has_caption = true;
-        self.wants_hint &= self.place == Some(0);
-        self.place_hint();
-        match self.teaches.take() {
-            Some(at) => self.lay_out(at),
-            None => self.leave_lesson(),
-        }
-        self.touch();
-    }
-
-    /// Time ran on since the last frame: asks for it, once a frame.
-    fn advance(&mut self, start: Instant) {
-        let is_asked = self.player.is_playing() || self.rewinds || self.shown().figures.behind;
-        let cursor = self.world_cursor();
-        let is_new = cursor != self.told && self.player.is_open();
-        if self.waits() || !is_asked || !(self.moves() || is_new) {
-            self.last_frame = None;
-            return;
-        }
-        let wall = self.last_frame.replace(start).map_or(FIRST_FRAME, |last| (start - last).as_secs_f64());
-        self.frame_meter.push(wall);
-        self.tell_press();
-        if !self.is_led() {
-            let deed = self.hand.pass(wall);
-            self.do_deed(deed);
-        }
-        self.lead(wall);
-        self.told = cursor;
-        self.player.advance(wall, cursor, self.rewinds);
-    }
-
-    /// One frame: the time that passed, the panels if they changed, the picture. Draws nothing if nothing has changed.
-    ///
-    /// Errors: a GPU that gave up and cannot be had again.
-    pub(super) fn frame(&mut self) -> Result<(), RenderError> {
-        let start = Instant::now();
-        if self.panels_due().is_some_and(|due| due <= start) {
-            (self.panels_dirty, self.panels_due) = (true, None);
-        }
-        if !self.wants_frame() {
-            return Ok(());
-        }
-        self.stay_without_name();
-        self.advance(start);
-        self.inspect();
-        self.dirty = false;
-        let is_time = self.panels_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY);
-        if self.panels_dirty || is_time {
-            self.show_panels();
-        }
-        let news = self.player.poll_patiently();
-        self.hear(news);
-        self.follow_driven();
-        // What was heard is drawn now; what moves on is drawn in the next frame anyway.
-        self.dirty &= self.panels_dirty;
-        self.draw()?;
-        self.frames += 1;
-        if !self.moves() {
-            self.last_frame = None;
-            // The last figures are those of the rest.
-            if self.shown().figures != self.figures {
-                self.panels_due.get_or_insert(start + FIGURES_EVERY);
-            }
-        }
-        Ok(())
-    }
-
-    /// Nothing is seen: no time passes meanwhile.
-    pub(super) fn rest(&mut self) {
-        self.last_frame = None;
-    }
-
     /// Why there is nothing to show, if the first scene could not be opened.
     pub(super) fn take_failure(&mut self) -> Option<HistoryError> {
         self.failure.take()
-    }
-
-    /// Hands an event to the panels: keys only where they write or nothing else is meant by them.
-    pub(super) fn tell_panels(&mut self, event: &WindowEvent) {
-        let is_writing = self.is_writing();
-        if let WindowEvent::KeyboardInput { event, .. } = event
-            && !is_for_panels(event, is_writing)
-        {
-            return;
-        }
-        let response = self.egui.on_window_event(&self.window, event);
-        let is_move = matches!(event, WindowEvent::CursorMoved { .. });
-        self.panels_dirty |= response.repaint && !is_move;
-    }
-
-    /// Whether what is typed goes into a field: also into one that is only about to be shown.
-    pub(super) fn is_writing(&self) -> bool {
-        let is_coming = self.panels.is_fresh && self.panels.sheet.is_some_and(|sheet| sheet != Sheet::Help);
-        is_coming || self.egui.egui_ctx().text_edit_focused()
-    }
-
-    /// Keys and buttons that were held down are let go elsewhere.
-    pub(super) fn lose_focus(&mut self) {
-        self.stop_driving();
-        self.rewinds = false;
-        self.hand.hold_pins(false);
-        self.down = Down::default();
-        self.hold(Held::default());
-        self.touch();
-    }
-
-    /// Ctrl and Shift go down or up.
-    pub(super) fn hold(&mut self, held: Held) {
-        self.held = held;
-        self.hand.hold([held.shift, held.alt]);
-        self.dirty = true;
-    }
-
-    /// When the panels want a frame by themselves.
-    pub(super) fn panels_due(&self) -> Option<Instant> {
-        [self.panels_due, self.panels.notes.until()].into_iter().flatten().min()
     }
 
     /// Something that is shown has changed, on the panels too.
@@ -683,60 +331,5 @@ impl Session {
             [advances + player.advances(), substeps + player.shown().figures.substeps]
         });
         ([self.frames, work[0], work[1]], self.canvas.counters())
-    }
-}
-
-/// The place in the gallery of a scene that is in it: not of another one that is called so.
-fn place_of(scene: &Scene) -> Option<usize> {
-    let place = gallery().iter().position(|entry| entry.name == scene.name())?;
-    let own = gallery()[place].scene().ok()?;
-    // What stands beside it may have been changed.
-    let alone = Scene { name: own.name.clone(), beside: own.beside.clone(), ..scene.clone() };
-    (alone == own).then_some(place)
-}
-
-/// Said of a recording as it opens.
-const REPLAYED: &str = "a recording: it is replayed as it was done. A press on the world takes over from there; the list beside the \
-                        timeline leads back to what was recorded";
-
-/// So many warnings are shown at once, a line each.
-const MOST_WARNINGS: usize = 3;
-
-/// Warnings below each other, the first few of many.
-fn listed(warnings: &[&str]) -> String {
-    let shown = warnings.iter().take(MOST_WARNINGS).map(|line| (*line).to_owned());
-    let more = warnings.len().saturating_sub(MOST_WARNINGS);
-    let rest = (more > 0).then(|| format!("and {more} more: `wobble simulate` lists all"));
-    shown.chain(rest).collect::<Vec<_>>().join("\n")
-}
-
-/// A context for the panels of a window.
-fn panels_for(window: &Arc<Window>, canvas: &Canvas, palette: Palette) -> egui_winit::State {
-    let context = egui::Context::default();
-    theme::apply(&context, palette);
-    listen(&context);
-    let scale = Some(window.scale_factor() as f32);
-    let side = Some(canvas.largest_side() as usize);
-    egui_winit::State::new(context, egui::ViewportId::ROOT, &**window, scale, None, side)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{gallery, listed, place_of};
-    use crate::scene::Scene;
-
-    #[test]
-    fn a_scene_that_is_called_as_one_of_the_gallery_is_none_of_it() {
-        let own = gallery()[1].scene();
-        assert_eq!(own.ok().and_then(|scene| place_of(&scene)), Some(1));
-        let text = r#"{"wobble": 1, "name": "rope", "points": {"position": [[0, 0]]}}"#;
-        assert_eq!(Scene::parse(text, "x.json").ok().and_then(|scene| place_of(&scene)), None);
-    }
-
-    #[test]
-    fn of_many_warnings_the_first_are_listed() {
-        let all = ["a", "b", "c", "d", "e"];
-        assert_eq!(listed(&all[..2]), "a\nb");
-        assert_eq!(listed(&all), "a\nb\nc\nand 2 more: `wobble simulate` lists all");
     }
 }

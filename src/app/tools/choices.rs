@@ -93,7 +93,8 @@ impl Hand {
 
     /// Shift and Alt are held, or let go.
     pub(in crate::app) fn hold(&mut self, [shift, alt]: [bool; 2]) {
-        (self.shift, self.alt, self.maker.is_free) = (shift, alt, shift);
+        (self.shift, self.alt) = (shift, alt);
+        (self.maker.is_free, self.maker.is_from_middle) = (shift, alt);
     }
 
     /// Time stands still from now on, or runs.

@@ -1,50 +1,22 @@
 //! The tool for motors: bodies turn about a hinge, by a motor if one likes.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use super::Deed;
-use super::hub::{Hub, Hubs};
+use super::hinge::{Hinge, Meant, pins};
+use super::hub::Hub;
 use super::marks::{Mark, Role};
 use super::muscles::MuscleChoice;
-use super::pick::{Scope, distance_to_segment};
-use super::skin;
+use super::pick::Scope;
 use crate::history::{DeleteKeys, Do};
-use crate::scene::{AddKeys, AngleKeys, BondKeys, DriveKeys, KeyName, KindName, MassKeys, PointKeys, Row, Vector};
-use crate::sim::{Angle, AngleDrive, Bond, BondKind, PointId};
+use crate::scene::{AddKeys, DriveKeys, KeyName};
+use crate::sim::{Angle, AngleDrive};
 
-/// Bonds of a hub to a body that turns about it, and to one that holds it, by which the two are told apart: with three that lie along its edge
-/// that sags by a wheel.
-const SPOKES: usize = 6;
-const STRUTS: usize = 5;
-/// Of the spokes those that a motor turns: a third of a turn apart, so that a soft wheel keeps its shape.
-const TURNED: usize = 3;
-/// A hub is held by a body no further than so many radii of what turns about it.
-const NEAR: f64 = 1.6;
-/// Points nearer to a hub than this share of that radius give it no direction.
-const LEAST_SPOKE: f64 = 0.05;
-/// Stiffness of the bonds of a hub where a body has no springs to take it from `[N/m]`.
-const STIFFNESS: f64 = 4000.0;
-
-/// A body is round when its skin is nowhere nearer to its middle than this share of the farthest `[1]`, and has so many corners.
-const ROUND: f64 = 0.85;
-const LEAST_ROUND: usize = 8;
-/// Without a motor a click this near to the middle of what is round means the middle, in its radius `[1]`.
-const MIDDLE: f64 = 0.35;
-/// A motor turns springs against each other by no more than this `[rad]`, about.
-const SHEAR: f64 = 0.5;
-
-/// A hinge this near to the middle of what is round is its own, in its radius `[1]`.
-const HINGED_AT: f64 = 0.15;
-/// What lies so near is meant by a click `[logical px]`.
-const SNAP: f64 = 12.0;
 /// A motor that is this much stronger or weaker than another is the same `[1]`.
 const SAME_TORQUE: f64 = 0.1;
 
 /// Said where nothing is clicked that could be hinged.
 const NO_BODY: &str = "no body lies here that could be hinged";
-/// Said where something holds the body already.
-const PINNED: &str = "a pin is here already: hold T and click it to let it go";
-const JOINT: &str = "a joint is here already: its limbs turn about it";
 /// Said of a hinge without a motor where the switch asks for none.
 const HINGED: &str = "a hinge is here already; with Shift it goes, with the switch \"motor\" it gets one";
 
@@ -78,7 +50,7 @@ impl Default for Drives {
 }
 
 impl MotorChoice {
-    fn keys(&self, share: f64) -> DriveKeys {
+    pub(super) fn keys(&self, share: f64) -> DriveKeys {
         DriveKeys {
             speed: Some(self.speed),
             torque: Some(share * self.torque),
@@ -196,278 +168,4 @@ impl Drives {
 /// Where words beside the pointer begin.
 pub(super) fn beside(scope: Scope<'_>, at: DVec2) -> DVec2 {
     at + DVec2::new(14.0, -10.0) * scope.scale
-}
-
-/// A hinge that is to come: its hub, what turns about it, and what holds it, if the ground does not.
-struct Hinge {
-    at: DVec2,
-    spokes: Vec<PointId>,
-    struts: Vec<PointId>,
-    has_motor: bool,
-}
-
-/// The middle of a body that is round, and its radius `[m]`.
-fn round(scope: Scope<'_>, body: &[PointId]) -> Option<(DVec2, f64)> {
-    let mut skin: Vec<PointId> = skin::sides(scope, body).into_iter().flatten().collect();
-    skin.sort_unstable();
-    skin.dedup();
-    if skin.len() < LEAST_ROUND {
-        return None;
-    }
-    let middle = skin.iter().map(|point| place(scope, *point)).sum::<DVec2>() / skin.len() as f64;
-    let far = |point: &PointId| place(scope, *point).distance(middle);
-    let least = skin.iter().map(far).fold(f64::INFINITY, f64::min);
-    let most = skin.iter().map(far).fold(0.0, f64::max);
-    (least >= ROUND * most).then_some((middle, most))
-}
-
-/// What a click with the tool for motors means.
-enum Meant {
-    /// A hinge that is there.
-    There(Hub),
-    /// One that is to come.
-    New(Hinge),
-}
-
-impl Meant {
-    /// At a pixel: a hinge that is there, at its hub or on what is round about it; else of the body that lies there and another one beside
-    /// it, or of that and the background. `None`: no body lies there.
-    fn at(scope: Scope<'_>, pixel: DVec2, wants_motor: Option<bool>) -> Option<Result<Self, &'static str>> {
-        let hit = scope.nearest(pixel)?;
-        if scope.shown.dimensions != 2 {
-            return Some(Err("hinges are of the plane: this scene is in space"));
-        }
-        let hubs = Hubs::of(scope, hit.point);
-        let reached = scope.reached(pixel);
-        // What a motor pushes against belongs to its hinge.
-        let is_of = |hub: &&Hub| reached.iter().any(|point| hub.motors.iter().any(|angle| angle.points[0] == *point));
-        let hub = reached.iter().find_map(|point| hubs.at(*point)).or_else(|| hubs.all.iter().find(is_of));
-        if let Some(hub) = hub {
-            return Some(Ok(Meant::There(hub.clone())));
-        }
-        if reached.iter().any(|&point| scope.is_pinned(point)) {
-            return Some(Err(PINNED));
-        }
-        if reached.iter().any(|point| scope.shown.scenery.joints.contains(point)) {
-            return Some(Err(JOINT));
-        }
-        Hinge::at(scope, (pixel, hit.point), &hubs, wants_motor)
-    }
-}
-
-impl Hinge {
-    /// About a pixel near a point of a body.
-    fn at(
-        scope: Scope<'_>,
-        (pixel, point): (DVec2, PointId),
-        hubs: &Hubs<'_>,
-        wants_motor: Option<bool>,
-    ) -> Option<Result<Meant, &'static str>> {
-        let clicked = scope.in_plane(pixel);
-        let body = hubs.piece(point);
-        // What is round turns about its middle; near its rim it can hang, without a motor.
-        let round = round(scope, &body);
-        let is_meant = |(middle, radius): &(DVec2, f64)| {
-            wants_motor != Some(false) || clicked.distance(*middle) <= MIDDLE * radius
-        };
-        let meant = round.filter(is_meant);
-        if let Some((middle, radius)) = meant
-            && let Some(hub) = hubs.near(middle, HINGED_AT * radius)
-        {
-            return Some(Ok(Meant::There(hub.clone())));
-        }
-        let at = meant.map_or(clicked, |(middle, _)| middle);
-        let far = |&point: &PointId| place(scope, point).distance(at);
-        let radius = body.iter().map(far).fold(0.0, f64::max);
-        let spokes = nearest(&body, far, (SPOKES, LEAST_SPOKE * radius));
-        if spokes.len() < 2 {
-            return Some(Err("a hinge needs a body of three points or more"));
-        }
-        // What is not round is held by what lies at the click, not by what lies as far off as it is long.
-        let arm = spokes.iter().map(far).fold(0.0, f64::max);
-        let reach = SNAP * scope.scale / scope.camera.pixels_per_metre();
-        let most = if meant.is_some() { NEAR * radius } else { (NEAR * arm).max(reach) };
-        let is_other = |point: &PointId| scope.is_there(*point) && body.binary_search(point).is_err();
-        let others = (0..scope.shown.point_count() as u32).map(PointId).filter(is_other);
-        let others = others.filter(|point| hubs.at(*point).is_none());
-        let other = others.min_by(|a, b| far(a).total_cmp(&far(b))).filter(|point| far(point) <= most);
-        // What a motor on the ground pushes against is no body.
-        let holder = other.map(|point| Hubs::of(scope, point).piece(point)).filter(|holder| holder.len() > 1);
-        let holder = holder.unwrap_or_default();
-        let struts = nearest(&holder, far, (STRUTS, LEAST_SPOKE * radius));
-        let has_motor = wants_motor.unwrap_or(round.is_some() && struts.is_empty());
-        Some(Ok(Meant::New(Hinge { at, spokes, struts, has_motor })))
-    }
-
-    /// One that is there: what is round turns, or what has the most bonds.
-    fn of(scope: Scope<'_>, hub: &Hub) -> Self {
-        let is_round = |side: &Vec<PointId>| {
-            side.first().is_some_and(|&point| round(scope, &Hubs::of(scope, point).piece(point)).is_some())
-        };
-        let turning = hub.sides.iter().position(is_round).unwrap_or(0);
-        let side = |k: usize| hub.sides.get(k).cloned().unwrap_or_default();
-        let struts = if hub.is_pinned { Vec::new() } else { side(if turning == 0 { 1 } else { 0 }) };
-        Hinge { at: place(scope, hub.point), spokes: side(turning), struts, has_motor: true }
-    }
-
-    /// What a motor on the background pushes against: a pin beside the hub `[m]`.
-    fn prop(scope: Scope<'_>, hinge: &Hinge, is_pinned: bool) -> Vec<DVec2> {
-        let arm = hinge.spokes.first().map_or(1.0, |&spoke| place(scope, spoke).distance(hinge.at));
-        is_pinned.then_some(hinge.at + DVec2::new(0.5 * arm, 0.0)).into_iter().collect()
-    }
-
-    /// Its lines and its hub: what turns and what holds it.
-    fn marks(&self, scope: Scope<'_>, [turns, holds]: [Role; 2]) -> Vec<Mark> {
-        let Some(hub) = scope.on_screen(self.at) else { return Vec::new() };
-        let lines = self.spokes.iter().map(|spoke| (turns, spoke));
-        let lines = lines.chain(self.struts.iter().map(|strut| (holds, strut)));
-        let mut marks: Vec<Mark> = lines
-            .filter_map(|(role, &point)| Some(Mark::Line(role, hub, scope.pixel(point)?, 2.0 * scope.scale)))
-            .collect();
-        marks.push(Mark::Ring(turns, hub, 7.0 * scope.scale));
-        marks
-    }
-
-    /// Whether what turns about it lies on a floor or a wall.
-    fn rests(&self, scope: Scope<'_>) -> bool {
-        let Some(&first) = self.spokes.first() else { return false };
-        let near = SNAP * scope.scale / scope.camera.pixels_per_metre();
-        let body = Hubs::of(scope, first).piece(first);
-        body.into_iter().any(|point| gap(scope, place(scope, point)) <= near)
-    }
-
-    /// The keys that bring it into the world.
-    fn keys(&self, scope: Scope<'_>, motor: &MotorChoice) -> AddKeys {
-        let hub = scope.shown.point_count() as u32;
-        let is_grounded = self.struts.is_empty();
-        let mut position = vec![self.at];
-        position.extend(Hinge::prop(scope, self, is_grounded && self.has_motor));
-        let reference = self.struts.first().map_or(hub + 1, |strut| strut.0);
-        let kind = stuff(scope, &self.spokes);
-        let spokes = self.spokes.iter().map(|spoke| bond(hub, spoke.0, kind));
-        let struts = self.struts.iter().map(|strut| bond(hub, strut.0, stuff(scope, &self.struts)));
-        let mut points = pins(position, self.mass(scope), hub);
-        if !is_grounded {
-            points.pinned.clear();
-        }
-        AddKeys {
-            points: Some(points),
-            bonds: spokes.chain(struts).collect(),
-            angles: if self.has_motor { self.motors(scope, motor, [reference, hub]) } else { Vec::new() },
-            ..AddKeys::default()
-        }
-    }
-
-    /// Its motors, which turn its spokes about a hub against what is there already.
-    fn motors(&self, scope: Scope<'_>, motor: &MotorChoice, [reference, hub]: [u32; 2]) -> Vec<AngleKeys> {
-        let turned = self.turned(scope);
-        let share = self.torque(scope, motor) / motor.torque / turned.len().max(1) as f64;
-        let angle = |rim: PointId| AngleKeys {
-            points: Row([reference, hub, rim.0]),
-            rest: Some(std::f64::consts::PI),
-            stiffness: None,
-            damping: None,
-            min: None,
-            max: None,
-            drive: Some(motor.keys(share)),
-        };
-        turned.into_iter().map(angle).collect()
-    }
-
-    /// The torque of its motor `[N m]`: of a soft body as much as shears what it turns by half.
-    fn torque(&self, scope: Scope<'_>, motor: &MotorChoice) -> f64 {
-        let BondKind::Spring { stiffness, .. } = stuff(scope, &self.spokes) else { return motor.torque };
-        let arms = self.turned(scope).into_iter().map(|spoke| place(scope, spoke).distance_squared(self.at));
-        motor.torque.min(SHEAR * stiffness * arms.sum::<f64>())
-    }
-
-    /// What its hub weighs, as the points do that it is bonded to `[kg]`: a heavier one would press soft wheels flat.
-    fn mass(&self, scope: Scope<'_>) -> f64 {
-        let masses = &scope.shown.scenery.masses;
-        let of = self.spokes.iter().filter_map(|spoke| masses.get(spoke.index()));
-        of.sum::<f64>() / self.spokes.len().max(1) as f64
-    }
-
-    /// The spokes that a motor turns: as far apart as there are some.
-    fn turned(&self, scope: Scope<'_>) -> Vec<PointId> {
-        let angle = |point: &PointId| {
-            let from = place(scope, *point) - self.at;
-            from.y.atan2(from.x)
-        };
-        let mut around = self.spokes.clone();
-        around.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
-        let every = around.len().div_ceil(TURNED).max(1);
-        around.into_iter().step_by(every).collect()
-    }
-}
-
-/// Pins of this mass `[kg]` at these places `[m]`, numbered from the next on.
-fn pins(position: Vec<DVec2>, mass: f64, next: u32) -> PointKeys {
-    PointKeys {
-        mass: Some(MassKeys::Same(mass)),
-        velocity: None,
-        pinned: (next..next + position.len() as u32).collect(),
-        position: position.into_iter().map(|at| Vector::Plane(at.to_array())).collect(),
-    }
-}
-
-/// How far a place is from the nearest wall, plane or obstacle `[m]`.
-fn gap(scope: Scope<'_>, at: DVec2) -> f64 {
-    let scenery = &scope.shown.scenery;
-    let walls = scenery.bounds.iter().flat_map(|[low, high]| {
-        [0, 1].into_iter().flat_map(move |axis| [(at[axis] - low[axis]).abs(), (high[axis] - at[axis]).abs()])
-    });
-    let planes = scenery.planes.iter().map(|[point, normal]| {
-        let [point, normal] = [*point, *normal].map(|x| DVec3::from(x).truncate());
-        (at - point).dot(normal.normalize_or_zero()).abs()
-    });
-    let loops = scenery.polygons.iter().flat_map(|polygon| &polygon.loops);
-    let sides = loops.flat_map(|corners| {
-        let side = move |k: usize| [corners[k], corners[(k + 1) % corners.len()]].map(DVec2::from);
-        (0..corners.len()).map(side).map(|[from, to]| distance_to_segment(at, from, to))
-    });
-    walls.chain(planes).chain(sides).fold(f64::INFINITY, f64::min)
-}
-
-fn place(scope: Scope<'_>, point: PointId) -> DVec2 {
-    DVec3::from(scope.shown.place(point.index())).truncate()
-}
-
-/// So many of some points that are nearest to a place, but none nearer than the least.
-fn nearest(points: &[PointId], far: impl Fn(&PointId) -> f64, (count, least): (usize, f64)) -> Vec<PointId> {
-    let mut list: Vec<PointId> = points.iter().copied().filter(|point| far(point) > least).collect();
-    list.sort_by(|a, b| far(a).total_cmp(&far(b)).then(a.cmp(b)));
-    list.truncate(count);
-    list
-}
-
-/// What the bonds of a hub are made of: rigid at rigid points, else springs as stiff as those there.
-fn stuff(scope: Scope<'_>, points: &[PointId]) -> BondKind {
-    let bonds = &scope.shown.scenery.bonds;
-    let at = |bond: &Bond| points.contains(&bond.a) || points.contains(&bond.b);
-    let kinds = || bonds.iter().filter(at).map(|bond| bond.kind);
-    if kinds().any(|kind| kind == BondKind::Rigid) {
-        return BondKind::Rigid;
-    }
-    let springs = kinds().filter_map(|kind| match kind {
-        BondKind::Spring { stiffness, damping } => Some((stiffness, damping)),
-        _ => None,
-    });
-    let most = springs.max_by(|a, b| a.0.total_cmp(&b.0));
-    most.map_or(BondKind::Spring { stiffness: STIFFNESS, damping: 0.0 }, |(stiffness, damping)| BondKind::Spring {
-        stiffness,
-        damping,
-    })
-}
-
-fn bond(a: u32, b: u32, kind: BondKind) -> BondKeys {
-    match kind {
-        BondKind::Spring { stiffness, damping } => BondKeys {
-            kind: Some(KindName::Spring),
-            stiffness: Some(stiffness),
-            damping: Some(damping),
-            ..BondKeys::new(a, b)
-        },
-        _ => BondKeys::new(a, b),
-    }
 }

@@ -280,3 +280,81 @@ fn a_box_on_two_discs_with_motors_drives_and_stays_upright() {
         assert!(is_carried, "{edge}: it tilts by {tilt} rad, drives {far} m in 3 s and hangs {low} m lower");
     }
 }
+
+#[test]
+fn a_click_on_a_wheel_that_is_squashed_or_off_its_hub_takes_the_hub_that_is_there() {
+    let seen = shown(Scene::parse(WHEELS, "x.json").unwrap());
+    let at = |x: f64, y: f64| DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap());
+    let mut stage = stage();
+    give(&mut stage, hand(Tool::Motor).press(scope(&seen), at(3.0, -3.0)));
+    let hub = stage.history().world().pinned()[0];
+    // The wheel is pressed flat, and goes a quarter of its radius to the side of its hub.
+    let wheel: Vec<u32> = (0..seen.0.point_count() as u32)
+        .filter(|&k| DVec2::new(seen.0.place(k as usize)[0] - 3.0, seen.0.place(k as usize)[1] + 3.0).length() < 0.51)
+        .collect();
+    let keys = crate::history::MoveKeys {
+        points: wheel,
+        by: Some(crate::scene::Vector::Plane([0.12, 0.0])),
+        scale: Some(crate::history::Factors::Each([1.15, 0.75])),
+        ..Default::default()
+    };
+    assert_eq!(stage.obey(Order::Give(vec![Do::Move(Box::new(keys))], Some("move"))), None);
+    let mut squashed = Shown::default();
+    stage.show(&mut squashed);
+    let seen = (squashed, seen.1, seen.2);
+    let at = |x: f64, y: f64| DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap());
+    for [x, y] in [[3.12, -3.0], [3.0, -3.0], [3.25, -2.9], [2.95, -3.12]] {
+        let deed = hand(Tool::Motor).press(scope(&seen), at(x, y));
+        let adds = deed.commands.iter().any(|act| matches!(act, Do::Add(keys) if !keys.bonds.is_empty()));
+        assert!(deed.edit == Some("motor off") && !adds, "at {x} {y}: {deed:?}");
+        let mut away = hand(Tool::Motor);
+        away.hold([true, false]);
+        let deed = away.press(scope(&seen), at(x, y));
+        assert!(matches!(&deed.commands[..], [Do::Delete(keys)] if keys.points.contains(&hub.0)), "{deed:?}");
+    }
+}
+
+#[test]
+fn a_car_that_the_tools_build_stays_where_it_is_on_level_ground() {
+    use crate::app::action::Primitive;
+    let yard = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": {"friction": 0.5}, "view": {"center": [0, 2], "height": 8},
+        "bounds": {"min": [-6, 0], "max": [6, 6], "friction": 0.5}}"#;
+    let mut seen = shown(Scene::parse(yard, "x.json").unwrap());
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    let at = |seen: &(Shown, Camera, Scene), x: f64, y: f64| {
+        DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap())
+    };
+    let mut middle = Vec::new();
+    // A box over two discs, each drawn from its middle; then hinges.
+    for (primitive, from, to) in [
+        (Primitive::Box, [0.0, 0.8], [1.5, 1.1]),
+        (Primitive::Disc, [-1.0, 0.5], [-0.5, 0.5]),
+        (Primitive::Disc, [1.0, 0.5], [1.5, 0.5]),
+    ] {
+        let mut hand = hand(Tool::Build);
+        hand.choose(primitive);
+        hand.hold([false, true]);
+        hand.press(scope(&seen), at(&seen, from[0], from[1]));
+        let deed = hand.release(scope(&seen), at(&seen, to[0], to[1]));
+        give(&mut stage, deed);
+        stage.show(&mut seen.0);
+        middle.push(from);
+    }
+    for wheel in &middle[1..] {
+        let deed = hand(Tool::Motor).press(scope(&seen), at(&seen, wheel[0], wheel[1]));
+        assert_eq!(deed.edit, Some("hinge"));
+        give(&mut stage, deed);
+        stage.show(&mut seen.0);
+    }
+    let place = |stage: &Stage| {
+        let world = stage.history().world();
+        (0..world.point_count()).map(|k| world.positions().get(2 * k)).sum::<f64>() / world.point_count() as f64
+    };
+    let from = place(&stage);
+    let mut most = 0.0_f64;
+    for _ in 0..600 {
+        stage.obey(Order::Step(None));
+        most = most.max((place(&stage) - from).abs());
+    }
+    assert!(most < 0.03, "it creeps {most} m in 10 s");
+}

@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use super::Deed;
 use super::chosen::Chosen;
+use super::fastened::with_pins;
 use super::marks::{Mark, Role};
 use super::pick::Scope;
 use super::room::{Outcome, here, under};
@@ -225,7 +226,7 @@ impl Change {
     }
 
     /// Where a place goes `[m]`.
-    fn place(self, about: DVec2, x: DVec2) -> DVec2 {
+    pub(super) fn place(self, about: DVec2, x: DVec2) -> DVec2 {
         match self {
             Change::Shift(by) => x + by,
             Change::Turn(angle) => about + DVec2::from_angle(angle).rotate(x - about),
@@ -253,6 +254,7 @@ impl Change {
         if chosen.obstacles.is_empty() || scope.shown.dimensions != 2 {
             return Outcome::default();
         }
+        let chosen = &with_pins(scope, chosen);
         let scenery = &scope.shown.scenery;
         let is_chosen = |number: &&u32| chosen.obstacles.contains(number);
         let moved = |x: DVec2| self.place(about, x);
@@ -278,12 +280,12 @@ impl Change {
         under(scope, (&planes, polygons.collect()), &chosen.obstacles, place)
     }
 
-    /// The command that does it to what is selected, or why it cannot be.
+    /// The command that does it to what is selected and to the pins that are stuck in it, or why it cannot be.
     pub(super) fn fitted(self, scope: Scope<'_>, chosen: &Chosen, about: DVec2) -> Deed {
         let outcome = self.outcome(scope, chosen, about);
         match outcome.refused {
             Some(why) => Deed::words(why.to_owned()),
-            None => Deed { words: outcome.words(), ..self.deed(chosen, about) },
+            None => Deed { words: outcome.words(), ..self.deed(&with_pins(scope, chosen), about) },
         }
     }
 

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::chosen::Chosen;
+use super::fastened::{pins_in, place};
 use super::handles::{Change, Grip};
 use super::pick::Scope;
 use super::selecting::is_drag;
@@ -19,6 +20,8 @@ const FASTEST: f64 = 4.0;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Haul {
     what: Chosen,
+    /// What is stuck in them, and where it was when they were pressed on `[m]`.
+    pins: Vec<(PointId, DVec2)>,
     by: By,
     /// Since they were sent last `[s]`.
     since: f64,
@@ -38,6 +41,7 @@ enum By {
 #[derive(Clone, Debug, PartialEq)]
 pub struct HaulWay {
     what: Chosen,
+    pins: Vec<(PointId, DVec2)>,
     all: Change,
     /// About a place that stays `[m]`.
     about: DVec2,
@@ -68,6 +72,16 @@ impl HaulWay {
         Hauled(self.all.share(0.0))
     }
 
+    /// What is stuck in the obstacles, and where it was before any of it was gone `[m]`.
+    pub fn pins(&self) -> &[(PointId, DVec2)] {
+        &self.pins
+    }
+
+    /// Where what goes along came, from where it was before any of the way was gone `[m]`.
+    pub fn along(&self, hauled: Hauled, x: DVec2) -> DVec2 {
+        hauled.0.place(self.about, x)
+    }
+
     /// What there is still to go; `None`: nothing.
     pub fn rest(&self, hauled: Hauled) -> Option<HaulRest> {
         let rest = self.all.after(hauled.0)?;
@@ -85,8 +99,10 @@ impl Hauled {
 }
 
 impl Haul {
-    fn new(what: Chosen, by: By) -> Self {
-        Haul { what, by, since: f64::INFINITY, goes_on: false }
+    fn new(scope: Scope<'_>, what: Chosen, by: By) -> Self {
+        let pins = pins_in(scope, &what.obstacles);
+        let pins = pins.into_iter().map(|pin| (pin, place(scope, pin))).collect();
+        Haul { what, pins, by, since: f64::INFINITY, goes_on: false }
     }
 
     /// All that the drag means, with the pointer at a pixel.
@@ -108,7 +124,8 @@ impl Haul {
         let all = self.change(scope, at, in_steps);
         let about = if let By::Handle(_, about) = self.by { about } else { DVec2::ZERO };
         let height = scope.camera.viewport()[1] as f64 / scope.camera.pixels_per_metre();
-        let way = HaulWay { what: self.what.clone(), all, about, height, goes_on: self.goes_on };
+        let (what, pins) = (self.what.clone(), self.pins.clone());
+        let way = HaulWay { what, pins, all, about, height, goes_on: self.goes_on };
         if !self.goes_on && way.rest(way.begin()).is_none() {
             return None;
         }
@@ -143,14 +160,14 @@ impl Hand {
         if let Doing::Carrying(from, what) = &self.doing {
             // What the hand pressed on.
             let is_dragged = what.points.is_empty() && is_drag(scope, [*from, at]);
-            return is_dragged.then(|| Haul::new(what.clone(), By::Way(scope.in_plane(*from))));
+            return is_dragged.then(|| Haul::new(scope, what.clone(), By::Way(scope.in_plane(*from))));
         }
         let what = self.chosen(scope).filter(|chosen| chosen.points.is_empty())?;
         match self.doing {
             Doing::Moving(from, _) if is_drag(scope, [from, at]) => {
-                Some(Haul::new(what, By::Way(scope.in_plane(from))))
+                Some(Haul::new(scope, what, By::Way(scope.in_plane(from))))
             }
-            Doing::Handling(grip) => Some(Haul::new(what, By::Handle(grip, grip.about()))),
+            Doing::Handling(grip) => Some(Haul::new(scope, what, By::Handle(grip, grip.about()))),
             _ => None,
         }
     }

@@ -173,3 +173,77 @@ fn what_has_no_room_before_an_obstacle_is_outlined_with_the_reason_until_it_has(
     );
     assert_eq!(played.shown.jam, None);
 }
+
+/// A rope between two posts, pinned within them; the end in the right one is led a little up and down from 5 s on.
+const BRIDGE: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": true,
+    "obstacles": [{"box": {"min": [-2, -1], "max": [-1, 0]}}, {"box": {"min": [1, -1], "max": [2, 0]}}],
+    "bodies": [{"make": "rope", "count": 9, "to": [2.4, 0], "slack": 0.3, "origin": [-1.2, -0.1], "pinned": [0, 8],
+        "material": {"kind": "rigid", "mass": 0.4}}],
+    "pin_motion": [{"point": 8, "track": [[5, 1.2, -0.1], [6, 1.2, -0.4], [7, 1.2, -0.1]]}]}"#;
+
+#[test]
+fn pins_in_an_obstacle_go_along_with_it_while_time_runs_and_while_it_stands_still() {
+    let from = DVec2::new(350.0, 550.0);
+    let mut played = Played::of(BRIDGE);
+    let pin = |played: &Played, point: usize| DVec2::new(played.shown.place(point)[0], played.shown.place(point)[1]);
+    assert!(played.with(|hand, scope| hand.press(scope, from)).is_empty());
+    for k in 1..=40 {
+        played.frame(from + DVec2::new(f64::from(k.min(30)), -f64::from(k.min(30))));
+    }
+    let end = from + DVec2::new(30.0, -30.0);
+    drop(played.with(|hand, scope| hand.release(scope, end)));
+    (0..10).for_each(|_| _ = played.stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
+    played.stage.show(&mut played.shown);
+    assert!((played.left() + 1.7).abs() < 0.02, "the post went along: {}", played.left());
+    assert!(pin(&played, 0).distance(DVec2::new(-0.9, 0.2)) < 0.02, "the pin in it too: {}", pin(&played, 0));
+    assert!(pin(&played, 8).distance(DVec2::new(1.2, -0.1)) < 1e-9, "the other one stands");
+    let Some(Note::Undone(name, _)) = played.stage.obey(Order::Undo(None)) else { panic!("nothing undone") };
+    played.stage.show(&mut played.shown);
+    assert_eq!((name.as_str(), played.left()), ("move", -2.0));
+    assert!(pin(&played, 0).distance(DVec2::new(-1.2, -0.1)) < 1e-9, "in one step");
+    // The one that is led: its track is moved along, by hand and while time stands still.
+    let right = DVec2::new(650.0, 550.0);
+    for is_still in [false, true] {
+        let mut played = Played::of(BRIDGE);
+        played.hand.stand_still(is_still);
+        let by = DVec2::new(-20.0, 30.0);
+        assert!(played.with(|hand, scope| hand.press(scope, right)).is_empty());
+        if is_still {
+            let deed = played.with(|hand, scope| hand.release(scope, right + by));
+            assert!(matches!(&deed.commands[..], [Do::Move(keys)] if keys.points == [8]), "{deed:?}");
+            assert_eq!(played.stage.obey(Order::Give(deed.commands, deed.edit)), None);
+        } else {
+            (1..=40).for_each(|k| played.frame(right + by * (f64::from(k) / 30.0).min(1.0)));
+            drop(played.with(|hand, scope| hand.release(scope, right + by)));
+        }
+        let lead = |played: &mut Played, until: f64| {
+            while played.stage.history().world().time() < until - 1e-9 {
+                drop(played.stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
+            }
+            played.stage.show(&mut played.shown);
+            pin(played, 8)
+        };
+        let moved = DVec2::new(-0.2, -0.3);
+        for (until, place) in [(1.0, DVec2::new(1.2, -0.1)), (6.0, DVec2::new(1.2, -0.4)), (7.0, DVec2::new(1.2, -0.1))]
+        {
+            let x = lead(&mut played, until);
+            assert!(x.distance(place + moved) < 0.02, "still {is_still}, at {until} s: {x}");
+        }
+    }
+}
+
+#[test]
+fn a_pin_goes_where_the_obstacle_that_it_is_stuck_in_is_turned_and_scaled() {
+    let mut played = Played::of(BRIDGE);
+    played.hand.stand_still(true);
+    let chosen = super::Chosen { obstacles: vec![0], ..Default::default() };
+    for (change, keys) in
+        [(super::handles::Change::Turn(0.5), "turn"), (super::handles::Change::Scale([1.5; 2]), "scale")]
+    {
+        let deed = played.with(|_, scope| change.fitted(scope, &chosen, DVec2::new(-1.5, -0.5)));
+        assert!(
+            matches!(&deed.commands[..], [Do::Move(keys)] if keys.points == [0]) && deed.edit == Some(keys),
+            "{deed:?}"
+        );
+    }
+}

@@ -243,6 +243,7 @@ impl Bench {
                     Act::Solid => Primitive::SolidCircle,
                     _ => Primitive::Disc,
                 });
+                hand.hold([false, true]);
                 // An obstacle takes in no body, and cuts no rope that is held at both ends.
                 let beside = if act == Act::Solid { DVec2::new(0.0, 150.0) } else { DVec2::ZERO };
                 self.drag(&mut hand, [at + beside, far + beside], runs)

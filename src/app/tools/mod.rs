@@ -14,6 +14,7 @@ mod drives;
 #[cfg(test)]
 mod drives_tests;
 mod erase;
+mod fastened;
 #[cfg(test)]
 mod grab_tests;
 mod handles;
@@ -23,6 +24,7 @@ mod haul_tests;
 mod hidden;
 #[cfg(test)]
 mod hidden_tests;
+mod hinge;
 mod holding;
 mod hover;
 mod hub;

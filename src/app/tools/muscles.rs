@@ -1,18 +1,20 @@
 //! The tool for muscles: bonds that a click or a stroke goes over follow a wave, a key, or both.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
 use glam::DVec2;
 
 use super::Deed;
+use super::build::short;
 use super::drives::beside;
 use super::marks::{Mark, Role};
 use super::pick::{self, Scope, distance_to_segment};
 use super::selecting::is_drag;
 use crate::app::count::counted;
-use crate::history::{Do, DriveOrNone, SetKeys};
+use crate::history::{Do, DriveOrNone, OneOrEach, SetKeys};
 use crate::scene::{DriveKeys, KeyName};
-use crate::sim::{Bond, BondKind, Limit, PointId};
+use crate::sim::{Bond, BondKind, Drive, Limit, PointId};
 
 /// Said where nothing is clicked, or crossed by a stroke, that could be a muscle.
 const NO_BOND: &str = "no bond lies here that could be a muscle";
@@ -33,13 +35,17 @@ pub(in crate::app) struct MuscleChoice {
     pub(in crate::app) has_wave: bool,
     pub(in crate::app) period: f64,
     pub(in crate::app) phase: f64,
+    /// The wave runs along a stroke that it is drawn by, of this length in lengths of the stroke; else all of them move as one.
+    pub(in crate::app) runs: bool,
+    pub(in crate::app) length: f64,
     pub(in crate::app) key: Option<KeyName>,
     pub(in crate::app) back: Option<KeyName>,
 }
 
 impl Default for MuscleChoice {
     fn default() -> Self {
-        MuscleChoice { amplitude: 0.3, has_wave: true, period: 1.0, phase: 0.0, key: None, back: None }
+        let (has_wave, runs) = (true, true);
+        MuscleChoice { amplitude: 0.3, has_wave, period: 1.0, phase: 0.0, runs, length: 0.7, key: None, back: None }
     }
 }
 
@@ -47,21 +53,27 @@ impl Default for MuscleChoice {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Swipe {
     corners: Vec<DVec2>,
-    /// By their numbers.
-    bonds: BTreeSet<u32>,
+    /// How long it is `[px]`.
+    long: f64,
+    /// By their numbers, how far along the stroke each was met `[px]`.
+    bonds: Met,
 }
+
+/// Bonds by their numbers, with how far along a stroke they were met `[px]`.
+type Met = BTreeMap<u32, f64>;
 
 impl Swipe {
     /// Begins on the bond that lies under a pixel.
     pub(super) fn begin(scope: Scope<'_>, at: DVec2) -> Self {
         let under = scope.bond(at).map(|(place, _)| scope.shown.scenery.bond_number(place));
-        Swipe { corners: vec![at], bonds: under.into_iter().collect() }
+        Swipe { corners: vec![at], long: 0.0, bonds: under.into_iter().map(|number| (number, 0.0)).collect() }
     }
 
     /// The pointer is at a pixel.
     pub(super) fn trace(&mut self, scope: Scope<'_>, at: DVec2) {
         if self.end().distance(at) >= STEP * scope.scale {
-            self.bonds.extend(met(scope, [self.end(), at]));
+            self.bonds = self.until(scope, at);
+            self.long += self.end().distance(at);
             self.corners.push(at);
         }
     }
@@ -71,12 +83,19 @@ impl Swipe {
     }
 
     /// Those that it went over until a pixel.
-    fn until(&self, scope: Scope<'_>, at: DVec2) -> BTreeSet<u32> {
+    fn until(&self, scope: Scope<'_>, at: DVec2) -> Met {
         let mut bonds = self.bonds.clone();
         if self.end() != at {
-            bonds.extend(met(scope, [self.end(), at]));
+            for (number, along) in met(scope, [self.end(), at]) {
+                bonds.entry(number).or_insert(self.long + along);
+            }
         }
         bonds
+    }
+
+    /// How long it is if it ends at a pixel `[px]`.
+    fn length(&self, at: DVec2) -> f64 {
+        self.long + self.end().distance(at)
     }
 
     /// Whether the pointer never left where it was pressed.
@@ -85,8 +104,8 @@ impl Swipe {
     }
 }
 
-/// The bonds that a piece of a stroke crosses or lies along, by their numbers.
-fn met(scope: Scope<'_>, [from, to]: [DVec2; 2]) -> impl Iterator<Item = u32> {
+/// The bonds that a piece of a stroke crosses or lies along, by their numbers, and where along it their middles are `[px]`.
+fn met(scope: Scope<'_>, [from, to]: [DVec2; 2]) -> impl Iterator<Item = (u32, f64)> {
     let scenery = &scope.shown.scenery;
     let reach = ALONG * scope.scale;
     let [low, high] = [from.min(to) - reach, from.max(to) + reach];
@@ -100,13 +119,17 @@ fn met(scope: Scope<'_>, [from, to]: [DVec2; 2]) -> impl Iterator<Item = u32> {
         pick::cross([from, to], [a, b]) || (way.dot((b - a).normalize_or_zero()).abs() >= PARALLEL && lies())
     };
     let bonds = scenery.bonds.ends().iter().enumerate();
-    bonds.filter(is_met).map(|(place, _)| scenery.bond_number(place))
+    let along = move |[a, b]: [PointId; 2]| {
+        let middle = scope.pixel(a).zip(scope.pixel(b)).map_or(from, |(a, b)| 0.5 * (a + b));
+        (middle - from).dot(way).clamp(0.0, from.distance(to))
+    };
+    bonds.filter(is_met).map(move |(place, ends)| (scenery.bond_number(place), along(*ends)))
 }
 
 /// What becomes of bonds.
 struct Plan {
-    /// The places and numbers of those that change.
-    changes: Vec<(usize, u32)>,
+    /// The places, numbers and phases `[rad]` of those that change.
+    changes: Vec<(usize, u32, f64)>,
     takes_away: bool,
     /// How many cannot, and why the first of them cannot.
     left: usize,
@@ -127,24 +150,45 @@ impl MuscleChoice {
         }
     }
 
+    /// Whether a bond is just such a muscle, wherever its wave begins.
     fn takes_away(&self, bond: &Bond) -> bool {
-        bond.drive.is_some_and(|drive| self.keys().told_bond() == Ok(drive))
+        let is_same = |mut drive: Drive| {
+            let Ok(mut own) = self.keys().told_bond() else { return false };
+            for wave in [&mut drive, &mut own].into_iter().filter_map(|drive| drive.signal.wave.as_mut()) {
+                wave.phase = if self.runs { 0.0 } else { wave.phase };
+            }
+            own == drive
+        };
+        bond.drive.is_some_and(is_same)
+    }
+
+    /// Where the wave begins so far along a stroke of this length `[px]`, from 0 to a whole turn `[rad]`.
+    fn phase_at(&self, along: f64, length: f64) -> f64 {
+        let turns = if self.runs && length > 0.0 { along / (self.length * length) } else { 0.0 };
+        (self.phase - TAU * turns).rem_euclid(TAU)
+    }
+
+    /// Whether what a stroke makes follows a wave that runs along it.
+    fn makes_a_wave(&self) -> bool {
+        self.runs && (self.has_wave || self.key.is_none())
     }
 
     /// Bonds become muscles; where all of them are just such muscles, none any more.
-    fn plan(&self, scope: Scope<'_>, numbers: &BTreeSet<u32>) -> Plan {
+    fn plan(&self, scope: Scope<'_>, met: &Met, length: f64) -> Plan {
         let scenery = &scope.shown.scenery;
         let all = scenery.bonds.iter().enumerate().map(|(place, bond)| (place, scenery.bond_number(place), bond));
         let mut plan = Plan { changes: Vec::new(), takes_away: true, left: 0, why: None };
         let mut others = Vec::new();
-        for (place, number, bond) in all.filter(|(_, number, _)| numbers.contains(number)) {
+        for (place, number, bond) in all {
+            let Some(&along) = met.get(&number) else { continue };
+            let phase = self.phase_at(along, length);
             if let Some(why) = no_muscle(&bond) {
                 plan.left += 1;
                 plan.why.get_or_insert(why);
             } else if self.takes_away(&bond) {
-                plan.changes.push((place, number));
+                plan.changes.push((place, number, phase));
             } else {
-                others.push((place, number));
+                others.push((place, number, phase));
             }
         }
         if !others.is_empty() {
@@ -156,8 +200,8 @@ impl MuscleChoice {
     /// The stroke ends at a pixel.
     pub(super) fn release(&self, scope: Scope<'_>, swipe: Swipe, at: DVec2) -> Deed {
         let is_click = swipe.is_click(scope, at);
-        let numbers = if is_click { swipe.bonds } else { swipe.until(scope, at) };
-        let Plan { changes, takes_away, left, why } = self.plan(scope, &numbers);
+        let (met, length) = if is_click { (swipe.bonds, 0.0) } else { (swipe.until(scope, at), swipe.length(at)) };
+        let Plan { changes, takes_away, left, why } = self.plan(scope, &met, length);
         if changes.is_empty() {
             return Deed::words(why.unwrap_or(NO_BOND).to_owned());
         }
@@ -168,8 +212,10 @@ impl MuscleChoice {
             (false, _) => "muscles",
         };
         let drive = Some(if takes_away { DriveOrNone::None(()) } else { DriveOrNone::This(self.keys()) });
-        let bonds = Some(changes.into_iter().map(|(_, number)| number).collect());
-        let set = Do::Set(Box::new(SetKeys { bonds, drive, ..SetKeys::default() }));
+        let runs = self.makes_a_wave() && !takes_away && changes.len() > 1;
+        let phase = runs.then(|| OneOrEach::Each(changes.iter().map(|(_, _, phase)| *phase).collect()));
+        let bonds = Some(changes.into_iter().map(|(_, number, _)| number).collect());
+        let set = Do::Set(Box::new(SetKeys { bonds, drive, phase, ..SetKeys::default() }));
         let words = why.map(|why| format!("{} left out: {why}", counted(left, "bond")));
         Deed { words, ..Deed::edit(name, set) }
     }
@@ -193,12 +239,16 @@ impl MuscleChoice {
         if swipe.is_click(scope, at) {
             return self.would_be(scope, swipe.corners[0]);
         }
-        let Plan { changes, takes_away, why, .. } = self.plan(scope, &swipe.until(scope, at));
+        let length = swipe.length(at);
+        let Plan { changes, takes_away, why, .. } = self.plan(scope, &swipe.until(scope, at), length);
         let role = if takes_away { Role::Away } else { Role::Come };
         let ends = scope.shown.scenery.bonds.ends();
-        let lines = changes.iter().take(MOST).filter_map(|&(place, _)| {
+        let runs = self.makes_a_wave() && !takes_away && changes.len() > 1;
+        // Where the wave is long as the stroke is drawn, lines are thick.
+        let wide = |phase: f64| if runs { 4.0 + 2.5 * phase.sin() } else { 4.0 };
+        let lines = changes.iter().take(MOST).filter_map(|&(place, _, phase)| {
             let [a, b] = ends[place];
-            Some(Mark::Line(role, scope.pixel(a)?, scope.pixel(b)?, 4.0 * scope.scale))
+            Some(Mark::Line(role, scope.pixel(a)?, scope.pixel(b)?, wide(phase) * scope.scale))
         });
         let corners: Vec<DVec2> = swipe.corners.iter().copied().chain([at]).collect();
         let way = corners.windows(2).map(|side| Mark::Line(Role::Hold, side[0], side[1], 1.5 * scope.scale));
@@ -206,6 +256,10 @@ impl MuscleChoice {
             (0, _) => why.unwrap_or("drag over bonds").to_owned(),
             (1, true) => "no muscle any more".to_owned(),
             (count, true) => format!("{} away", counted(count, "muscle")),
+            (count, false) if runs => {
+                let metres = self.length * length / scope.camera.pixels_per_metre();
+                format!("{}: a wave of {} m runs along them", counted(count, "muscle"), short(metres))
+            }
             (count, false) => counted(count, "muscle"),
         };
         lines.chain(way).chain([Mark::Words(beside(scope, at), words)]).collect()

@@ -72,7 +72,9 @@ fn a_stroke_makes_muscles_of_all_bonds_that_it_crosses_or_lies_along_in_one_step
     let rungs = lying(&seen, |[a, b]| a.x == b.x && a.y.max(b.y) < 2.0);
     assert_eq!((rungs.len(), bonds(&across), across.edit), (10, rungs.clone(), Some("muscles")));
     let lines = marks.iter().filter(|mark| matches!(mark, Mark::Line(Role::Come, ..))).count();
-    let words = marks.iter().any(|mark| matches!(mark, Mark::Words(_, words) if words == "10 muscles"));
+    let words = marks
+        .iter()
+        .any(|mark| matches!(mark, Mark::Words(_, words) if words.starts_with("10 muscles: a wave of 7.00 m")));
     assert!(lines == 10 && words, "{marks:?}");
     // A hand does not draw along a line to the pixel.
     let (_, along) = drag(&seen, &[[-0.3, 1.03], [4.5, 0.97], [9.3, 1.03]]);
@@ -145,4 +147,85 @@ fn a_click_makes_a_bond_a_muscle_and_another_one_takes_it_away() {
     assert_eq!(deed.edit, Some("muscle away"));
     given(&mut stage, &mut seen, deed);
     assert!(stage.history().world().bonds().get(number).drive.is_none());
+}
+
+/// A strip of springs on the ground, as the tool for boxes makes it.
+const STRIP: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": {"friction": 0.5}, "view": {"center": [1.5, 0.5], "height": 5},
+    "bounds": {"min": [-20, 0], "max": [20, 10], "friction": 0.5},
+    "bodies": [{"make": "lattice", "columns": 16, "rows": 3, "spacing": 0.2, "origin": [0, 0.01],
+        "material": {"kind": "spring", "stiffness": 300, "damping": 1.8, "mass": 1.2}}]}"#;
+
+/// How far the strip crawls in 20 s by muscles that one stroke along its lower side makes `[m]`, and what is said while it is drawn.
+fn crawl(runs: bool) -> (f64, Vec<Mark>) {
+    let seen = shown(Scene::parse(STRIP, "x.json").unwrap());
+    let mut hand = Hand::default();
+    hand.take(Tool::Muscle);
+    let mut drives = hand.drives();
+    drives.muscle.runs = runs;
+    hand.set_drives(drives);
+    hand.press(scope(&seen), at(&seen, -0.1, 0.02));
+    (1..=40).for_each(|k| hand.trace(scope(&seen), at(&seen, -0.1 + 3.2 * f64::from(k) / 40.0, 0.02)));
+    let end = at(&seen, 3.1, 0.02);
+    let marks = hand.marks(scope(&seen), Some(end));
+    let deed = hand.release(scope(&seen), end);
+    assert_eq!((deed.commands.len(), deed.edit), (1, Some("muscles")));
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+    let middle = |stage: &Stage| {
+        let world = stage.history().world();
+        let count = world.point_count();
+        (0..count).map(|point| world.positions().get(2 * point)).sum::<f64>() / count as f64
+    };
+    let from = middle(&stage);
+    (0..1200).for_each(|_| _ = stage.obey(Order::Step(None)));
+    (middle(&stage) - from, marks)
+}
+
+#[test]
+fn a_worm_whose_muscles_one_stroke_drew_crawls_by_a_wave_that_runs_along_it() {
+    let (far, marks) = crawl(true);
+    let words =
+        |marks: &[Mark]| marks.iter().any(|mark| matches!(mark, Mark::Words(_, words) if words.contains("runs along")));
+    assert!(words(&marks), "{marks:?}");
+    // It is 3 m long.
+    assert!(far > 3.0, "{far} m, the way of the stroke");
+    let (bows, marks) = crawl(false);
+    assert!(bows.abs() < 1.0 && !words(&marks), "all at once it stays: {bows} m");
+}
+
+#[test]
+fn bonds_that_are_muscles_get_the_numbers_of_another_stroke_with_phases_along_it() {
+    let mut seen = seen();
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    let (_, deed) = drag(&seen, &[[-0.5, 0.5], [9.5, 0.5]]);
+    let rungs = bonds(&deed);
+    given(&mut stage, &mut seen, deed);
+    let wave = |stage: &Stage, number: u32| {
+        stage.history().world().bonds().get(number as usize).drive.unwrap().signal.wave.unwrap()
+    };
+    let phases: Vec<f64> = rungs.iter().map(|&rung| wave(&stage, rung).phase).collect();
+    let place = |rung: u32| seen.0.place(seen.0.scenery.bonds.ends()[rung as usize][0].index())[0];
+    for pair in 0..9 {
+        // A metre of a wave 7 m long.
+        let turn = (phases[pair] - phases[pair + 1]).rem_euclid(std::f64::consts::TAU);
+        let metres = (place(rungs[pair + 1]) - place(rungs[pair])).abs();
+        assert!((turn - std::f64::consts::TAU * metres / 7.0).abs() < 0.02, "{phases:?}");
+    }
+    let mut hand = Hand::default();
+    hand.take(Tool::Muscle);
+    let mut drives = hand.drives();
+    (drives.muscle.period, drives.muscle.runs) = (2.0, false);
+    hand.set_drives(drives);
+    hand.press(scope(&seen), at(&seen, -0.5, 0.5));
+    hand.trace(scope(&seen), at(&seen, 4.0, 0.5));
+    let deed = hand.release(scope(&seen), at(&seen, 9.5, 0.5));
+    assert_eq!((bonds(&deed).len(), deed.edit), (10, Some("muscles")));
+    given(&mut stage, &mut seen, deed);
+    assert!(rungs.iter().all(|&rung| wave(&stage, rung) == crate::sim::Wave { period: 2.0, phase: 0.0 }));
+    for period in [1.0, f64::NAN] {
+        let note = stage.obey(Order::Undo(None));
+        assert!(matches!(note, Some(Note::Undone(name, _)) if name == "muscles"));
+        let drive = stage.history().world().bonds().get(rungs[0] as usize).drive;
+        assert_eq!(drive.is_some(), period == 1.0);
+    }
 }

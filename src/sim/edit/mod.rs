@@ -5,6 +5,7 @@
 
 mod add;
 mod carry;
+mod caught;
 mod check;
 mod crowd;
 mod delete;
@@ -20,6 +21,7 @@ mod round;
 mod set;
 mod settings;
 mod shift;
+mod whole;
 
 use super::bond::PointId;
 use super::command::{Applied, Command, CommandError, Selection};

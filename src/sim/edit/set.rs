@@ -334,6 +334,9 @@ fn check_change(to: &BondChange, count: usize) -> Result<(), CommandError> {
     if let Some(list) = &to.max_correction {
         values("max_correction", list, count, (|x| x >= 0.0, ">= 0"))?;
     }
+    if let Some(list) = &to.phase {
+        values("phase", list, count, (f64::is_finite, "finite"))?;
+    }
     if let Some(list) = &to.break_strain {
         values("break_strain", list, count, (|x| x > 0.0, "> 0"))?;
     }
@@ -373,12 +376,17 @@ impl BondChange {
                 max_correction: of(&self.max_correction).unwrap_or(max_correction),
             },
         };
+        let mut drive = self.drive.unwrap_or(bond.drive);
+        if let Some(phase) = of(&self.phase) {
+            let wave = drive.as_mut().and_then(|drive| drive.signal.wave.as_mut());
+            wave.ok_or("follows no wave: it has no phase")?.phase = phase;
+        }
         Ok(Bond {
             kind,
             rest_length: of(&self.rest_length).unwrap_or(bond.rest_length),
             break_strain: of(&self.break_strain).unwrap_or(bond.break_strain),
             limit: self.limit.unwrap_or(bond.limit),
-            drive: self.drive.unwrap_or(bond.drive),
+            drive,
             ..bond
         })
     }

@@ -18,7 +18,10 @@ impl Stage {
     pub(super) fn inspect(&mut self) {
         let is_wanted = !self.among.is_empty();
         let known = (&**self.history.tints(), self.history.body_names());
-        let matter = is_wanted.then(|| Matter::of(self.history.world(), known, &self.among)).flatten();
+        // What is led there is shown as it will be.
+        let ahead = if is_wanted { self.history.ahead() } else { None };
+        let world = ahead.as_deref().unwrap_or(self.history.world());
+        let matter = is_wanted.then(|| Matter::of(world, known, &self.among)).flatten();
         self.matter = matter.map(Arc::new);
     }
 

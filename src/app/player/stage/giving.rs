@@ -4,7 +4,7 @@ use super::super::beside::{Companions, reference};
 use super::super::order::{Adder, Coming, Note};
 use super::super::rungs::Rung;
 use super::Stage;
-use crate::app::matter::{Among, MatterChange, commands};
+use crate::app::matter::{Among, MatterChange, commands, led};
 use crate::history::{Do, Refusal, SetKeys};
 use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting};
 use crate::sim::Applied;
@@ -94,10 +94,13 @@ impl Stage {
 
     /// Bodies get another matter.
     pub(super) fn change_matter(&mut self, among: &Among, change: MatterChange, goes_on: bool) -> Option<Note> {
-        match commands(self.history.world(), among, change) {
+        let ahead = self.history.ahead();
+        let world = ahead.as_deref().unwrap_or(self.history.world());
+        match commands(world, among, change) {
             Err(why) => Some(Note::Refused(why.to_owned())),
+            // What is dragged on is led by the hand.
             Ok(list) if goes_on => self.give_on(list, change.name()),
-            Ok(list) => self.give(list, Some(change.name())),
+            Ok(list) => self.give(led(world, list), Some(change.name())),
         }
     }
 

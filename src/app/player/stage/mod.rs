@@ -24,7 +24,7 @@ use crate::app::tools::Hauled;
 use crate::history::{BranchView, History, HistoryError, Recording, Start};
 use crate::scene::{MethodKeys, Parameter, ViewKeys};
 use crate::sim::reach::Reach;
-use crate::sim::{Jam, MouseForce, PointId};
+use crate::sim::{Jam, Knots, MouseForce, PointId};
 pub use giving::too_many_to_meet;
 
 /// What another solver is called.
@@ -75,6 +75,8 @@ pub struct Stage {
     led_at: Option<f64>,
     /// How far obstacles went of the way that they are on.
     hauled: Option<Hauled>,
+    /// The tracks of pins that are stuck in them, as they were before any of it was gone.
+    tracks: Vec<(PointId, Knots)>,
     /// What stops them.
     jam: Option<Jam>,
     /// The pins that are led, and how far they may be from others.
@@ -134,6 +136,7 @@ impl Stage {
             strained: None,
             led_at: None,
             hauled: None,
+            tracks: Vec::new(),
             jam: None,
             led: None,
         };

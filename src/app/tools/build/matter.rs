@@ -1,6 +1,6 @@
 //! What primitives are made of: the keys of the `add` that brings them.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
@@ -25,8 +25,10 @@ pub(super) const SOFT: f64 = 250.0;
 const SOFT_RIM: f64 = 4_000.0;
 /// Damping over stiffness `[s]`: a wobble is gone after some swings.
 pub(super) const DAMPING: f64 = 0.006;
-/// Points on a radius of a disc, but for its middle.
-const POINTS_ON_RADIUS: f64 = 3.0;
+/// Points on the rim of a disc: an even number without one at the bottom, so that it stands as a mirror image of itself and rolls to no side.
+const ON_RIM: f64 = 18.0;
+/// How a disc is turned `[rad]`: so that a load on its middle squashes it along a row of its points. Across, it would roll until it is so.
+const TURNED: f64 = PI / 6.0;
 /// Inner over outer radius of a rim.
 pub(super) const INNER: f64 = 0.75;
 /// Points around each ring of a rim.
@@ -106,7 +108,8 @@ fn disc(&Round { center, radius }: &Round) -> BodyKeys {
     BodyKeys {
         make: MakerName::Disc,
         radius: Some(radius),
-        spacing: Some(radius / POINTS_ON_RADIUS),
+        spacing: Some(TAU * radius / ON_RIM),
+        angle: Some(TURNED),
         origin: Some(vector(center)),
         material: Some(springs(AREA_MASS * PI * radius * radius, SOFT)),
         ..BodyKeys::default()

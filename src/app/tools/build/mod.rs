@@ -65,6 +65,8 @@ pub(super) struct Maker {
     pub(super) links: Links,
     /// What hangs otherwise, ropes and cloths, is pinned nowhere.
     pub(super) is_free: bool,
+    /// What has a middle is drawn from there, not from corner to corner.
+    pub(super) is_from_middle: bool,
     /// How far the wheel turned while ropes were drawn.
     turned: i32,
 }
@@ -167,6 +169,7 @@ impl Maker {
             let surface = tie::surface_at(scope, at).filter(|_| self.primitive == Primitive::Rope);
             to = surface.map_or(End { hold: Hold::None, ..to }, |at| End { at, hold: Hold::Pin });
         }
+        [from.at, to.at] = self.spanned([from.at, to.at]);
         let drawn = match self.primitive {
             Primitive::Box | Primitive::Cloth | Primitive::SolidBox => (to.at - from.at).abs().min_element(),
             Primitive::Figure => (to.at - from.at).y.abs(),
@@ -176,6 +179,21 @@ impl Maker {
             return Err(TOO_SMALL.to_owned());
         }
         Form::drawn(self, [from, to], usual).ok_or_else(String::new)
+    }
+
+    /// What a drag spans `[m]`: of boxes two corners, of what is round its middle and a place on its rim. Both are drawn from corner to corner, what is
+    /// round in a square as long as the drag is wide or high, or from the middle.
+    fn spanned(self, [from, to]: [DVec2; 2]) -> [DVec2; 2] {
+        let way = to - from;
+        match (self.primitive, self.is_from_middle) {
+            (Primitive::Box | Primitive::Cloth | Primitive::SolidBox, true) => [from - way, to],
+            (Primitive::Disc | Primitive::Rim | Primitive::SolidCircle, false) => {
+                let radius = 0.5 * way.abs().max_element();
+                let middle = from + radius * way.signum();
+                [middle, middle + DVec2::new(radius, 0.0)]
+            }
+            _ => [from, to],
+        }
     }
 
     /// A place under a pixel `[m]`; for the end of a rope beyond the walls the nearest on them.

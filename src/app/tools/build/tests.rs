@@ -25,6 +25,8 @@ pub(super) fn room() -> Seen {
 pub(super) fn hand(primitive: Primitive) -> Hand {
     let mut hand = Hand::default();
     hand.choose(primitive);
+    // What is round is drawn from its middle here.
+    hand.hold([false, matches!(primitive, Primitive::Disc | Primitive::Rim | Primitive::SolidCircle)]);
     hand
 }
 
@@ -515,7 +517,7 @@ fn a_body_that_is_drawn_over_the_loose_end_of_a_rope_is_tied_to_it() {
         for is_free in [false, true] {
             let ties = from[0] < -1.0 && !is_free;
             let mut hand = hand(primitive);
-            hand.hold([is_free, false]);
+            hand.hold([is_free, primitive == Primitive::Disc]);
             hand.press(scope(&seen), at(&seen, from[0], from[1]));
             let to = at(&seen, to[0], to[1]);
             let said = drawn(&hand.marks(scope(&seen), Some(to))).1;
@@ -616,5 +618,65 @@ fn a_rope_that_is_drawn_along_the_ground_lies_there_and_one_along_the_ceiling_ha
         assert_eq!(added(&deed).bodies[0].pinned.len(), pins, "{y} m");
         let history = history(&seen, &[deed]);
         assert!(history.world().warnings().is_empty(), "{:?}", history.world().warnings());
+    }
+}
+
+#[test]
+fn what_has_a_middle_is_drawn_from_corner_to_corner_or_with_alt_from_there() {
+    let seen = room();
+    for (primitive, is_round) in [
+        (Primitive::Box, false),
+        (Primitive::Cloth, false),
+        (Primitive::SolidBox, false),
+        (Primitive::Disc, true),
+        (Primitive::Rim, true),
+        (Primitive::SolidCircle, true),
+    ] {
+        for from_middle in [false, true] {
+            let mut hand = Hand::default();
+            hand.choose(primitive);
+            hand.hold([false, from_middle]);
+            let deed = drag(&seen, &mut hand, [1.0, 0.5], [-0.6, 1.3]);
+            let history = history(&seen, &[deed]);
+            let world = history.world();
+            let [low, high] = match world.obstacles().into_iter().next() {
+                Some((_, crate::sim::Obstacle::Polygon(polygon))) => {
+                    let corners = polygon.loops.into_iter().flatten().map(DVec2::from);
+                    corners.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
+                }
+                _ => extent(world, 0),
+            };
+            let wanted = match (is_round, from_middle) {
+                (false, false) => [[-0.6, 0.5], [1.0, 1.3]],
+                (false, true) => [[-0.6, -0.3], [2.6, 1.3]],
+                (true, false) => [[-0.6, 0.5], [1.0, 2.1]],
+                (true, true) => {
+                    let radius = 1.6_f64.hypot(0.8);
+                    [[1.0 - radius, 0.5 - radius], [1.0 + radius, 0.5 + radius]]
+                }
+            };
+            // Cells of boxes are squares, rims have corners.
+            let within = if is_round { 0.06 } else { 0.3 };
+            let found = close(low, wanted[0], within) && close(high, wanted[1], within);
+            assert!(found, "{primitive:?}, from the middle {from_middle}: {low} to {high}, not {wanted:?}");
+        }
+    }
+}
+
+#[test]
+fn a_disc_that_is_put_on_level_ground_rolls_to_no_side() {
+    let seen = room();
+    for radius in [0.3, 0.5, 0.77] {
+        let deed = drag(&seen, &mut hand(Primitive::Disc), [0.2, -4.0 + radius], [0.2 + radius, -4.0 + radius]);
+        let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+        stage.obey(Order::Give(deed.commands, deed.edit));
+        let middle = |stage: &Stage| {
+            let world = stage.history().world();
+            (0..world.point_count()).map(|k| world.positions().get(2 * k)).sum::<f64>() / world.point_count() as f64
+        };
+        let from = middle(&stage);
+        (0..240).for_each(|_| _ = stage.obey(Order::Step(None)));
+        let far = (middle(&stage) - from).abs();
+        assert!(far < 0.02 * radius, "radius {radius}: {far} m in 4 s");
     }
 }

@@ -1,0 +1,195 @@
+//! Scenes and recordings that come, and those that are left for them.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use super::shelf::Left;
+use super::{Framing, Session, TRAIL};
+use crate::app::action::Tool;
+use crate::app::player::{Player, too_many_to_meet};
+use crate::app::tools::Chosen;
+use crate::app::warnings::seen;
+use crate::history::Start;
+use crate::render::Trails;
+use crate::scene::{MOST_MEETING, Scene, SolverName, gallery};
+
+impl Session {
+    /// Opens another scene, or a recording, in place of this one, which can be gone back to.
+    pub(super) fn open(&mut self, start: Start) {
+        let keeping = self.keeping();
+        let is_another = start.scene().name() != self.scene.name();
+        let player = Player::open(start, keeping, self.wake_up());
+        self.put_on(player);
+        if is_another {
+            // What was held for the scene before would surprise in this one.
+            self.hand.take(Tool::Hand);
+        }
+    }
+
+    /// Plays another history; the present one goes onto the shelf.
+    pub(super) fn put_on(&mut self, player: Player) {
+        self.leave_drawing();
+        // Whoever opens something else wants that.
+        self.panels.notes.offer = None;
+        self.take_leave();
+        let last = std::mem::replace(&mut self.player, player);
+        let recorded = last.record().map(|path| path.display().to_string());
+        // What nobody has seen yet is not gone back to, unless something is to be kept of it.
+        if self.opening_since.is_none() || last.record().is_some() {
+            self.shelf.keep(Left::now(last, self.camera));
+        }
+        self.await_it();
+        self.begin();
+        self.settle();
+        if let Some(path) = recorded {
+            self.say(format!("{path} has all that was done so far; another scene is not recorded there"));
+        }
+    }
+
+    /// A history is being made: it is called by its name from now on.
+    pub(super) fn await_it(&mut self) {
+        self.opening_since = Some(Instant::now());
+        let scene = self.player.start().scene().clone();
+        self.place = place_of(&scene);
+        self.scene = Arc::new(scene);
+        self.call_window();
+        (self.named, self.has_picture) = (Vec::new(), false);
+        self.panels.notes.has_caption = false;
+        self.panels.notes.complaint = None;
+        self.panels.notes.begin();
+    }
+
+    /// The window is called by what is open in it.
+    pub(super) fn call_window(&self) {
+        let name = self.player.start().name().unwrap_or(self.scene.name());
+        self.window.set_title(&format!("wobble · {name}"));
+    }
+
+    /// A history that is being made is not waited for: the one before it is there again. Returns whether there is one.
+    pub(in crate::app) fn stop_opening(&mut self) -> bool {
+        if self.opening_since.is_none() || self.player.record().is_some() {
+            return false;
+        }
+        let Some(left) = self.shelf.back() else { return false };
+        self.teaches = None;
+        drop(self.bring_back(left));
+        self.settle();
+        true
+    }
+
+    /// For how long a history is being made, and whether it can be given up for another.
+    pub(super) fn opening(&self) -> Option<(Duration, bool)> {
+        self.opening_since.map(|since| (since.elapsed(), self.shelf.has_before() && self.player.record().is_none()))
+    }
+
+    /// The present history is left for another: nothing hangs on the hand in it.
+    pub(in crate::app) fn take_leave(&mut self) {
+        self.stop_driving();
+        let deed = self.hand.leave();
+        self.do_deed(deed);
+        self.tell_press();
+    }
+
+    /// Another history is shown: nothing of the last one is under way any more.
+    pub(super) fn begin(&mut self) {
+        self.hand.let_go();
+        (self.asked, self.duplicated) = (None, None);
+        self.inspected = Chosen::default();
+        self.has_undone = false;
+        self.driving.clear();
+        self.panels.sheet = None;
+        (self.rewinds, self.last_frame, self.told, self.gone_by) = (false, None, None, None);
+        self.plot_anew();
+        self.touch();
+        let news = self.player.poll();
+        self.hear(news);
+    }
+
+    /// The history is there: its scene is shown as it opens.
+    pub(super) fn arrive(&mut self, scene: Arc<Scene>) {
+        self.opening_since = None;
+        self.follows = false;
+        self.canvas.forget_world(scene.dimensions());
+        self.has_picture = scene.picture_body().is_some();
+        self.look.has_mesh = false;
+        self.trails = Trails::new(TRAIL * scene.rate());
+        self.beside_trails.clear();
+        (self.cell, self.misfits.0, self.most_apart) = (0, None, 0.0);
+        self.tints_distance = scene.method.solver == Some(SolverName::AsPrinted);
+        self.named = scene.named_parameters();
+        self.place = place_of(&scene);
+        self.scene = scene;
+        self.call_window();
+        self.plot_anew();
+        self.frame_as(Framing::Opening);
+        if let Some(camera) = self.looks_again.take() {
+            (self.camera, self.framing) = (camera, Framing::Free);
+            self.camera.resize(self.area);
+        }
+        self.take_base();
+        let passes =
+            self.has_picture && self.scene.contact.is_none() && self.shown().scenery.bonds.len() > MOST_MEETING;
+        let through = passes.then(|| format!("its bodies pass through each other: {}", too_many_to_meet()));
+        let warnings: Vec<&str> = self.shown().scenery.warnings.iter().map(|line| seen(line)).collect();
+        let warning = (!warnings.is_empty()).then(|| listed(&warnings));
+        let said: Vec<String> = [warning, through, self.taken_keys()].into_iter().flatten().collect();
+        self.panels.notes.complaint = (!said.is_empty()).then(|| said.join("\n"));
+        self.panels.notes.begin();
+        if self.player.start().is_replayed() {
+            self.panels.notes.warn(REPLAYED.to_owned());
+        }
+        self.panels.notes.has_caption = true;
+        self.wants_hint &= self.place == Some(0);
+        self.place_hint();
+        match self.teaches.take() {
+            Some(at) => self.lay_out(at),
+            None => self.leave_lesson(),
+        }
+        self.touch();
+    }
+}
+
+/// The place in the gallery of a scene that is in it: not of another one that is called so.
+fn place_of(scene: &Scene) -> Option<usize> {
+    let place = gallery().iter().position(|entry| entry.name == scene.name())?;
+    let own = gallery()[place].scene().ok()?;
+    // What stands beside it may have been changed.
+    let alone = Scene { name: own.name.clone(), beside: own.beside.clone(), ..scene.clone() };
+    (alone == own).then_some(place)
+}
+
+/// Said of a recording as it opens.
+const REPLAYED: &str = "a recording: it is replayed as it was done. A press on the world takes over from there; the list beside the \
+                        timeline leads back to what was recorded";
+
+/// So many warnings are shown at once, a line each.
+const MOST_WARNINGS: usize = 3;
+
+/// Warnings below each other, the first few of many.
+fn listed(warnings: &[&str]) -> String {
+    let shown = warnings.iter().take(MOST_WARNINGS).map(|line| (*line).to_owned());
+    let more = warnings.len().saturating_sub(MOST_WARNINGS);
+    let rest = (more > 0).then(|| format!("and {more} more: `wobble simulate` lists all"));
+    shown.chain(rest).collect::<Vec<_>>().join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{gallery, listed, place_of};
+    use crate::scene::Scene;
+
+    #[test]
+    fn a_scene_that_is_called_as_one_of_the_gallery_is_none_of_it() {
+        let own = gallery()[1].scene();
+        assert_eq!(own.ok().and_then(|scene| place_of(&scene)), Some(1));
+        let text = r#"{"wobble": 1, "name": "rope", "points": {"position": [[0, 0]]}}"#;
+        assert_eq!(Scene::parse(text, "x.json").ok().and_then(|scene| place_of(&scene)), None);
+    }
+
+    #[test]
+    fn of_many_warnings_the_first_are_listed() {
+        let all = ["a", "b", "c", "d", "e"];
+        assert_eq!(listed(&all[..2]), "a\nb");
+        assert_eq!(listed(&all), "a\nb\nc\nand 2 more: `wobble simulate` lists all");
+    }
+}

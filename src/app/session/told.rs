@@ -1,0 +1,46 @@
+//! What the window's events come to beside actions: keys for panels, keys that are held, a focus that is lost.
+
+use winit::event::WindowEvent;
+
+use super::Session;
+use crate::app::keys::{Down, Held};
+use crate::app::panels::Sheet;
+use crate::app::shell::is_for_panels;
+
+impl Session {
+    /// Hands an event to the panels: keys only where they write or nothing else is meant by them.
+    pub(in crate::app) fn tell_panels(&mut self, event: &WindowEvent) {
+        let is_writing = self.is_writing();
+        if let WindowEvent::KeyboardInput { event, .. } = event
+            && !is_for_panels(event, is_writing)
+        {
+            return;
+        }
+        let response = self.egui.on_window_event(&self.window, event);
+        let is_move = matches!(event, WindowEvent::CursorMoved { .. });
+        self.panels_dirty |= response.repaint && !is_move;
+    }
+
+    /// Whether what is typed goes into a field: also into one that is only about to be shown.
+    pub(in crate::app) fn is_writing(&self) -> bool {
+        let is_coming = self.panels.is_fresh && self.panels.sheet.is_some_and(|sheet| sheet != Sheet::Help);
+        is_coming || self.egui.egui_ctx().text_edit_focused()
+    }
+
+    /// Keys and buttons that were held down are let go elsewhere.
+    pub(in crate::app) fn lose_focus(&mut self) {
+        self.stop_driving();
+        self.rewinds = false;
+        self.hand.hold_pins(false);
+        self.down = Down::default();
+        self.hold(Held::default());
+        self.touch();
+    }
+
+    /// Ctrl and Shift go down or up.
+    pub(in crate::app) fn hold(&mut self, held: Held) {
+        self.held = held;
+        self.hand.hold([held.shift, held.alt]);
+        self.dirty = true;
+    }
+}
