@@ -17,6 +17,10 @@ const LEAST: f32 = 60.0;
 /// Titles are this wide, in the narrowest parts too `[points]`.
 const LEAST_WIDE: f32 = 90.0;
 
+/// What is left beside a tool's panel for a title that stays there instead of going below it, at least; and the margins of a title `[points]`.
+const BESIDE: f32 = 150.0;
+const MARGINS: f32 = 20.0;
+
 /// Heights of titles, and of the legend that the last one has `[points]`.
 const TITLE: f32 = 50.0;
 const LEGEND: f32 = 52.0;
@@ -79,11 +83,17 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
         let base = corner.iter().fold(top, below_it(TITLE));
         // The last one is as high as its legend makes it.
         let high = if place == last { height(facts) } else { TITLE };
-        let top = of_tool.iter().fold(base, below_it(high));
+        let is_lower = of_tool.iter().fold(base, below_it(high)) > base;
+        // A narrower one has its place beside it.
+        let room = of_tool.filter(|_| is_lower).map(|at| at.left() - ROOM - x);
+        let beside = room.filter(|room| *room >= BESIDE);
+        let top = if beside.is_some() { base } else { of_tool.iter().fold(base, below_it(high)) };
+        let most =
+            legend::WIDTH.min(neighbor.width - 3.0 * ROOM).min(beside.map_or(f32::INFINITY, |room| room - MARGINS));
         let area = Area::new(Id::unique(("beside", place))).fixed_pos(pos2(x, top));
         let shown = area.interactable(false).show(context, |ui| {
             floating(ui).show(ui, |ui| {
-                ui.set_max_width(legend::WIDTH.min(neighbor.width - 3.0 * ROOM).max(LEAST_WIDE));
+                ui.set_max_width(most.max(LEAST_WIDE));
                 ui.vertical(|ui| {
                     ui.label(RichText::new(&neighbor.title).color(colors(ui).text).strong());
                     if !neighbor.words.is_empty() {

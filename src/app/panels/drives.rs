@@ -52,9 +52,11 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
     });
     if follows {
         slider(ui, "period", &mut muscle.period, QUICKEST..=MOST[1], " s");
-        slider(ui, "phase", &mut muscle.phase, 0.0..=std::f64::consts::TAU, " rad");
         if muscle.runs {
-            slider(ui, "wave length", &mut muscle.length, LENGTHS[0]..=LENGTHS[1], " strokes");
+            let said = "in lengths of the stroke";
+            slider(ui, "wave length", &mut muscle.length, LENGTHS[0]..=LENGTHS[1], "").on_hover_text(said);
+        } else {
+            slider(ui, "phase", &mut muscle.phase, 0.0..=std::f64::consts::TAU, " rad");
         }
     }
     keys(ui, &mut muscle.key, &mut muscle.back);
@@ -78,8 +80,14 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     }
 }
 
-fn slider(ui: &mut Ui, name: &str, value: &mut f64, range: std::ops::RangeInclusive<f64>, unit: &str) {
-    ui.add(Slider::new(value, range).max_decimals(2).suffix(unit).text(name));
+fn slider(
+    ui: &mut Ui,
+    name: &str,
+    value: &mut f64,
+    range: std::ops::RangeInclusive<f64>,
+    unit: &str,
+) -> egui::Response {
+    ui.add(Slider::new(value, range).max_decimals(2).suffix(unit).text(name))
 }
 
 /// The keys that have to be held.
