@@ -46,7 +46,7 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
         ui.add(Checkbox::new(&mut muscle.has_wave, "wave"));
         if follows {
             ui.add(Checkbox::new(&mut muscle.runs, "along the stroke")).on_hover_text(
-                "a worm crawls by a wave that runs along it; without, all muscles of a stroke move as one",
+                "a worm whose underside is stroked crawls the way of the stroke; without, all muscles of a stroke move as one",
             );
         }
     });

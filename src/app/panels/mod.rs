@@ -325,8 +325,8 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     } else if has_lessons {
         let mut at = places.beside(column);
         let all = at;
-        if are_stacked {
-            at.min.y = (at.min.y + plots::LEAST_ABOVE + places::APART).min(at.max.y);
+        if let Some(plots) = state.plots.as_ref().filter(|_| are_stacked) {
+            at.min.y = (at.min.y + plots::least_above(plots) + places::APART).min(at.max.y);
         }
         let top = lessons::show(&context, (at, edge), &mut state.lessons, &mut wishes);
         if let Some(plots) = state.plots.as_mut().filter(|_| are_stacked) {

@@ -28,8 +28,6 @@ const HEAD: f32 = 118.0;
 const SHORT: f32 = 86.0;
 /// Beside a lesson a plot is no lower than this `[points]`.
 const LEAST: f32 = 70.0;
-/// About how high it is there at least `[points]`.
-pub(super) const LEAST_ABOVE: f32 = LEAST + SHORT;
 /// Points so near to it are covered by what lies about them `[points]`.
 const ROOM: f32 = 12.0;
 /// Width of what lies in the upper right corner, figures and legends, with some room `[points]`.
@@ -118,10 +116,20 @@ pub(super) fn show_above(
     plots: &mut Plots,
     wishes: &mut Vec<Wish>,
 ) {
-    let high = (room.height() - SHORT).clamp(LEAST, SIZE[1]);
+    let high = (room.height() - head(plots)).clamp(LEAST, SIZE[1]);
     let corner = room.right_bottom() - vec2(10.0 + at_edge, 0.0);
     let area = Area::new(Id::unique("plots above")).pivot(Align2::RIGHT_BOTTOM).fixed_pos(corner);
     area.show(context, |ui| panel(ui, ([width, high], true), plots, wishes));
+}
+
+/// What is above the plot beside a lesson `[points]`: of two probes the choices have a row of their own.
+fn head(plots: &Plots) -> f32 {
+    if plots.probes().iter().flatten().count() < 2 { SHORT } else { HEAD }
+}
+
+/// About how high the panel is there at least `[points]`.
+pub(super) fn least_above(plots: &Plots) -> f32 {
+    LEAST + head(plots)
 }
 
 /// Shows it along the lower edge of a room. Returns where it lies `[points]`.

@@ -9,7 +9,7 @@ use super::gather::SUBSTEPS;
 use super::rig::Rig;
 use super::rigid::{Held, Shape};
 use super::skins::Skin;
-use super::strap::straps;
+use super::strap::{is_led_apart, straps};
 use super::{Draft, FRAMES, bonds, tree};
 use crate::sim::bond::{Bond, BondKind, Limit};
 use crate::sim::colour::by_colour;
@@ -143,7 +143,10 @@ impl<S: Real> Bodies<S> {
         let surface = if draft.contact.is_some() { &corners } else { &own.points };
         let is_hard = own.is_hard((place, w));
         let rigid = own.shape((local, points), surface, |bond| bond.holds() || is_hard && is_spring(bond));
-        let rig = if rigid.is_none() { own.rig((local, points), &draft.led) } else { None };
+        let straps = straps(&own.bonds, (&own.points, local), &draft.led, |i| w(i) == S::ZERO);
+        // Joints that pins contradict have no solution: bonds are stretched there.
+        let is_apart = is_led_apart(&straps, (&own.points, place), draft);
+        let rig = if rigid.is_none() && !is_apart { own.rig((local, points), &draft.led) } else { None };
         if rigid.is_some() {
             // What it is made of within says nothing any more.
             own.let_go();
@@ -155,7 +158,6 @@ impl<S: Real> Bodies<S> {
         let (tree, others) = own.forest(|bond| bond.is_held() || is_stiff(bond, w), |i| w(i) == S::ZERO);
         let (tree, others) =
             if tree.is_empty() { own.forest(Bond::is_held, |i| w(i) == S::ZERO) } else { (tree, others) };
-        let straps = straps(&own.bonds, (&own.points, local), &draft.led, |i| w(i) == S::ZERO);
         let link = |bond: &Bond| link(bond, local, draft.sweeps);
         self.holds.extend(tree.iter().map(link));
         let (springs, holds): (Vec<&Bond>, Vec<&Bond>) = others.iter().partition(|bond| is_spring(bond));

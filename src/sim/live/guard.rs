@@ -66,6 +66,16 @@ pub(super) fn all<S: Real>(state: &mut Cluster<S>, common: &Common<S>, gravity: 
     sum
 }
 
+/// Whether all that holds its points together are rigid bonds that are swept.
+fn is_swept<S: Real>(state: &Cluster<S>, common: &Common<S>) -> bool {
+    let is_driven = !state.muscles.is_empty() || !state.turns.is_empty();
+    let has_sweeps = state.is_all_rigid || !state.holds.is_empty();
+    has_sweeps
+        && !is_driven
+        && state.by_forces.is_empty()
+        && state.members(common).all(|(body, _)| body.hinges.len() == 0)
+}
+
 /// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them. What they do
 /// not have yet is owed: bodies that are led out of each other may squeeze others, whose springs let go later.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity, h): (S, [f64; 2], f64)) {
@@ -73,7 +83,9 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     let is_led_back = state.counts.mended + state.counts.parted > 0;
     let debt = state.debt * S::from_f64(libm::exp(-h * FORGIVEN));
     state.debt = debt;
-    if !state.has_pressed && !is_led_back && debt == S::ZERO {
+    // Rigid bonds alone have none that may swing: what sweeps over them make is seen in flight too.
+    let is_swept = is_swept(state, common);
+    if !state.has_pressed && !is_led_back && debt == S::ZERO && !is_swept {
         return;
     }
     // Pins that are led do work that nobody counts.
@@ -105,7 +117,7 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     let free = (0..state.own()).filter(|&i| state.w[i] != S::ZERO).fold(S::ZERO, |sum, i| sum + S::ONE / state.w[i]);
     let left = if debt > S::ZERO || is_led_back { S::HALF * free * S::from_f64(LEFT * LEFT) } else { S::ZERO };
     // In flight springs swing, and only what is owed is asked back.
-    let asked = if state.has_pressed || is_led_back { excess } else { excess.min(debt) };
+    let asked = if state.has_pressed || is_led_back || is_swept { excess } else { excess.min(debt) };
     let taken = asked.min((own - left).max(S::ZERO));
     let kept = if taken > S::ZERO { (S::ONE - taken / own).max(S::ZERO).sqrt() } else { S::ONE };
     // What is lifted out of another one is not asked back.

@@ -109,8 +109,9 @@ pub(crate) struct Draft<S> {
     pub(crate) skins: Vec<SkinMaterial>,
     /// The substep in which relaxed bonds are swept by their own method `[s]`, and how often.
     pub(crate) sweeps: (f64, u32),
-    /// Pins that are led, ascending.
+    /// Pins that are led, ascending, and the knots of the track of each `[m]`.
     pub(crate) led: Vec<u32>,
+    pub(crate) knots: Vec<Vec<[f64; 3]>>,
 }
 
 /// Bodies in the live step.

@@ -3,13 +3,17 @@
 //! No motion keeps lengths that the pins contradict. Asked for one by one they throw what hangs between the pins about, for a straight
 //! row can only give way across. With one stretch for all they agree, and what is taut is straight.
 
+use super::Draft;
 use crate::sim::bond::{Bond, PointId};
 use crate::sim::reach::{Reach, reaches};
 use crate::sim::real::Real;
-use crate::sim::vector::{length, sub};
+use crate::sim::vector::{length, sub, widen};
 
 /// Bonds that are gone along from all led pins of a body, about: of a large body with many of these the first are looked at.
 const MOST_WAYS: usize = 50_000;
+
+/// Share of its reach from which on a strap is as good as taut `[1]`.
+const NEARLY: f64 = 0.98;
 
 /// Two pins of a body, of which one at least is led, and how far apart its rigid bonds let them be `[m]`.
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +44,25 @@ pub(super) fn straps<S: Real>(
         Strap { ends: [a, b], most: S::from_f64(reach.most) }
     };
     reaches(bonds.iter().copied(), &from, &held).into_iter().map(strap).filter(|strap| strap.most > S::ZERO).collect()
+}
+
+/// Whether tracks lead pins of a body further apart than its bonds reach, or almost; `points` are numbered as in the group.
+pub(super) fn is_led_apart<S: Real, const D: usize>(
+    straps: &[Strap<S>],
+    (points, place): (&[u32], impl Fn(u32) -> [S; D]),
+    draft: &Draft<S>,
+) -> bool {
+    let places = |end: u32| -> Vec<[f64; D]> {
+        let point = points[end as usize];
+        let now = widen(place(point));
+        let knots = draft.led.binary_search(&point).map_or(&[][..], |k| &draft.knots[k]);
+        knots.iter().map(|knot| std::array::from_fn(|k| knot[k])).chain([now]).collect()
+    };
+    straps.iter().any(|strap| {
+        let [first, second] = strap.ends.map(places);
+        let most = NEARLY * strap.most.to_f64();
+        first.iter().any(|a| second.iter().any(|b| length(sub(*a, *b)) > most))
+    })
 }
 
 /// What the rest lengths of a body whose points are at `now` `[m]` are to be multiplied by `[1]`: 1, where its pins are near enough.

@@ -5,6 +5,7 @@ use super::make::{Maker, breakable};
 use crate::sim::bond::PointId;
 use crate::sim::contact::skin::{Contact, SkinMaterial};
 use crate::sim::force::angle::Hinge;
+use crate::sim::force::mouse::Track;
 use crate::sim::group::Group;
 use crate::sim::live::{self, Draft, mover};
 use crate::sim::real::Real;
@@ -20,6 +21,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     }
 
     pub(super) fn live_draft(&self) -> Draft<S> {
+        let (led, knots) = self.led().into_iter().unzip();
         Draft {
             bonds: self.bonds().map(|(_, bond)| bond).collect(),
             body_of: self.body_of(),
@@ -31,14 +33,17 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             sleeps: self.model.method.sleeps,
             skins: self.skins(),
             sweeps: choice::sweeps(&self.model.method),
-            led: self.led(),
+            led,
+            knots,
         }
     }
 
-    /// Pins of the group that are led.
-    fn led(&self) -> Vec<u32> {
-        let mut list: Vec<u32> = self.tracks().into_iter().map(|(slot, _)| slot).collect();
-        list.sort_unstable();
+    /// Pins of the group that are led, ascending, and the knots of their tracks `[m]`.
+    fn led(&self) -> Vec<(u32, Vec<[f64; 3]>)> {
+        let place = |x: &[f64; D]| std::array::from_fn(|k| x.get(k).copied().unwrap_or_default());
+        let of = |(slot, track): (u32, Track<D>)| (slot, track.knots.iter().map(|(_, x)| place(x)).collect());
+        let mut list: Vec<(u32, Vec<[f64; 3]>)> = self.tracks().into_iter().map(of).collect();
+        list.sort_unstable_by_key(|entry| entry.0);
         list
     }
 
