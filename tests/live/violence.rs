@@ -250,8 +250,8 @@ fn nothing_is_looked_for_where_nothing_presses() {
 /// What is crushed under a weight that leading it in its time would not lift: a layer of the gear lies flat on the floor.
 #[test]
 fn a_picture_too_soft_for_its_fall_opens_under_its_own_weight() {
-    let gear = json!({"make": "picture", "file": "pictures/gear.png", "height": 1.2, "origin": [-0.6, 1.0], "pattern": "braced",
-        "material": {"kind": "spring", "young": 150, "mass": 1}});
+    let gear = json!({"make": "picture", "file": "pictures/gear.png", "height": 1.2, "origin": [-0.6, 4.0], "pattern": "braced",
+        "material": {"kind": "spring", "young": 400, "mass": 1}});
     let scene = json!({"wobble": 1, "contact": true, "gravity": [0, -9.81], "bodies": [gear],
         "bounds": {"min": [-3, 0], "max": [3, 6], "friction": 0.5}});
     let (_, world) = super::run(&scene, 1.0);

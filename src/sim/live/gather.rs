@@ -271,8 +271,10 @@ impl<S: Real> Cluster<S> {
         let affordable = |body: &Body<S>| {
             let [few, fine] = body.least_substeps;
             let is_affordable = |count: &u32| *count > 0 && *count <= self.most_substeps;
-            // Springs that no number of substeps makes forces, or none that there is work for, are the softer the fewer there are.
-            let most = (body.springs.len() > 0).then_some(self.most_substeps);
+            // Springs that no number of substeps makes forces, or none that there is work for, are the softer the fewer there are. What is
+            // folded is the easier to open.
+            let is_firm = body.springs.len() > 0 && (few == 0 || self.tangle.knots.is_empty());
+            let most = is_firm.then_some(self.most_substeps);
             Some(fine).filter(is_affordable).or(Some(few).filter(is_affordable)).or(most)
         };
         let least = moving.filter_map(|((body, _), _)| affordable(body)).max().unwrap_or_default();
