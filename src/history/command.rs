@@ -206,19 +206,21 @@ impl OneOrEach {
     /// Leaves out what is not to stay; `stays` has one entry each.
     pub fn retain(&mut self, stays: &[bool]) {
         if let OneOrEach::Each(list) = self {
-            let mut stays = stays.iter();
-            list.retain(|_| stays.next().is_some_and(|stays| *stays));
+            keep(list, stays);
         }
     }
+}
+
+/// Leaves out of a list what is not to stay; `stays` has one entry each.
+pub(super) fn keep<T>(list: &mut Vec<T>, stays: &[bool]) {
+    let mut stays = stays.iter();
+    list.retain(|_| stays.next().is_some_and(|stays| *stays));
 }
 
 impl SetKeys {
     /// The same for some of the points or bonds that it names: `stays` has one entry each.
     pub fn among(mut self, stays: &[bool]) -> Self {
-        for named in [&mut self.points, &mut self.bonds].into_iter().flatten() {
-            let mut stays = stays.iter();
-            named.retain(|_| stays.next().is_some_and(|stays| *stays));
-        }
+        [&mut self.points, &mut self.bonds].into_iter().flatten().for_each(|named| keep(named, stays));
         let lists = [
             &mut self.mass,
             &mut self.rest,
@@ -232,8 +234,7 @@ impl SetKeys {
         ];
         lists.into_iter().flatten().for_each(|list| list.retain(stays));
         if let Some(VectorOrEach::Each(list)) = &mut self.velocity {
-            let mut stays = stays.iter();
-            list.retain(|_| stays.next().is_some_and(|stays| *stays));
+            keep(list, stays);
         }
         self
     }

@@ -10,7 +10,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::command::{OneOrEach, SetKeys};
+use super::command::{OneOrEach, SetKeys, keep};
 use crate::scene::KindName;
 use crate::sim::{BondKind, Dynamics, PointId};
 
@@ -105,7 +105,7 @@ fn mass_way(end: &SetKeys, (k, point): (usize, u32), world: &dyn Dynamics) -> Op
 
 /// The same of a spring: one that gets no stiffer holds no more for it.
 fn spring_way(end: &SetKeys, (k, bond): (usize, u32), world: &dyn Dynamics) -> Option<[[f64; 2]; 2]> {
-    let BondKind::Spring { stiffness, damping } = world.bonds().get(place_of(world, bond)?).kind else { return None };
+    let BondKind::Spring { stiffness, damping } = world.bonds().get(world.bond_place(bond)?).kind else { return None };
     let to = match end.kind {
         Some(KindName::Relaxed) => return None,
         Some(KindName::Rigid) => [NEARLY_RIGID * stiffness, NEARLY_RIGID.sqrt() * damping],
@@ -116,14 +116,6 @@ fn spring_way(end: &SetKeys, (k, bond): (usize, u32), world: &dyn Dynamics) -> O
         }
     };
     (to[0] > stiffness).then_some([[stiffness, damping], to])
-}
-
-/// The place of a bond that is there.
-fn place_of(world: &dyn Dynamics, bond: u32) -> Option<usize> {
-    match world.bond_numbers() {
-        Some(numbers) => numbers.binary_search(&bond).ok(),
-        None => ((bond as usize) < world.bonds().len()).then_some(bond as usize),
-    }
 }
 
 fn between(from: f64, to: f64, s: f64) -> f64 {
@@ -178,7 +170,8 @@ impl Eased {
         match self.led {
             Led::Masses => world.gone().binary_search(&PointId(number)).is_err(),
             // What became something else meanwhile is led no more.
-            Led::Springs => place_of(world, number)
+            Led::Springs => world
+                .bond_place(number)
                 .is_some_and(|place| matches!(world.bonds().get(place).kind, BondKind::Spring { .. })),
         }
     }
@@ -194,12 +187,8 @@ impl Eased {
         let mut sorted = set.clone();
         sorted.sort_unstable();
         let stays: Vec<bool> = self.numbers.iter().map(|number| sorted.binary_search(number).is_err()).collect();
-        let mut stay = stays.iter();
-        self.numbers.retain(|_| stay.next() == Some(&true));
-        for list in [&mut self.from, &mut self.to] {
-            let mut stay = stays.iter();
-            list.retain(|_| stay.next() == Some(&true));
-        }
+        keep(&mut self.numbers, &stays);
+        [&mut self.from, &mut self.to].into_iter().for_each(|list| keep(list, &stays));
         self.end = std::mem::take(&mut self.end).among(&stays);
         !self.numbers.is_empty()
     }

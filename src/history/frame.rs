@@ -57,14 +57,11 @@ impl Frame {
     /// Errors: in words, why it cannot be done; the world is as it was.
     pub(super) fn apply(&mut self, act: &Do, scene: &Scene) -> Result<Applied, String> {
         let Do::Set(keys) = act else { return self.apply_now(act, scene) };
-        let applied = match keys.over {
-            Some(_) => self.ease(keys, scene)?,
-            None => {
-                let applied = self.apply_now(act, scene)?;
-                self.eased.retain_mut(|eased| eased.yields(keys));
-                applied
-            }
-        };
+        if keys.over.is_some() {
+            return self.ease(keys, scene);
+        }
+        let applied = self.apply_now(act, scene)?;
+        self.eased.retain_mut(|eased| eased.yields(keys));
         Ok(applied)
     }
 

@@ -89,6 +89,13 @@ pub trait Dynamics: Send {
     fn gone(&self) -> &[PointId];
     /// The numbers of the bonds that are left, ascending, in the order of [`Dynamics::bonds`]; `None`: each has its own place.
     fn bond_numbers(&self) -> Option<&[u32]>;
+    /// Where the bond of this number is in [`Dynamics::bonds`], if it is there.
+    fn bond_place(&self, number: u32) -> Option<usize> {
+        match self.bond_numbers() {
+            Some(numbers) => numbers.binary_search(&number).ok(),
+            None => ((number as usize) < self.bonds().len()).then_some(number as usize),
+        }
+    }
     /// The numbers of the obstacles that are left: planes in the order of [`Dynamics::planes`], then polygons; in space balls and boxes.
     fn obstacle_numbers(&self) -> [&[u32]; 2];
     /// The numbers that the next point, bond and obstacle get.

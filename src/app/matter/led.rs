@@ -2,7 +2,7 @@
 
 use crate::history::{Do, OneOrEach, SetKeys};
 use crate::scene::KindName;
-use crate::sim::{Bond, BondKind, Dynamics};
+use crate::sim::{BondKind, Dynamics};
 
 /// So long stiffer springs take to be there, and the mass of what becomes another matter with them `[s]`.
 const OVER: f64 = 0.5;
@@ -26,11 +26,7 @@ pub(in crate::app) fn led(world: &dyn Dynamics, mut commands: Vec<Do>) -> Vec<Do
 /// Whether any spring gets stiffer, or rigid.
 fn gets_stiffer(world: &dyn Dynamics, keys: &SetKeys) -> bool {
     let Some(bonds) = &keys.bonds else { return false };
-    let numbers = world.bond_numbers();
-    let place = |bond: u32| numbers.map_or(Some(bond as usize), |numbers| numbers.binary_search(&bond).ok());
-    let bond = |bond: u32| -> Option<Bond> {
-        place(bond).filter(|place| *place < world.bonds().len()).map(|place| world.bonds().get(place))
-    };
+    let bond = |number: u32| world.bond_place(number).map(|place| world.bonds().get(place));
     let is_stiffer = |(k, number): (usize, &u32)| {
         let Some(BondKind::Spring { stiffness, .. }) = bond(*number).map(|bond| bond.kind) else { return false };
         match (&keys.stiffness, keys.kind) {

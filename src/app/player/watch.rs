@@ -114,11 +114,8 @@ fn probed(world: &dyn Dynamics, probe: Probe) -> Option<Probed> {
             Probed { probe, position, speed: norm(velocity), strain: None, force: None }
         }
         Probe::Bond(number) => {
-            let place = match world.bond_numbers() {
-                Some(numbers) => numbers.iter().position(|own| *own == number)?,
-                None => number as usize,
-            };
-            of_bond(world, (place, world.bonds().iter().nth(place)?), probe)?
+            let place = world.bond_place(number)?;
+            of_bond(world, (place, world.bonds().get(place)), probe)?
         }
     };
     let numbers = found.position.into_iter().chain([found.speed]).chain(found.strain).chain(found.force);

@@ -3,7 +3,7 @@
 use super::body::{Body, Link};
 use super::cluster::{Cluster, Common};
 use super::rigid::{Change, goes_with_frame};
-use super::strap::stretch;
+use super::strap::stretches;
 use super::{FRAMES, areas, part, tree};
 use crate::sim::bond::Limit;
 use crate::sim::kernels::level::vectorized;
@@ -263,18 +263,10 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         state.relax(|state| sweep(state, &slow));
     }
     state.slow = slow;
-    let stretches = stretches(state, common);
+    let stretches = stretches(state.members(common).map(|(body, base)| (&body.straps[..], base)), &state.now);
     let holds = std::mem::take(&mut state.holds);
     project(state, &holds, &stretches);
     state.holds = holds;
-}
-
-/// What the rest lengths of the rigid bonds of each member are to be multiplied by `[1]`; empty, where no pins are led.
-fn stretches<S: Real>(state: &Cluster<S>, common: &Common<S>) -> Vec<S> {
-    if !state.holds.iter().any(|hold| hold.strapped.is_some()) {
-        return Vec::new();
-    }
-    state.members(common).map(|(body, base)| stretch(&body.straps, &state.now[base..])).collect()
 }
 
 /// Whether points of a body go so far against each other in this substep that bonds may turn.

@@ -73,3 +73,16 @@ pub(super) fn stretch<S: Real, const D: usize>(straps: &[Strap<S>], now: &[[S; D
         most.max(length(sub(a, b)) / strap.most)
     })
 }
+
+/// The same of each of several bodies, with the places at which their points begin: up to the last that has straps.
+pub(super) fn stretches<'a, S: Real, const D: usize>(
+    bodies: impl Iterator<Item = (&'a [Strap<S>], usize)>,
+    now: &[[S; D]],
+) -> Vec<S> {
+    let mut list = Vec::new();
+    for (place, (straps, base)) in bodies.enumerate().filter(|(_, (straps, _))| !straps.is_empty()) {
+        list.resize(place, S::ONE);
+        list.push(stretch(straps, &now[base..]));
+    }
+    list
+}

@@ -63,8 +63,10 @@ pub(super) fn mark<S: Real, const D: usize>(
 /// that are there to show what sweeps do move its bonds.
 fn moves_bodies(solver: Solver) -> bool {
     use Solver::{BackwardEuler, BlanesMoan4, BlanesMoan6, ImplicitMidpoint, Pefrl, Rk2, Rk4, Rk8, VelocityVerlet};
-    let of_states = [VelocityVerlet, Pefrl, BlanesMoan4, BlanesMoan6, Rk2, Rk4, Rk8];
-    of_states.contains(&solver) || [ImplicitMidpoint, BackwardEuler].contains(&solver)
+    matches!(
+        solver,
+        VelocityVerlet | Pefrl | BlanesMoan4 | BlanesMoan6 | Rk2 | Rk4 | Rk8 | ImplicitMidpoint | BackwardEuler
+    )
 }
 
 /// The rigid bodies that an island is made of; `None`: it moves bond by bond.

@@ -100,7 +100,8 @@ impl Stage {
             Err(why) => Some(Note::Refused(why.to_owned())),
             // What is dragged on is led by the hand.
             Ok(list) if goes_on => self.give_on(list, change.name()),
-            Ok(list) => self.give(led(world, list), Some(change.name())),
+            // How stiff springs are on their way says what they bear, not how stiff they will be.
+            Ok(list) => self.give(led(self.history.world(), list), Some(change.name())),
         }
     }
 

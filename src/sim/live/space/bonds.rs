@@ -6,7 +6,7 @@ use super::path;
 use crate::sim::bond::Limit;
 use crate::sim::live::body::Link;
 use crate::sim::live::bonds::bears;
-use crate::sim::live::strap::stretch;
+use crate::sim::live::strap::{stretch, stretches};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
@@ -115,10 +115,7 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         path::solve(state, common.bodies.holds(body), (base, stretch(&body.straps, &state.now[base..])));
     }
     let holds = std::mem::take(&mut state.holds);
-    let stretches: Vec<S> = match holds.iter().any(|hold| hold.strapped.is_some()) {
-        true => state.members(common).map(|(body, base)| stretch(&body.straps, &state.now[base..])).collect(),
-        false => Vec::new(),
-    };
+    let stretches = stretches(state.members(common).map(|(body, base)| (&body.straps[..], base)), &state.now);
     // Where something presses, one sweep leaves errors that velocities must not follow.
     let does_turn = !state.has_pressed && !state.touched.contains(&true);
     for hold in &holds {
