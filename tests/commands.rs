@@ -77,7 +77,7 @@ fn square(first: u32, [x, y]: [f64; 2]) -> Command {
 fn islands_that_an_edit_does_not_name_keep_their_bits() {
     let edits: Vec<(&str, Command)> = vec![
         ("pin", Command::Pin(vec![PointId(9)])),
-        ("cut", Command::Cut { from: [7.5, 1.2], to: [10.0, 1.3] }),
+        ("cut", Command::Cut { from: Cursor::at([7.5, 1.2]), to: Cursor::at([10.0, 1.3]) }),
         ("delete a point", Command::Delete(Selection { points: vec![PointId(10)], ..Selection::default() })),
         ("delete a bond", Command::Delete(Selection { bonds: vec![BondId(13)], ..Selection::default() })),
         ("add", square(24, [40.0, 3.0])),
@@ -143,9 +143,9 @@ fn a_command_within_a_step_cuts_the_step_of_what_it_touches_alone() {
     model.mouse = hovered(0.8).mouse;
     type Edit = Box<dyn Fn(&dyn Dynamics) -> Vec<Command>>;
     let edits: Vec<(&str, Edit)> = vec![
-        ("nothing", Box::new(|_| vec![Command::Cut { from: [50.0, 1.0], to: [51.0, 1.0] }])),
+        ("nothing", Box::new(|_| vec![Command::Cut { from: Cursor::at([50.0, 1.0]), to: Cursor::at([51.0, 1.0]) }])),
         ("pin", Box::new(|_| vec![Command::Pin(vec![PointId(9)])])),
-        ("cut", Box::new(|_| vec![Command::Cut { from: [7.5, 1.2], to: [10.0, 1.3] }])),
+        ("cut", Box::new(|_| vec![Command::Cut { from: Cursor::at([7.5, 1.2]), to: Cursor::at([10.0, 1.3]) }])),
         ("add", Box::new(|_| vec![square(24, [40.0, 3.0])])),
         ("cursor", Box::new(move |world| vec![cursor(8.5, world.time()), cursor(9.0, world.time() + 0.001)])),
         (
@@ -295,8 +295,10 @@ fn a_cut_takes_what_it_crosses_and_leaves_the_mass() {
     model.mass = vec![1.0; 6];
     model.pinned = vec![PointId(0)];
     let mut world = build(&model).unwrap();
-    assert!(!world.apply(&Command::Cut { from: [2.5, 1.0], to: [2.5, 0.5] }).unwrap().is_something);
-    world.apply(&Command::Cut { from: [2.5, 1.0], to: [2.5, -1.0] }).unwrap();
+    assert!(
+        !world.apply(&Command::Cut { from: Cursor::at([2.5, 1.0]), to: Cursor::at([2.5, 0.5]) }).unwrap().is_something
+    );
+    world.apply(&Command::Cut { from: Cursor::at([2.5, 1.0]), to: Cursor::at([2.5, -1.0]) }).unwrap();
     assert_eq!(world.bond_numbers().unwrap(), [0, 1, 3, 4]);
     steps(&mut *world, 0.5);
     let sample = now(&*world);

@@ -219,7 +219,7 @@ fn commands_are_done_all_or_none_and_refused_with_number_and_reason() {
     assert!(refused.to_string().contains("before its own time"), "{refused}");
     assert_eq!((hash(&history), history.recording().commands.len()), (before, count));
     // What does nothing is no error and nothing to undo.
-    let path = || Do::Cut { from: [50.0, 50.0], to: [51.0, 50.0] };
+    let path = || Do::Cut { from: Cursor::at([50.0, 50.0]), to: Cursor::at([51.0, 50.0]) };
     let nothing =
         [Do::Delete(DeleteKeys::default()), path(), Do::Pin(Vec::new()), Do::Unpin(vec![PointId(0)]), Do::Release];
     assert_eq!(history.give(Vec::new(), Some("Nothing")), Ok(Vec::new()));
@@ -448,7 +448,7 @@ fn a_state_that_says_nothing_of_triangles_is_gone_on_from_whole() {
     give(0.1, Do::Add(Box::new(AddKeys { bodies: vec![body], ..AddKeys::default() })));
     let whole = 2 * 18;
     give(0.2, Do::Delete(DeleteKeys { points: vec![0], ..DeleteKeys::default() }));
-    give(0.2, Do::Cut { from: [2.0, 0.05], to: [3.05, 0.05] });
+    give(0.2, Do::Cut { from: Cursor::at([2.0, 0.05]), to: Cursor::at([3.05, 0.05]) });
     let opened = History::new(Start::from(old)).unwrap();
     assert_eq!(opened.world().triangles(), live.world().triangles());
     assert!(opened.skins() == live.skins() && opened.skins().len() == 2);

@@ -46,12 +46,12 @@ pub enum Do {
     Pin(Vec<PointId>),
     /// Points are let go, at rest.
     Unpin(Vec<PointId>),
-    /// Bonds that the segment crosses go.
+    /// Bonds that a stroke crosses go: from a place to another; in space what lies across between two rays.
     Cut {
-        /// `[m]`
-        from: [f64; 2],
-        /// `[m]`
-        to: [f64; 2],
+        /// Where it begins.
+        from: Cursor,
+        /// Where it ends.
+        to: Cursor,
     },
     /// Points, bonds, bodies and obstacles come.
     Add(Box<AddKeys>),

@@ -36,6 +36,14 @@ pub enum Place {
     Gone(()),
 }
 
+/// Where a cut begins or ends: at a place of the plane, or along a ray of space.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged, expecting = "a place [x, y], or a ray {\"origin\": […], \"direction\": […]}")]
+pub enum End {
+    Plane([f64; 2]),
+    Ray(RayKeys),
+}
+
 object! {
     RayKeys: "a ray: an object with the keys `origin` and `direction`" {
         required {
@@ -87,8 +95,8 @@ object! {
 object! {
     CutKeys: "a cut: an object with the keys `from` and `to`" {
         required {
-            from: Row<f64, 2>,
-            to: Row<f64, 2>,
+            from: End,
+            to: End,
         }
     }
 }
@@ -186,7 +194,7 @@ fn keys_of(act: &Do) -> (&'static str, Map<String, Value>) {
         }
         Do::Pin(list) => ("pin", object(&PointsKeys { points: numbers(list) })),
         Do::Unpin(list) => ("unpin", object(&PointsKeys { points: numbers(list) })),
-        Do::Cut { from, to } => ("cut", object(&CutKeys { from: Row(*from), to: Row(*to) })),
+        Do::Cut { from, to } => ("cut", object(&CutKeys { from: end(*from), to: end(*to) })),
         Do::Add(keys) => ("add", object(&**keys)),
         Do::Delete(keys) => ("delete", object(keys)),
         Do::Clear => ("clear", Map::new()),
@@ -223,7 +231,7 @@ fn act(name: &str, object: Map<String, Value>) -> Result<Do, String> {
         "unpin" => Do::Unpin(points(read::<PointsKeys>(object)?.points)),
         "cut" => {
             let CutKeys { from, to } = read(object)?;
-            Do::Cut { from: from.0, to: to.0 }
+            Do::Cut { from: from.cursor("from")?, to: to.cursor("to")? }
         }
         "add" => Do::Add(Box::new(read(object)?)),
         "delete" => Do::Delete(read(object)?),
@@ -261,14 +269,37 @@ fn cursor(to: Place) -> Result<Option<Cursor>, String> {
     Ok(match to {
         Place::Gone(()) => None,
         Place::Plane(at) => Some(Cursor::at(at)),
-        Place::Ray(RayKeys { origin: Row(origin), direction: Row(direction) }) => {
-            let length = direction.iter().map(|d| d * d).sum::<f64>().sqrt();
-            if (length - 1.0).abs() > UNIT {
-                return Err(format!("to.direction: has length {length:?}: give a unit vector"));
-            }
-            Some(Cursor { origin, direction })
-        }
+        Place::Ray(ray) => Some(ray.cursor("to")?),
     })
+}
+
+impl RayKeys {
+    /// Errors: a direction that is no unit vector, by the name of the ray.
+    fn cursor(self, name: &str) -> Result<Cursor, String> {
+        let RayKeys { origin: Row(origin), direction: Row(direction) } = self;
+        let length = direction.iter().map(|d| d * d).sum::<f64>().sqrt();
+        if (length - 1.0).abs() > UNIT {
+            return Err(format!("{name}.direction: has length {length:?}: give a unit vector"));
+        }
+        Ok(Cursor { origin, direction })
+    }
+}
+
+impl End {
+    /// Errors: as of a ray.
+    fn cursor(self, name: &str) -> Result<Cursor, String> {
+        match self {
+            End::Plane(at) => Ok(Cursor::at(at)),
+            End::Ray(ray) => ray.cursor(name),
+        }
+    }
+}
+
+fn end(at: Cursor) -> End {
+    match at {
+        Cursor { origin: [x, y, _], .. } if at == Cursor::at([x, y]) => End::Plane([x, y]),
+        Cursor { origin, direction } => End::Ray(RayKeys { origin: Row(origin), direction: Row(direction) }),
+    }
 }
 
 fn mouse_keys(change: &MouseChange) -> MouseKeys {

@@ -189,7 +189,7 @@ impl History {
     }
 
     /// Does commands at the time reached, all or none. `edit`: what they are called when they are undone as one, such as "Draw a
-    /// body"; `None`: for cursor, grab and release, which are not undone.
+    /// body"; `None`: for cursor and grab, which are not undone by themselves. A release that is an edit is undone with its grab.
     ///
     /// Errors: the first that cannot be done; the world before it is whole.
     pub fn give(&mut self, commands: Vec<Do>, edit: Option<&str>) -> Result<Vec<Applied>, Refusal> {
@@ -217,7 +217,8 @@ impl History {
             return Ok(Vec::new());
         }
         let at = self.frame.world.time();
-        let before = (edit.is_some() || commands.len() > 1).then(|| self.frame.clone());
+        let grabs = commands.iter().any(|act| matches!(act, Do::Grab(_)));
+        let before = (edit.is_some() || grabs || commands.len() > 1).then(|| self.frame.clone());
         let mut done = Vec::with_capacity(commands.len());
         for (number, act) in commands.iter().enumerate() {
             match self.frame.apply(act, &self.scene) {
@@ -231,6 +232,10 @@ impl History {
         // What does nothing is nothing to undo.
         let is_edit = edit.is_some();
         let edit = edit.filter(|_| done.iter().any(|applied| applied.is_something));
+        if let Some(before) = before.as_ref().filter(|_| grabs) {
+            // A drag is undone to here.
+            self.keyframes.keep(self.branch, before.clone(), false);
+        }
         if let Some(number) = edit {
             if self.last_edit != Some(number)
                 && let Some(before) = before

@@ -1,6 +1,7 @@
 //! Undo, redo, going back and going on.
 
 use super::branch::Spot;
+use super::command::Do;
 use super::session::History;
 use crate::sim::Dynamics;
 
@@ -36,10 +37,11 @@ impl History {
                 let edit = edit_of(last);
                 let same = |&place: &usize| edit_of(place).is_none() || edit_of(place) == edit;
                 let first = (0..=last).rev().take_while(same).filter(|&place| edit_of(place) == edit).last();
-                let first = first.unwrap_or(last);
+                let named = first.unwrap_or(last);
+                let first = self.with_grab(named);
                 let after = (last..self.tree.len(branch)).take_while(same).filter(|&place| edit_of(place) == edit);
                 let last = after.last().unwrap_or(last);
-                (self.name(branch, first), self.after(branch, last), self.before(branch, first))
+                (self.name(branch, named), self.after(branch, last), self.before(branch, first))
             }
             None => {
                 let back = self.tree.origin(branch)?;
@@ -75,6 +77,23 @@ impl History {
         let same = |&place: &usize| edit_of(place).is_none() || edit_of(place) == edit_of(first);
         let last = (first..to_come.end).take_while(same).filter(|&place| edit_of(place).is_some()).last()?;
         Some(Redo { spot: self.after(self.branch, last), name: self.name(self.branch, first) })
+    }
+
+    /// Where an edit begins that begins at this place: one that lets go begins with the grab that it ends, and with what led to that at the
+    /// same time. A grab alone is no edit.
+    fn with_grab(&self, place: usize) -> usize {
+        let entry = |place: usize| self.tree.entry(self.branch, place);
+        let is = |place: usize, what: fn(&Do) -> bool| entry(place).is_some_and(|entry| what(&entry.act));
+        if !is(place, |act| matches!(act, Do::Release)) {
+            return place;
+        }
+        let Some(grab) = (0..place).rev().find(|&k| is(k, |act| matches!(act, Do::Grab(_)))) else { return place };
+        let at = entry(grab).map(|entry| entry.at);
+        let leads = |&k: &usize| {
+            let is_same = entry(k).is_some_and(|entry| Some(entry.at) == at && entry.edit.is_none());
+            is_same && is(k, |act| matches!(act, Do::Cursor { .. } | Do::Mouse(_)))
+        };
+        (0..grab).rev().take_while(leads).last().unwrap_or(grab)
     }
 
     fn name(&self, branch: usize, place: usize) -> String {

@@ -46,12 +46,13 @@ pub enum Command {
     Pin(Vec<PointId>),
     /// Points are let go, at rest.
     Unpin(Vec<PointId>),
-    /// Bonds that the segment crosses go: in the plane.
+    /// Bonds that a stroke crosses go: in the plane those that a stretch from one place to another does, in space those that lie across
+    /// what is between two rays, which begin at one place or are parallel.
     Cut {
-        /// `[m]`
-        from: [f64; 2],
-        /// `[m]`
-        to: [f64; 2],
+        /// Where it begins.
+        from: Cursor,
+        /// Where it ends.
+        to: Cursor,
     },
     /// Points, bonds, obstacles and forces come.
     Add(Box<Addition>),

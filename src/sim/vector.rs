@@ -59,6 +59,11 @@ pub fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
+/// The vector product.
+pub fn cross3([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
+    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+}
+
 /// The vector in another scalar, each component rounded to nearest.
 #[inline(always)]
 pub fn convert<S: Real, const D: usize>(a: [f64; D]) -> [S; D] {

@@ -52,7 +52,11 @@ fn triangles_go_with_corners_and_with_bonds_along_their_sides() {
         ("a side", Command::Delete(bonds(&[3])), [&first[..1], &second].concat()),
         ("the shared side", Command::Delete(bonds(&[10])), first.clone()),
         ("the other diagonal", Command::Delete(bonds(&[5, 11])), all.clone()),
-        ("a stroke", Command::Cut { from: [-0.5, 1.9], to: [0.1, 1.9] }, [&first[..1], &second].concat()),
+        (
+            "a stroke",
+            Command::Cut { from: Cursor::at([-0.5, 1.9]), to: Cursor::at([0.1, 1.9]) },
+            [&first[..1], &second].concat(),
+        ),
         ("all", Command::Clear, Vec::new()),
         ("a pin", Command::Pin(vec![PointId(0)]), all.clone()),
     ] {

@@ -107,7 +107,7 @@ impl Generator {
             7 => Command::Release,
             8 => Command::Pin(self.points(world)),
             9 => Command::Unpin(world.pinned().iter().copied().take(1 + self.below(2) as usize).collect()),
-            10 => Command::Cut { from: self.place(), to: self.place() },
+            10 => Command::Cut { from: Cursor::at(self.place()), to: Cursor::at(self.place()) },
             11..13 => Command::Add(Box::new(self.addition(world))),
             13 => match self.below(3) {
                 0 => Command::Delete(Selection { points: vec![self.point(world)], ..Selection::default() }),

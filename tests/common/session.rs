@@ -64,7 +64,7 @@ pub fn any(history: &History, dice: &mut Dice) -> (Do, Option<&'static str>) {
         }
         4 => (Do::Pin(points(history, dice)), Some("Pin")),
         5 => (Do::Unpin(points(history, dice)), Some("Unpin")),
-        6 => (Do::Cut { from: dice.place(), to: dice.place() }, Some("Cut")),
+        6 => (Do::Cut { from: Cursor::at(dice.place()), to: Cursor::at(dice.place()) }, Some("Cut")),
         7 | 8 => (Do::Add(Box::new(addition(history, dice, dimensions))), Some("Add")),
         9 => (
             Do::Delete(DeleteKeys {

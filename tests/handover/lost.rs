@@ -148,7 +148,7 @@ fn a_command_that_touches_it_lets_it_go() {
     let names: [(&str, Command); 4] = [
         ("pin", Command::Pin(vec![PointId(1)])),
         ("grab", Command::Grab(Reach::Points(vec![PointId(1)]))),
-        ("cut", Command::Cut { from: [0.5, -1.0], to: [0.5, 0.2] }),
+        ("cut", Command::Cut { from: wobble::sim::Cursor::at([0.5, -1.0]), to: wobble::sim::Cursor::at([0.5, 0.2]) }),
         (
             "gravity",
             Command::Set(wobble::sim::Change::Scene(Box::new(wobble::sim::SceneChange {

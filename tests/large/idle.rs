@@ -1,6 +1,6 @@
 //! Bonds of large bodies that go: their lanes are idle, and nothing pulls across them.
 
-use wobble::sim::{BondId, BondKind, Command, Dynamics, Method, Model, Selection, Solver, build};
+use wobble::sim::{BondId, BondKind, Command, Cursor, Dynamics, Method, Model, Selection, Solver, build};
 
 use super::models::{bonded, cells, disc, places};
 
@@ -103,7 +103,7 @@ fn what_hangs_on_by_less_still_hangs() {
     model.pinned = [0, 39].map(wobble::sim::PointId).to_vec();
     model.method.max_strain = Some(0.02);
     let mut world = build(&model).unwrap();
-    let cut = Command::Cut { from: [-0.05, -0.95], to: [1.95, -0.95] };
+    let cut = Command::Cut { from: Cursor::at([-0.05, -0.95]), to: Cursor::at([1.95, -0.95]) };
     world.apply(&cut).unwrap();
     assert_eq!(world.bonds().len(), model.bonds.len() - 20);
     while world.time() < 1.5 {

@@ -1,7 +1,7 @@
 //! All kinds of bodies meet each other: pictures with holes and what lies in them, brush strokes, rims, pieces of what was cut or torn.
 
 use serde_json::{Value, json};
-use wobble::sim::{Command, Dynamics};
+use wobble::sim::{Command, Cursor, Dynamics};
 
 use super::tangle::faults;
 use super::{disc, soft, world};
@@ -70,7 +70,7 @@ fn pieces_of_what_is_cut_in_flight_lie_on_each_other() {
     until(&mut *world, 0.1);
     // Level, between two rows: the upper piece comes to lie on the lower one.
     let y = middle(&*world, 0..world.point_count())[1] + 0.05;
-    let cut = world.apply(&Command::Cut { from: [-2.0, y], to: [2.0, y] }).unwrap();
+    let cut = world.apply(&Command::Cut { from: Cursor::at([-2.0, y]), to: Cursor::at([2.0, y]) }).unwrap();
     assert!(cut.is_something);
     until(&mut *world, 3.0);
     assert_apart("slab in two", &*world);

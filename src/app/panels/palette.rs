@@ -72,10 +72,10 @@ pub(super) fn show(
         floating(ui).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 3.0;
             let is_plane = facts.dimensions == 2;
-            let blows = facts.tool == Tool::Push && (facts.push == PushWay::Wind || !is_plane);
+            let blows = facts.tool == Tool::Push && facts.push == PushWay::Wind;
             for tool in Tool::ALL {
                 let (sign, name) = words(tool);
-                let can = !matches!(tool, Tool::Cut | Tool::Build | Tool::Motor | Tool::Push) || is_plane;
+                let can = !matches!(tool, Tool::Build | Tool::Motor) || is_plane;
                 let is_on = tool == facts.tool && !blows;
                 choice(ui, (sign, name), Action::Take(tool), (can, is_on), wishes);
             }

@@ -47,12 +47,11 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
             let is_plane = facts.dimensions == 2;
             let (title, said) = match way {
                 PushWay::Wind => ("Wind", WIND),
-                _ if !is_plane => ("Wind", WIND),
                 _ => ("Force that stays", "drag an arrow from a body; a click on one takes it away"),
             };
             ui.label(RichText::new(title).color(colors(ui).text).strong());
             ui.label(RichText::new(said).color(colors(ui).weak));
-            for other in PushWay::ALL.into_iter().filter(|_| is_plane) {
+            for other in PushWay::ALL.into_iter().filter(|way| is_plane || *way != PushWay::Turn) {
                 let words = match other {
                     PushWay::Wind => "wind over all bodies (W)",
                     PushWay::Point => "on a point",
@@ -61,7 +60,7 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
                 };
                 ui.radio_value(&mut way, other, words);
             }
-            if way == PushWay::Wind || !is_plane {
+            if way == PushWay::Wind {
                 turbulence(ui, facts, wishes);
             }
         });

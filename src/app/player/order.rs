@@ -119,9 +119,9 @@ pub enum Order {
 
 impl Order {
     /// Whether something is built or changed by it that would be missed: what a hand throws about is not.
-    pub(super) fn is_edit(&self) -> bool {
+    pub(in crate::app) fn is_edit(&self) -> bool {
         match self {
-            Order::Give(commands, name) => name.is_some() && !commands.is_empty(),
+            Order::Give(commands, name) => name.is_some() && commands.iter().any(|act| !matches!(act, Do::Release)),
             Order::GiveOn(..) | Order::Change { .. } | Order::Solver(_) | Order::Method(..) | Order::Add(_) => true,
             Order::Haul(_) => true,
             _ => false,

@@ -4,7 +4,7 @@
 use super::{Measured, Note, Order, Probe, Probes, Shown, Stage};
 use crate::history::{DeleteKeys, Do, SetKeys};
 use crate::scene::{Scene, Vector};
-use crate::sim::PointId;
+use crate::sim::{Cursor, PointId};
 
 /// A soft disc and a rope of springs fall past a loose point.
 const SCENE: &str = r#"{"wobble": 1, "gravity": [0.5, -9.81],
@@ -134,7 +134,13 @@ fn a_probe_of_a_bond_has_its_strain_and_its_force() {
     let [rod, _] = measured(&mut stage).unwrap().probes;
     let force = rod.and_then(|rod| rod.force).unwrap();
     assert!((force - 2.0 * 9.81).abs() < 1e-9, "the rod bears the same weight: {force} N");
-    assert_eq!(stage.obey(Order::Give(vec![Do::Cut { from: [-0.5, -0.5], to: [0.5, -0.5] }], Some("cut"))), None);
+    assert_eq!(
+        stage.obey(Order::Give(
+            vec![Do::Cut { from: Cursor::at([-0.5, -0.5]), to: Cursor::at([0.5, -0.5]) }],
+            Some("cut")
+        )),
+        None
+    );
     stage.obey(Order::Watch(Some([Some(Probe::Bond(0)), Some(Probe::Bond(1))])));
     let after = measured(&mut stage).unwrap().probes;
     assert!(after[0].is_none() && after[1].is_some(), "what is cut drops out, and others keep their numbers");

@@ -201,9 +201,9 @@ impl Session {
         // It is of the hand.
         self.place_hint();
         if tool == Tool::Push {
-            // Forces are of the plane, and wind has a button of its own.
+            // Wind has a button of its own, and torques are of the plane.
             match self.hand.push_way() {
-                _ if self.scene.dimensions() != 2 => self.hand.set_push_way(PushWay::Wind),
+                PushWay::Turn if self.scene.dimensions() != 2 => self.hand.set_push_way(PushWay::default()),
                 PushWay::Wind => self.hand.set_push_way(PushWay::default()),
                 _ => {}
             }

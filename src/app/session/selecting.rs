@@ -133,7 +133,7 @@ impl Session {
             Tool::Hand if on(|scope, at| scope.nearest(at).is_some() || scope.block(at).is_some()) => CursorIcon::Grab,
             Tool::Hand if on(|scope, at| scope.solid(at).is_some()) => CursorIcon::NotAllowed,
             Tool::Hand => CursorIcon::Default,
-            Tool::Cut | Tool::Build | Tool::Motor if !is_plane => CursorIcon::NotAllowed,
+            Tool::Build | Tool::Motor if !is_plane => CursorIcon::NotAllowed,
             Tool::Pin => CursorIcon::Cell,
             Tool::Cut | Tool::Paint | Tool::Push => CursorIcon::Crosshair,
             Tool::Erase => CursorIcon::NoDrop,

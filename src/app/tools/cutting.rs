@@ -10,8 +10,6 @@ use crate::sim::PointId;
 
 /// Said where a stroke cuts nothing.
 const NO_CUT: &str = "the stroke crosses no bond";
-/// Said where a stroke is drawn in space.
-const CUT_IN_SPACE: &str = "cuts are made in the plane only: this scene is in space";
 /// The stroke goes on when the pointer is so far from its end `[logical px]`.
 const STEP: f64 = 3.0;
 /// Corners that are so near to a straight line are left out `[logical px]`: each cut costs the same, however short it is.
@@ -50,20 +48,17 @@ impl Slash {
         seen.filter(move |&bond| corners.windows(2).any(|side| pick::cross([side[0], side[1]], bond)))
     }
 
-    /// The bonds that it crosses go: in the plane.
+    /// The bonds that it crosses go: in space all that are seen under it, also behind each other.
     pub(super) fn release(&self, scope: Scope<'_>, at: DVec2) -> Deed {
         let corners = self.corners(scope, at);
         if corners.windows(2).all(|side| side[0].distance(side[1]) <= 1.0) {
             return Deed::default();
         }
-        if scope.shown.dimensions != 2 {
-            return Deed::words(CUT_IN_SPACE.to_owned());
-        }
         let cuts: Vec<Do> = corners
             .windows(2)
             .filter(|side| Slash::crossed(scope, side).next().is_some())
             .map(|side| {
-                let [from, to] = [side[0], side[1]].map(|at| scope.in_plane(at).to_array());
+                let [from, to] = [side[0], side[1]].map(|at| scope.camera.cursor(at.to_array()));
                 Do::Cut { from, to }
             })
             .collect();

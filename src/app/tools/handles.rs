@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::Deed;
 use super::chosen::Chosen;
@@ -60,7 +60,7 @@ pub(super) struct Grip {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Change {
     /// By so far `[m]`.
-    Shift(DVec2),
+    Shift(DVec3),
     /// Anticlockwise `[rad]`.
     Turn(f64),
     /// Along x and y `[1]`.
@@ -228,7 +228,7 @@ impl Change {
     /// Where a place goes `[m]`.
     pub(super) fn place(self, about: DVec2, x: DVec2) -> DVec2 {
         match self {
-            Change::Shift(by) => x + by,
+            Change::Shift(by) => x + by.truncate(),
             Change::Turn(angle) => about + DVec2::from_angle(angle).rotate(x - about),
             Change::Scale(factors) => about + DVec2::from(factors) * (x - about),
         }
@@ -285,16 +285,18 @@ impl Change {
         let outcome = self.outcome(scope, chosen, about);
         match outcome.refused {
             Some(why) => Deed::words(why.to_owned()),
-            None => Deed { words: outcome.words(), ..self.deed(&with_pins(scope, chosen), about) },
+            None => {
+                Deed { words: outcome.words(), ..self.deed(&with_pins(scope, chosen), about, scope.shown.dimensions) }
+            }
         }
     }
 
-    /// The command that does it to what is selected; nothing where nothing changes.
-    pub(super) fn deed(self, chosen: &Chosen, about: DVec2) -> Deed {
+    /// The command that does it to what is selected, in so many dimensions; nothing where nothing changes.
+    pub(super) fn deed(self, chosen: &Chosen, about: DVec2, dimensions: usize) -> Deed {
         let keys = MoveKeys { points: chosen.numbers(), obstacles: chosen.obstacles.clone(), ..MoveKeys::default() };
         let about = Some(Vector::Plane(about.to_array()));
         let (name, keys) = match self {
-            Change::Shift(by) => ("move", MoveKeys { by: Some(Vector::Plane(by.to_array())), ..keys }),
+            Change::Shift(by) => ("move", MoveKeys { by: Some(Vector::new(by.to_array(), dimensions)), ..keys }),
             Change::Turn(angle) if angle.rem_euclid(TAU) == 0.0 => return Deed::default(),
             Change::Turn(angle) => ("turn", MoveKeys { turn: Some(angle), about, ..keys }),
             Change::Scale([1.0, 1.0]) => return Deed::default(),

@@ -1,6 +1,6 @@
 //! Obstacles that a drag takes along while time runs: they go after the pointer and push ahead what is in their way.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::chosen::Chosen;
 use super::fastened::{pins_in, place};
@@ -31,8 +31,8 @@ pub(super) struct Haul {
 /// How they are dragged.
 #[derive(Clone, Debug, PartialEq)]
 enum By {
-    /// From here `[m]`.
-    Way(DVec2),
+    /// From here, as deep as it is `[m]`.
+    Way(DVec3),
     /// By a handle, about a place that stays `[m]`.
     Handle(Grip, DVec2),
 }
@@ -47,6 +47,7 @@ pub struct HaulWay {
     about: DVec2,
     /// How high the picture is `[m]`.
     height: f64,
+    dimensions: usize,
     /// They were sent before, since they were pressed on.
     pub goes_on: bool,
 }
@@ -85,7 +86,7 @@ impl HaulWay {
     /// What there is still to go; `None`: nothing.
     pub fn rest(&self, hauled: Hauled) -> Option<HaulRest> {
         let rest = self.all.after(hauled.0)?;
-        let deed = rest.deed(&self.what, self.about);
+        let deed = rest.deed(&self.what, self.about, self.dimensions);
         let Some(Do::Move(keys)) = deed.commands.into_iter().next() else { return None };
         Some(HaulRest { keys, name: deed.edit?, least: rest.size(self.height) / FASTEST, rest })
     }
@@ -108,7 +109,7 @@ impl Haul {
     /// All that the drag means, with the pointer at a pixel.
     fn change(&self, scope: Scope<'_>, at: DVec2, in_steps: bool) -> Change {
         match self.by {
-            By::Way(from) => Change::Shift(scope.in_plane(at) - from),
+            By::Way(from) => Change::Shift(scope.facing(from, at) - from),
             By::Handle(grip, _) => grip.change(scope, at, in_steps),
         }
     }
@@ -125,7 +126,8 @@ impl Haul {
         let about = if let By::Handle(_, about) = self.by { about } else { DVec2::ZERO };
         let height = scope.camera.viewport()[1] as f64 / scope.camera.pixels_per_metre();
         let (what, pins) = (self.what.clone(), self.pins.clone());
-        let way = HaulWay { what, pins, all, about, height, goes_on: self.goes_on };
+        let (dimensions, goes_on) = (scope.shown.dimensions, self.goes_on);
+        let way = HaulWay { what, pins, all, about, height, dimensions, goes_on };
         if !self.goes_on && way.rest(way.begin()).is_none() {
             return None;
         }
@@ -154,18 +156,18 @@ impl Hand {
 
     /// A drag of obstacles alone takes them along.
     fn begins_to_haul(&self, scope: Scope<'_>, at: DVec2) -> Option<Haul> {
-        if self.is_still || scope.shown.dimensions != 2 {
+        if self.is_still {
             return None;
         }
-        if let Doing::Carrying(from, what) = &self.doing {
+        if let Doing::Carrying(hold, what) = &self.doing {
             // What the hand pressed on.
-            let is_dragged = what.points.is_empty() && is_drag(scope, [*from, at]);
-            return is_dragged.then(|| Haul::new(scope, what.clone(), By::Way(scope.in_plane(*from))));
+            let is_dragged = what.points.is_empty() && is_drag(scope, [hold.at, at]);
+            return is_dragged.then(|| Haul::new(scope, what.clone(), By::Way(hold.place)));
         }
         let what = self.chosen(scope).filter(|chosen| chosen.points.is_empty())?;
         match self.doing {
-            Doing::Moving(from, _) if is_drag(scope, [from, at]) => {
-                Some(Haul::new(scope, what, By::Way(scope.in_plane(from))))
+            Doing::Moving(hold, _) if is_drag(scope, [hold.at, at]) => {
+                Some(Haul::new(scope, what, By::Way(hold.place)))
             }
             Doing::Handling(grip) => Some(Haul::new(scope, what, By::Handle(grip, grip.about()))),
             _ => None,
@@ -174,25 +176,19 @@ impl Hand {
 
     /// A drag of bodies alone, none of them held, leads all of their points while time runs. Returns what is done first, if it begins now.
     pub(in crate::app) fn lead_bodies(&mut self, scope: Scope<'_>, at: DVec2) -> Option<Vec<Do>> {
-        let Doing::Moving(from, _) = self.doing else { return None };
-        if self.is_still || scope.shown.dimensions != 2 || !is_drag(scope, [from, at]) {
+        let Doing::Moving(hold, _) = self.doing else { return None };
+        if self.is_still || !is_drag(scope, [hold.at, at]) {
             return None;
         }
         let chosen = self.chosen(scope).filter(|chosen| chosen.obstacles.is_empty())?;
         if chosen.points.iter().any(|point| scope.is_pinned(*point)) {
             return None;
         }
-        let middle = middle(scope, &chosen.points);
-        self.beside = middle - scope.in_plane(from);
+        let middle = chosen.middle(scope);
+        self.beside = middle - scope.facing(middle, hold.at);
         self.doing = Doing::Grabbing(chosen.points.clone());
         let to = Some(self.led_to(scope.camera.cursor(at.to_array())));
         let commands = vec![Do::Cursor { to, by: None }, Do::Grab(Reach::Points(chosen.points))];
         Some(commands)
     }
-}
-
-/// The mean place of points `[m]`.
-fn middle(scope: Scope<'_>, points: &[PointId]) -> DVec2 {
-    let places = points.iter().map(|point| glam::DVec3::from(scope.shown.place(point.index())).truncate());
-    places.sum::<DVec2>() / points.len().max(1) as f64
 }

@@ -103,7 +103,7 @@ fn a_body_that_is_dragged_while_time_runs_is_led_by_all_of_its_points_and_paused
     assert!(played.hand.is_grabbing());
     assert!((played.middle() - before - 1.0).abs() < 0.05, "as far as the pointer: {}", played.middle() - before);
     let deed = played.with(|hand, scope| hand.release(scope, to));
-    assert_eq!((deed.commands, deed.edit), (vec![Do::Release], None));
+    assert_eq!((deed.commands, deed.edit), (vec![Do::Release], Some("drag")));
     let mut still = Played::new();
     still.hand.stand_still(true);
     still.with(|hand, scope| hand.press(scope, from));
@@ -246,4 +246,42 @@ fn a_pin_goes_where_the_obstacle_that_it_is_stuck_in_is_turned_and_scaled() {
             "{deed:?}"
         );
     }
+}
+
+#[test]
+fn what_is_thrown_is_taken_back_to_the_moment_of_the_grab_and_thrown_again() {
+    let mut played = Played::new();
+    played.hand.take(Tool::Hand);
+    let still = DVec2::new(-900.0, 0.0);
+    (0..5).for_each(|_| played.frame(still));
+    let state = |played: &Played| {
+        let world = played.stage.history().world();
+        (world.time(), crate::history::hash_now(world, world.time()))
+    };
+    let before = state(&played);
+    let from = DVec2::new(560.0, 500.0);
+    let grab = played.with(|hand, scope| hand.press(scope, from));
+    let to = Some(camera().cursor(from.to_array()));
+    let commands = [vec![Do::Cursor { to, by: None }], grab.commands].concat();
+    assert_eq!(played.stage.obey(Order::Give(commands, grab.edit)), None);
+    for k in 1..=20 {
+        let at = from + DVec2::new(3.0 * f64::from(k), 0.0);
+        played.with(|hand, scope| hand.trace(scope, at));
+        played.frame(at);
+    }
+    let throw = played.with(|hand, scope| hand.release(scope, from + DVec2::new(60.0, 0.0)));
+    let order = Order::Give(throw.commands, throw.edit);
+    assert!(!order.is_edit(), "nobody is asked to save it");
+    assert_eq!(played.stage.obey(order), None);
+    let thrown = state(&played);
+    (0..30).for_each(|_| played.frame(still));
+    let Some(Note::Undone(name, _)) = played.stage.obey(Order::Undo(None)) else { panic!("nothing undone") };
+    assert_eq!((name.as_str(), state(&played)), ("drag", before));
+    assert!(played.stage.history().world().grab().is_none());
+    assert!(matches!(played.stage.obey(Order::Redo(None)), Some(Note::Redone(..))));
+    assert_eq!(state(&played), thrown, "as it was let go, to the bit");
+    // A click on a body is nothing to undo.
+    let grab = played.with(|hand, scope| hand.press(scope, from));
+    assert!(grab.edit.is_none());
+    assert_eq!(played.with(|hand, scope| hand.release(scope, from)).edit, None);
 }

@@ -80,10 +80,10 @@ impl Meant {
     /// At a pixel: a hinge that is there, at its hub or on what is round about it; else of the body that lies there and another one beside
     /// it, or of that and the background. `None`: no body lies there.
     pub(super) fn at(scope: Scope<'_>, pixel: DVec2, wants_motor: Option<bool>) -> Option<Result<Self, &'static str>> {
-        let hit = scope.nearest(pixel)?;
         if scope.shown.dimensions != 2 {
-            return Some(Err("hinges are of the plane: this scene is in space"));
+            return Some(Err("this scene is in space, and hinges are of the plane"));
         }
+        let hit = scope.nearest(pixel)?;
         let hubs = Hubs::of(scope, hit.point);
         let reached = scope.reached(pixel);
         // What a motor pushes against belongs to its hinge.

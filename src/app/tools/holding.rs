@@ -1,6 +1,6 @@
 //! What the hand is doing, and what is drawn of it.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::{Doing, Hand, Held, Mark, PushWay, Scope, hidden, marks, push, wind};
 use crate::app::action::Tool;
@@ -27,8 +27,7 @@ impl Hand {
         if !self.is_grabbing() {
             return cursor;
         }
-        let [x, y, z] = cursor.origin;
-        Cursor { origin: [x + self.beside.x, y + self.beside.y, z], ..cursor }
+        Cursor { origin: (DVec3::from(cursor.origin) + self.beside).to_array(), ..cursor }
     }
 
     /// How the pointer looks while the button does something; `None`: as before.
@@ -47,10 +46,12 @@ impl Hand {
 
     /// Where the middle of what is led goes, with the pointer at a pixel.
     pub(super) fn led_at(&self, scope: Scope<'_>, at: DVec2) -> DVec2 {
-        if !self.is_grabbing() || self.beside == DVec2::ZERO {
+        if !self.is_grabbing() || self.beside == DVec3::ZERO {
             return at;
         }
-        scope.on_screen(scope.in_plane(at) + self.beside).unwrap_or(at)
+        let middle = scope.shown.grab.as_ref().map_or_else(|| scope.camera.focus(), |grab| DVec3::from(grab.middle));
+        let to = scope.facing(middle, at) + self.beside;
+        scope.camera.screen_from_world(to).map_or(at, DVec2::from)
     }
 
     /// What a click at the pixel would do, to be drawn.

@@ -195,13 +195,12 @@ pub(super) fn would_tie(scope: Scope<'_>, led: &[PointId], at: DVec2) -> Vec<Mar
     ]
 }
 
-/// What is led is let go at a pixel: the end of a rope is tied to the body that lies there.
-pub(super) fn let_go(scope: Scope<'_>, led: &[PointId], at: DVec2) -> Deed {
-    let release = Do::Release;
-    let Some([end, to]) = dragged(scope, led, at) else { return Deed::plain(vec![release]) };
+/// What is led is let go at a pixel: the end of a rope is tied to the body that lies there, if one does.
+pub(super) fn let_go(scope: Scope<'_>, led: &[PointId], at: DVec2) -> Option<Deed> {
+    let [end, to] = dragged(scope, led, at)?;
     let own = scope.shown.scenery.bonds.iter().find(|bond| bond.a == end || bond.b == end);
     let bonds = own.iter().map(|own| like(own, end.0, to.0)).collect();
     let add = Do::Add(Box::new(AddKeys { bonds, ..AddKeys::default() }));
     let words = Some("tied: Ctrl+Z lets it loose".to_owned());
-    Deed { commands: vec![release, add], edit: Some(TIE), words, ..Deed::default() }
+    Some(Deed { commands: vec![Do::Release, add], edit: Some(TIE), words, ..Deed::default() })
 }

@@ -6,6 +6,7 @@ use super::build::Maker;
 use super::chosen::Chosen;
 use super::erase::{Target, target};
 use super::pick::Scope;
+use super::selecting::carried;
 use super::{Doing, boxes, jam, knot, skin};
 use crate::app::action::Tool;
 use crate::app::player::Probe;
@@ -94,11 +95,10 @@ pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, 
             marks.extend(at.filter(|_| ties).into_iter().flat_map(|at| knot::would_tie(scope, points, at)));
             marks
         }
-        (Doing::Carrying(from, what), _) => {
-            let by = at.map_or(DVec2::ZERO, |at| at - *from);
+        (Doing::Carrying(hold, what), _) => {
+            let by = at.map_or(DVec3::ZERO, |at| scope.way(*hold, at));
             let what = what.left(scope);
-            let mut marks: Vec<Mark> =
-                what.outline(scope, Role::Lead).into_iter().map(|mark| mark.mapped(|x| x + by)).collect();
+            let mut marks = carried(scope, by, &what, Role::Lead);
             let is_held = what.points.iter().any(|point| scope.is_pinned(*point));
             let words = at.filter(|_| is_held).map(|at| at + DVec2::new(16.0, -14.0) * scope.scale);
             marks.extend(words.map(|at| Mark::Words(at, ALONG.to_owned())));

@@ -93,7 +93,7 @@ const SCENES: [(&str, &str, Option<usize>); 7] = [
         Some(5),
     ),
     ("solid", r#""obstacles": [{"box": {"min": [-1, -1], "max": [1, 1], "angle": 0.3}}]"#, None),
-    ("space", "", Some(220)),
+    ("space", "", Some(84)),
 ];
 
 /// Rows: what comes of it in each scene.
@@ -101,7 +101,7 @@ const TABLE: [(Act, [Comes; 7]); 24] = [
     //                soft rope net pile rigid solid space
     (Act::Grab, [G, G, G, G, G, E, G]),
     (Act::Pin, [E, E, E, E, E, W, E]),
-    (Act::Cut, [E, E, E, E, E, W, W]),
+    (Act::Cut, [E, E, E, E, E, W, E]),
     (Act::Erase, [E, E, E, E, E, E, E]),
     (Act::Build, [E, E, E, E, E, E, W]),
     (Act::Rope, [E, E, E, E, E, E, W]),
@@ -109,11 +109,11 @@ const TABLE: [(Act, [Comes; 7]); 24] = [
     (Act::Solid, [E, E, E, E, E, E, W]),
     (Act::Polygon, [E, E, E, E, E, E, W]),
     (Act::Bonds, [E, E, E, E, E, E, W]),
-    (Act::Push, [E, E, E, E, E, W, W]),
+    (Act::Push, [E, E, E, E, E, W, E]),
     (Act::Turned, [E, E, E, E, E, W, W]),
-    (Act::Move, [E, E, E, E, E, E, W]),
-    (Act::Turn, [E, E, E, E, E, E, W]),
-    (Act::Scale, [E, E, E, E, E, E, W]),
+    (Act::Move, [E, E, E, E, E, E, E]),
+    (Act::Turn, [E, E, E, E, E, E, E]),
+    (Act::Scale, [E, E, E, E, E, E, E]),
     (Act::Muscle, [E, E, E, E, E, W, E]),
     (Act::Motor, [E, E, E, E, E, W, W]),
     (Act::Paint, [E, E, E, E, E, W, E]),

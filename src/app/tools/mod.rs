@@ -14,6 +14,7 @@ mod drives;
 #[cfg(test)]
 mod drives_tests;
 mod erase;
+mod facing;
 mod fastened;
 #[cfg(test)]
 mod grab_tests;
@@ -52,6 +53,8 @@ mod select_tests;
 mod selecting;
 mod skin;
 #[cfg(test)]
+mod space_tests;
+#[cfg(test)]
 mod tests;
 mod wind;
 #[cfg(test)]
@@ -69,6 +72,7 @@ pub(super) use chosen::Chosen;
 use cutting::Slash;
 pub(super) use deed::Deed;
 pub(super) use drives::Drives;
+use facing::Hold;
 use handles::Grip;
 pub(super) use handles::Handle;
 use haul::Haul;
@@ -111,10 +115,10 @@ enum Doing {
     Building(Drag),
     /// Something is drawn click by click, also while the button is up.
     Drawing(Path),
-    /// What is selected is moved, from where it was pressed on `[px]`; a click selects what lies there alone.
-    Moving(DVec2, Chosen),
-    /// What the hand pressed on from here `[px]` is moved as a whole: while time stands still all, else an obstacle, which then is hauled.
-    Carrying(DVec2, Chosen),
+    /// What is selected is moved, from where it was pressed on; a click selects what lies there alone.
+    Moving(Hold, Chosen),
+    /// What the hand pressed on from here is moved as a whole: while time stands still all, else an obstacle, which then is hauled.
+    Carrying(Hold, Chosen),
     /// What is selected is turned or scaled by a handle.
     Handling(Grip),
     /// Obstacles go after the pointer while time runs.
@@ -153,6 +157,9 @@ pub(super) struct Hand {
     shift: bool,
     alt: bool,
     doing: Doing,
+    /// Where the button went down `[px]`, and whether the pointer left there since.
+    pressed: DVec2,
+    is_dragged: bool,
     /// Where something was built last, until the pointer moves on `[px]`.
     built_at: Option<DVec2>,
     /// The pin that goes with the cursor by itself.
@@ -160,7 +167,7 @@ pub(super) struct Hand {
     /// Time stands still: the hand moves bodies in place of leading them.
     is_still: bool,
     /// How far from the pointer the middle of what is led is to be `[m]`.
-    beside: DVec2,
+    beside: DVec3,
     /// What the hover force is when nothing is grabbed; `None`: the scene has none, or it goes along a track.
     strength: Option<f64>,
     /// How long the hover force stays away yet `[s]`; infinite while something is grabbed.

@@ -231,9 +231,19 @@ impl Scope<'_> {
         }
     }
 
-    /// The number of the obstacle of the plane that has an end and that a pixel lies in.
+    /// The number of the obstacle that has an end and that a pixel lies in: the hand drags it.
     pub(in crate::app) fn block(&self, at: DVec2) -> Option<u32> {
-        matches!(self.camera.pose, Pose::Plane { .. }).then(|| self.polygon(at)).flatten()
+        match self.camera.pose {
+            Pose::Plane { .. } => self.polygon(at),
+            Pose::Orbit { .. } => self.convex(at),
+        }
+    }
+
+    /// The place where the ray of a pixel meets the foremost ball or box of space `[m]`.
+    pub(super) fn entry(&self, at: DVec2) -> Option<DVec3> {
+        let (far, _) = self.foremost(at)?;
+        let cursor = self.camera.cursor(at.to_array());
+        Some(DVec3::from(cursor.origin) + far * DVec3::from(cursor.direction))
     }
 
     /// The nearest plane whose surface is in reach of a pixel.
@@ -272,11 +282,16 @@ impl Scope<'_> {
     }
 
     fn convex(&self, at: DVec2) -> Option<u32> {
+        self.foremost(at).map(|(_, number)| number)
+    }
+
+    /// The foremost ball or box of space under a pixel, and how far it is `[m]`.
+    fn foremost(&self, at: DVec2) -> Option<(f64, u32)> {
         let cursor = self.camera.cursor(at.to_array());
         let ray = [cursor.origin, cursor.direction];
         let solids = self.shown.scenery.convex.iter().zip(&self.shown.scenery.solid_numbers);
         let hits = solids.filter_map(|(convex, &number)| Some((convex.figure.entry(ray, 0.0)?, number)));
-        hits.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, number)| number)
+        hits.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     fn polygon(&self, at: DVec2) -> Option<u32> {

@@ -1,6 +1,6 @@
 //! The left button goes down, and the pointer moves while it is.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::build::{self, Drag, Path};
 use super::cutting::Slash;
@@ -14,9 +14,7 @@ use crate::app::action::Tool;
 use crate::history::Do;
 use crate::sim::Reach;
 
-/// Said of pins in space that are led while time stands still.
-const LATER: &str = "time stands still: it goes there as soon as time goes on";
-/// Said where a plane, or an obstacle in space, is pressed on by the hand.
+/// Said where a plane is pressed on by the hand.
 const SOLID: &str = "it stands: the tool that selects (6) moves it";
 /// Said where nothing is pinned.
 const NO_POINT: &str = "no point lies here that could be pinned; a rope that is built (5) begins with a pin of its own";
@@ -24,7 +22,8 @@ const NO_POINT: &str = "no point lies here that could be pinned; a rope that is 
 impl Hand {
     /// The left button went down at a pixel.
     pub(in crate::app) fn press(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
-        self.beside = DVec2::ZERO;
+        self.beside = DVec3::ZERO;
+        (self.pressed, self.is_dragged) = (at, false);
         match self.tool() {
             Tool::Hand => self.take_hold(scope, at),
             Tool::Pin => pin(scope, at),
@@ -63,6 +62,7 @@ impl Hand {
 
     /// The pointer moved to a pixel while the button is down.
     pub(in crate::app) fn trace(&mut self, scope: Scope<'_>, at: DVec2) {
+        self.is_dragged |= is_drag(scope, [self.pressed, at]);
         self.built_at.take_if(|was| is_drag(scope, [*was, at]));
         match &mut self.doing {
             Doing::Marking(region) => region.trace(scope, at),
@@ -94,15 +94,14 @@ impl Hand {
         // The pins of a hinge go with what turns on it while time stands still.
         let lead = Lead::of_pin(scope, at).filter(|lead| !self.is_still || !hub::is_hinged(scope, lead.point()));
         if let Some(lead) = lead {
-            // While time stands still nothing can be led: pins are put where the drag ends, in the plane.
-            if self.is_still && scope.shown.dimensions == 2 {
-                self.doing = Doing::Carrying(at, Chosen { points: lead.pins(), obstacles: Vec::new() });
+            // While time stands still nothing can be led: pins are put where the drag ends.
+            if self.is_still {
+                self.doing = Doing::Carrying(scope.hold(at), Chosen { points: lead.pins(), obstacles: Vec::new() });
                 return Deed::default();
             }
-            let words = if self.is_still { Some(LATER.to_owned()) } else { None };
             let commands = self.calm_now();
             self.doing = Doing::Leading(lead);
-            return Deed { words, ..Deed::plain(commands) };
+            return Deed::plain(commands);
         }
         if self.is_still {
             return self.carry(scope, at);
@@ -112,7 +111,7 @@ impl Hand {
             && let Some(number) = scope.block(at)
         {
             let commands = self.calm_now();
-            self.doing = Doing::Carrying(at, Chosen { obstacles: vec![number], ..Chosen::default() });
+            self.doing = Doing::Carrying(scope.hold(at), Chosen { obstacles: vec![number], ..Chosen::default() });
             return Deed::plain(commands);
         }
         if points.is_empty() && self.strength.is_some_and(|strength| strength > 0.0) {

@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::Deed;
 use super::build::short;
+use super::chosen::Chosen;
 use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_segment};
 use super::selecting::is_drag;
@@ -31,7 +32,7 @@ const MOST: usize = 400;
 const MOST_WORDS: usize = 40;
 
 /// Said where nothing is pushed.
-const OF_THE_PLANE: &str = "forces are drawn in the plane only: this scene is in space";
+const OF_THE_PLANE: &str = "torques are of the plane: in space a drag is a force";
 const NO_BODY: &str = "no body lies here that could be pushed";
 const SOLID: &str = "an obstacle stands: no force moves it";
 const PINNED: &str = "a pin stands: no force moves it";
@@ -181,6 +182,13 @@ pub(super) fn head(scope: Scope<'_>, [from, to]: [DVec2; 2]) -> [DVec2; 2] {
     [0.5, -0.5].map(|turn| to + long * DVec2::from_angle(turn).rotate(back))
 }
 
+/// The way in the world that an arrow from its points is seen along `[m]`: in space in the plane through their middle that faces the camera.
+fn seen_way(scope: Scope<'_>, arrow: &Arrow, way: DVec2) -> DVec3 {
+    let points = arrow.points.iter().copied().filter(|point| scope.is_there(*point)).collect();
+    let middle = Chosen { points, ..Chosen::default() }.middle(scope);
+    scope.facing(middle, arrow.from + way) - scope.facing(middle, arrow.from)
+}
+
 /// Which way a force of space is seen.
 fn seen_along(scope: Scope<'_>, view: &ForceView) -> Option<DVec2> {
     let from = DVec3::from(scope.shown.place(view.points.first()?.index()));
@@ -195,7 +203,7 @@ impl PushWay {
     ///
     /// Errors: in words, why there is none.
     pub(super) fn press(self, scope: Scope<'_>, at: DVec2) -> Result<Pull, &'static str> {
-        if scope.shown.dimensions != 2 {
+        if scope.shown.dimensions != 2 && self == PushWay::Turn {
             return Err(OF_THE_PLANE);
         }
         if let Some((number, arrow)) = arrow_at(scope, at) {
@@ -269,8 +277,8 @@ impl Pull {
         let (given, torque) = match arrow.form {
             Form::Straight(way) => {
                 let size = force(scope, way.length());
-                let along = way.normalize_or_zero() * size;
-                (Some(Vector::Plane([along.x, -along.y])), None)
+                let along = seen_way(scope, &arrow, way).normalize_or_zero() * size;
+                (Some(Vector::new(along.to_array(), scope.shown.dimensions)), None)
             }
             Form::Round(long) => (None, Some(force(scope, long))),
         };

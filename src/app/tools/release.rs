@@ -10,6 +10,9 @@ use crate::app::action::Tool;
 use crate::app::player::Probe;
 use crate::history::Do;
 
+/// What a drag is called when it is undone, with what it threw.
+const DRAG: &str = "drag";
+
 impl Hand {
     /// The left button was let go at a pixel.
     pub(in crate::app) fn release(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
@@ -17,7 +20,12 @@ impl Hand {
             Doing::Grabbing(led) => {
                 self.calm = Some(CALM);
                 let ties = self.tool() == Tool::Hand && !self.shift;
-                if ties { knot::let_go(scope, &led, at) } else { Deed::plain(vec![Do::Release]) }
+                let is_dragged = self.is_dragged || is_drag(scope, [self.pressed, at]);
+                match knot::let_go(scope, &led, at).filter(|_| ties) {
+                    Some(tied) => tied,
+                    // Taking hold alone is nothing to undo.
+                    None => Deed { edit: is_dragged.then_some(DRAG), ..Deed::plain(vec![Do::Release]) },
+                }
             }
             Doing::Leading(_) => {
                 self.calm = Some(CALM);
@@ -38,8 +46,8 @@ impl Hand {
                 self.wind_at = Some(blow.from());
                 blow.release(scope, at)
             }
-            Doing::Moving(from, under) => self.end_move(scope, [from, at], under),
-            Doing::Carrying(from, what) => selecting::moved(scope, [from, at], &what),
+            Doing::Moving(hold, under) => self.end_move(scope, (hold, at), under),
+            Doing::Carrying(hold, what) => selecting::moved(scope, (hold, at), &what),
             Doing::Handling(grip) => self.end_grip(scope, grip, at),
             Doing::Marking(region) => {
                 self.mark(scope, &region, at);
@@ -60,7 +68,7 @@ impl Hand {
 
     /// The point that the button, which is about to be let go at a pixel, clicked on with the tool for selecting.
     pub(in crate::app) fn clicked(&self, scope: Scope<'_>, at: DVec2) -> Option<Probe> {
-        let is_click = matches!(self.doing, Doing::Moving(from, _) if !is_drag(scope, [from, at]));
+        let is_click = matches!(self.doing, Doing::Moving(hold, _) if !is_drag(scope, [hold.at, at]));
         let bond = || scope.bond(at).map(|(place, _)| Probe::Bond(scope.shown.scenery.bond_number(place)));
         let probe = scope.point(at).map(Probe::Point).or_else(bond);
         probe.filter(|_| is_click && self.tool() == Tool::Select)

@@ -219,12 +219,12 @@ fn a_click_on_a_point_means_it_and_a_drag_or_another_tool_does_not() {
 }
 
 #[test]
-fn in_space_nothing_is_moved_and_it_is_said() {
+fn in_space_a_body_is_moved_in_the_plane_of_the_screen() {
     let seen = opened("cloth-ball");
     let mut hand = hand();
     hand.press(scope(&seen), pixel(&seen, 5));
     let deed = hand.release(scope(&seen), pixel(&seen, 5) + 50.0);
-    assert!(deed.is_empty() && deed.words.is_some());
+    assert!(matches!(deed.commands[..], [Do::Move(_)]) && deed.edit == Some("move"), "{deed:?}");
 }
 
 #[test]

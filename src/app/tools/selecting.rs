@@ -1,8 +1,9 @@
 //! The tool that selects: what presses, drags and regions choose, and what becomes of it.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::chosen::Chosen;
+use super::facing::{self, Hold};
 use super::handles::{Change, Frame, Grip, Handle};
 use super::marks::{Mark, Role};
 use super::pick::Scope;
@@ -12,8 +13,6 @@ use crate::app::action::Tool;
 
 /// A press that moves less than this is a click `[logical px]`.
 const CLICK: f64 = 4.0;
-/// Said where a body of space is dragged.
-const OF_THE_PLANE: &str = "bodies are moved in the plane only: this scene is in space";
 
 impl Hand {
     /// A handle is taken; else what lies under the pixel is selected and can be moved; else a region begins.
@@ -38,23 +37,23 @@ impl Hand {
         if !self.chosen.has(&under) {
             self.chosen = under.clone();
         }
-        self.doing = Doing::Moving(at, under);
+        self.doing = Doing::Moving(scope.hold(at), under);
     }
 
     /// What is selected was dragged, or what lies under the pixel clicked: that alone is selected then.
-    pub(super) fn end_move(&mut self, scope: Scope<'_>, [from, to]: [DVec2; 2], under: Chosen) -> Deed {
-        if !is_drag(scope, [from, to]) {
+    pub(super) fn end_move(&mut self, scope: Scope<'_>, (hold, to): (Hold, DVec2), under: Chosen) -> Deed {
+        if !is_drag(scope, [hold.at, to]) {
             self.chosen = under;
             return Deed::default();
         }
         let chosen = self.chosen(scope).unwrap_or_default();
-        moved(scope, [from, to], &chosen)
+        moved(scope, (hold, to), &chosen)
     }
 
     /// What lies under the pixel is moved by a drag of the hand, while time stands still; a click does nothing.
     pub(super) fn carry(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
         if let Some(under) = Chosen::at(scope, at) {
-            self.doing = Doing::Carrying(at, under);
+            self.doing = Doing::Carrying(scope.hold(at), under);
         }
         Deed::default()
     }
@@ -107,10 +106,11 @@ impl Hand {
         let outline = chosen.outline(scope, Role::Hold);
         let frame = Frame::of(scope, chosen);
         match (&self.doing, at) {
-            (Doing::Moving(from, _), Some(at)) if is_drag(scope, [*from, at]) => {
-                let change = Change::Shift(scope.in_plane(at) - scope.in_plane(*from));
-                let outcome = change.outcome(scope, chosen, DVec2::ZERO);
-                let moved = outline.into_iter().map(|mark| outcome.lines(scope, mark.mapped(|x| x + (at - *from))));
+            (Doing::Moving(hold, _), Some(at)) if is_drag(scope, [hold.at, at]) => {
+                let by = scope.way(*hold, at);
+                let outcome = Change::Shift(by).outcome(scope, chosen, DVec2::ZERO);
+                let outline = carried(scope, by, chosen, Role::Hold);
+                let moved = outline.into_iter().map(|mark| outcome.lines(scope, mark));
                 let words = outcome.words().map(|words| Mark::Words(at + DVec2::new(16.0, -10.0) * scope.scale, words));
                 moved.chain(outcome.others(scope)).chain(words).collect()
             }
@@ -136,16 +136,18 @@ impl Hand {
     }
 }
 
-/// Bodies and obstacles are dragged from a pixel to another.
-pub(super) fn moved(scope: Scope<'_>, [from, to]: [DVec2; 2], chosen: &Chosen) -> Deed {
+/// Bodies and obstacles are dragged from where they were taken to a pixel: in space in the plane that faces the camera.
+pub(super) fn moved(scope: Scope<'_>, (hold, to): (Hold, DVec2), chosen: &Chosen) -> Deed {
     let chosen = chosen.left(scope);
-    if !is_drag(scope, [from, to]) || chosen.is_empty() {
+    if !is_drag(scope, [hold.at, to]) || chosen.is_empty() {
         return Deed::default();
     }
-    if scope.shown.dimensions != 2 {
-        return Deed::words(OF_THE_PLANE.to_owned());
-    }
-    Change::Shift(scope.in_plane(to) - scope.in_plane(from)).fitted(scope, &chosen, DVec2::ZERO)
+    Change::Shift(scope.way(hold, to)).fitted(scope, &chosen, DVec2::ZERO)
+}
+
+/// The outline of bodies and obstacles where they are once they went so far `[m]`.
+pub(super) fn carried(scope: Scope<'_>, by: DVec3, chosen: &Chosen, role: Role) -> Vec<Mark> {
+    chosen.outline(Scope { camera: &facing::before(scope.camera, by), ..scope }, role)
 }
 
 /// Whether a press that ends elsewhere moves what it was on.

@@ -157,7 +157,7 @@ fn a_stroke_cuts_from_where_it_began_and_a_click_does_not() {
     assert!(hand.marks(scope(&opened), Some(to)).len() > 1, "the stroke is seen, and the bonds that go");
     let deed = hand.release(scope(&opened), to);
     let [Do::Cut { from: start, to: end }] = deed.commands[..] else { panic!("{deed:?}") };
-    assert!(start[0] < -1.0 && end[0] > 1.0 && deed.edit == Some("cut"));
+    assert!(start.origin[0] < -1.0 && end.origin[0] > 1.0 && deed.edit == Some("cut"));
     hand.press(scope(&opened), from);
     assert!(hand.release(scope(&opened), from).is_empty());
     hand.press(scope(&opened), from);
@@ -217,7 +217,7 @@ fn in_space_the_foremost_is_picked_by_the_ray() {
     hand.release(scope(&space), DVec2::ZERO);
     hand.take(Tool::Cut);
     hand.press(scope(&space), DVec2::new(100.0, 100.0));
-    assert!(hand.release(scope(&space), DVec2::new(900.0, 600.0)).is_empty(), "cuts are of the plane");
+    assert!(hand.release(scope(&space), DVec2::new(900.0, 600.0)).is_empty(), "nothing lies there");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Points, bonds and obstacles go: deleted, cut, or torn.
+//! Points, bonds and obstacles go: deleted, or torn.
 
 use std::sync::Arc;
 
@@ -10,7 +10,6 @@ use crate::sim::model::Model;
 use crate::sim::plan_part::PlanPart;
 use crate::sim::real::Real;
 use crate::sim::triangles::borne;
-use crate::sim::vector::{cross, flat, sub};
 use crate::sim::world::World;
 
 impl<S: Real, const D: usize> World<S, D> {
@@ -53,27 +52,6 @@ impl<S: Real, const D: usize> World<S, D> {
         Ok(done(true))
     }
 
-    /// Bonds that the segment crosses go.
-    pub(super) fn cut(&mut self, from: [f64; 2], to: [f64; 2]) -> Result<Applied, CommandError> {
-        if D != 2 {
-            return Err(invalid("a cut is a stroke in the plane: delete bonds by their numbers in space"));
-        }
-        super::check::finite("from and to", from.iter().chain(&to))?;
-        let goes = self.crossed_by([from, to]);
-        if !goes.contains(&true) {
-            return Ok(done(false));
-        }
-        self.part(&goes, self.timeline.time());
-        Ok(done(true))
-    }
-
-    /// Which bonds a segment crosses.
-    pub(super) fn crossed_by(&self, stroke: [[f64; 2]; 2]) -> Vec<bool> {
-        let place = |point: PointId| flat(self.place(point.index()));
-        let is_crossed = |ends: &[PointId; 2]| crosses(stroke, ends.map(place));
-        self.bonds.ends().iter().map(is_crossed).collect()
-    }
-
     /// Bonds that are overstretched at time `t` `[s]`, by their numbers, are gone. Returns the places of the groups of what they held.
     pub(crate) fn tear(&mut self, torn: &[u32], t: f64) -> Vec<usize> {
         let mut goes = vec![false; self.bonds.len()];
@@ -86,7 +64,7 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// Bonds go at time `t` `[s]`. What they held is compiled anew, but for large bodies that leave their lanes idle. Returns the places
     /// of the groups that come of it.
-    fn part(&mut self, goes: &[bool], t: f64) -> Vec<usize> {
+    pub(super) fn part(&mut self, goes: &[bool], t: f64) -> Vec<usize> {
         let rest = self.leave_idle(goes);
         let touched = self.free_ends(&rest);
         if touched.is_empty() {
@@ -224,32 +202,4 @@ fn keep<T>(list: &mut Vec<T>, numbers: &mut Vec<u32>, without: &[u32]) {
     let mut of = numbers.iter();
     list.retain(|_| of.next().is_none_or(|number| !without.contains(number)));
     numbers.retain(|number| !without.contains(number));
-}
-
-/// Whether two segments have a point in common.
-fn crosses([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
-    let side = |from: [f64; 2], to: [f64; 2], x: [f64; 2]| cross(sub(to, from), sub(x, from));
-    let (c_side, d_side) = (side(a, b, c), side(a, b, d));
-    let (a_side, b_side) = (side(c, d, a), side(c, d, b));
-    let apart = |p: f64, q: f64| (p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0);
-    if apart(c_side, d_side) || apart(a_side, b_side) {
-        return false;
-    }
-    // In one line they may lie side by side.
-    (0..2).all(|k| a[k].min(b[k]) <= c[k].max(d[k]) && c[k].min(d[k]) <= a[k].max(b[k]))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::crosses;
-
-    #[test]
-    fn segments_meet_or_do_not() {
-        let stroke = [[0.0, 0.0], [2.0, 0.0]];
-        assert!(crosses(stroke, [[1.0, -1.0], [1.0, 1.0]]));
-        assert!(crosses(stroke, [[2.0, 0.0], [3.0, 1.0]]), "they touch");
-        assert!(!crosses(stroke, [[3.0, -1.0], [3.0, 1.0]]));
-        assert!(!crosses(stroke, [[3.0, 0.0], [4.0, 0.0]]), "in one line, side by side");
-        assert!(!crosses([[1.0, 1.0]; 2], [[0.0, 0.0], [2.0, 0.0]]), "a stroke of no length beside it");
-    }
 }

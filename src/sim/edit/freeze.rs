@@ -63,7 +63,7 @@ impl<S: Real, const D: usize> World<S, D> {
             Command::Grab(Reach::Points(points)) | Command::Pin(points) | Command::Unpin(points) => of(points),
             Command::Grab(Reach::Within(radius)) => of(&self.points_within(*radius)),
             Command::Cut { from, to } => {
-                let goes = self.crossed_by([*from, *to]);
+                let goes = self.crossed_by([*from, *to]).unwrap_or_default();
                 let cut = self.bonds.ends().iter().zip(goes).filter(|(_, goes)| *goes);
                 cut.flat_map(|(ends, _)| *ends).map(|end| end.0).collect()
             }

@@ -8,6 +8,7 @@ mod carry;
 mod caught;
 mod check;
 mod crowd;
+mod cut;
 mod delete;
 mod drives;
 mod forces;
@@ -60,7 +61,7 @@ impl<S: Real, const D: usize> World<S, D> {
             Command::Key { key, down } => Ok(self.press(*key, *down)),
             Command::Pin(points) => self.pin(points),
             Command::Unpin(points) => self.unpin(points),
-            Command::Cut { from, to } => self.cut(*from, *to),
+            Command::Cut { from, to } => self.cut([*from, *to]),
             Command::Add(addition) => self.add(addition),
             Command::Delete(selection) => self.delete(selection),
             Command::Clear => self.delete(&self.everything()),

@@ -35,7 +35,8 @@ pub(in crate::app) use links::{Link, Links};
 pub(super) use path::Path;
 
 /// Said where nothing can be built.
-pub(super) const OF_THE_PLANE: &str = "primitives are for the plane: this scene is in space";
+pub(super) const OF_THE_PLANE: &str =
+    "this scene is in space, and things are drawn in the plane: copy what is here (6, Ctrl+D)";
 /// Said where a drag is so short that nothing is built.
 const TOO_SMALL: &str = "too small: drag it out further, or click for one of the usual size";
 
@@ -135,7 +136,7 @@ impl Maker {
     /// The outline of what a release at a pixel would add, without a drag of what a click there would, and its size in words.
     pub(super) fn outline(self, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Vec<Mark> {
         if scope.shown.dimensions != 2 {
-            return Vec::new();
+            return vec![outline::label(scope, at, OF_THE_PLANE.to_owned())];
         }
         if self.primitive.is_drawn() {
             return Path::default().marks(self, scope, Some(at));

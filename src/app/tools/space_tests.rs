@@ -1,0 +1,154 @@
+//! Tools in space: what they do goes along the plane that faces who plays, and through all that is seen under a stroke.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use glam::{DVec2, DVec3};
+
+use super::{Deed, Hand, PushWay, Scope};
+use crate::app::action::Tool;
+use crate::app::player::{Note, Order, Shown, Stage};
+use crate::history::Do;
+use crate::render::Camera;
+use crate::scene::Scene;
+use crate::sim::PointId;
+
+const CLOTH: &str = r#"{"wobble": 1, "dimensions": 3, "gravity": [0, 0, 0], "obstacles": [{"circle": {"center": [3, 0, 0], "radius": 0.5}}],
+    "bodies": [{"make": "cloth", "columns": 9, "rows": 9, "spacing": 0.25, "origin": [-1, 1, 0], "pinned": [0],
+        "material": {"kind": "spring", "stiffness": 500, "mass": 1}}],
+    "view": {"target": [0, 0, 0], "distance": 9, "yaw": 0.6, "pitch": 0.3}}"#;
+
+struct Room {
+    stage: Stage,
+    shown: Shown,
+    camera: Camera,
+    hand: Hand,
+}
+
+impl Room {
+    fn new(tool: Tool) -> Self {
+        let scene = Scene::parse(CLOTH, "x.json").unwrap();
+        let mut stage = Stage::new(scene.clone().into()).unwrap();
+        let (mut shown, mut hand) = (Shown::default(), Hand::default());
+        stage.show(&mut shown);
+        let camera = crate::app::opening::camera(&scene, &shown.view(), super::tests::SIZE);
+        hand.take(tool);
+        Room { stage, shown, camera, hand }
+    }
+
+    fn with<T>(&mut self, call: impl FnOnce(&mut Hand, Scope<'_>) -> T) -> T {
+        call(&mut self.hand, Scope { shown: &self.shown, camera: &self.camera, scale: 1.0 })
+    }
+
+    fn pixel(&mut self, point: u32) -> DVec2 {
+        self.with(|_, scope| scope.pixel(PointId(point)).unwrap())
+    }
+
+    fn drag(&mut self, [from, to]: [DVec2; 2]) -> Deed {
+        let deed = self.with(|hand, scope| hand.press(scope, from));
+        if !deed.is_empty() || deed.words.is_some() {
+            return deed;
+        }
+        self.with(|hand, scope| hand.trace(scope, to));
+        self.with(|hand, scope| hand.release(scope, to))
+    }
+
+    fn give(&mut self, deed: &Deed) {
+        assert_eq!(self.stage.obey(Order::Give(deed.commands.clone(), deed.edit)), None, "{deed:?}");
+        self.stage.show(&mut self.shown);
+    }
+
+    fn place(&self, point: usize) -> DVec3 {
+        self.shown.place(point).into()
+    }
+
+    fn undo(&mut self) {
+        assert!(matches!(self.stage.obey(Order::Undo(None)), Some(Note::Undone(..))));
+        self.stage.show(&mut self.shown);
+    }
+}
+
+#[test]
+fn a_stroke_cuts_the_bonds_that_are_seen_under_it_and_opens_the_skin() {
+    let mut room = Room::new(Tool::Cut);
+    let (bonds, triangles) = (room.shown.scenery.bonds.len(), room.shown.scenery.triangles.len());
+    let [from, to] = [room.pixel(36), room.pixel(44)].map(|at| at + DVec2::new(0.0, 9.0));
+    let deed = room.drag([from, to]);
+    let seen = |room: &mut Room| {
+        let ends: Vec<_> = room.shown.scenery.bonds.ends().to_vec();
+        let crossed = |ends: &&[PointId; 2]| {
+            let [a, b] = ends.map(|end| room.with(|_, scope| scope.pixel(end).unwrap()));
+            super::pick::cross([from, to], [a, b])
+        };
+        ends.iter().filter(crossed).count()
+    };
+    let crossed = seen(&mut room);
+    assert!(crossed > 10 && deed.edit == Some("cut"), "{crossed}: {deed:?}");
+    room.give(&deed);
+    assert_eq!(room.shown.scenery.bonds.len(), bonds - crossed, "as drawn");
+    assert_eq!(seen(&mut room), 0);
+    assert!(triangles == 0 || room.shown.scenery.triangles.len() < triangles);
+    room.undo();
+    assert_eq!(room.shown.scenery.bonds.len(), bonds);
+    // As a file has it.
+    let [Do::Cut { from, to }] = deed.commands[..] else { panic!("{deed:?}") };
+    assert!(from.origin == to.origin && from.direction != to.direction);
+}
+
+#[test]
+fn while_time_stands_still_the_hand_moves_a_body_and_a_pin_as_far_as_the_pointer_goes_and_as_deep_as_they_were() {
+    for (tool, point) in [(Tool::Hand, 40), (Tool::Select, 40), (Tool::Hand, 0)] {
+        let mut room = Room::new(tool);
+        room.hand.stand_still(true);
+        let from = room.pixel(point);
+        let before = room.place(point as usize);
+        let deed = room.drag([from, from + DVec2::new(70.0, -50.0)]);
+        assert!(matches!(deed.commands[..], [Do::Move(_)]) && deed.edit == Some("move"), "{deed:?}");
+        room.give(&deed);
+        assert!(room.pixel(point).distance(from + DVec2::new(70.0, -50.0)) < 0.1, "{tool:?} {point}");
+        let deep = [before, room.place(point as usize)].map(|place| room.camera.depth(place));
+        assert!((deep[0] - deep[1]).abs() < 1e-6, "{deep:?}");
+        room.undo();
+        assert_eq!(room.place(point as usize), before);
+    }
+}
+
+#[test]
+fn a_ball_is_dragged_by_the_hand_while_time_runs() {
+    let mut room = Room::new(Tool::Hand);
+    let center = |room: &Room| DVec3::from(room.shown.scenery.convex[0].figure.center());
+    let [before, from] = [center(&room); 2];
+    let from = DVec2::from(room.camera.screen_from_world(from).unwrap());
+    let to = from + DVec2::new(0.0, -80.0);
+    assert!(room.with(|hand, scope| hand.press(scope, from)).words.is_none());
+    for k in 1..=20 {
+        let at = from.lerp(to, f64::from(k) / 20.0);
+        if let Some(way) = room.with(|hand, scope| hand.haul(scope, at, 1.0 / 20.0)) {
+            assert_eq!(room.stage.obey(Order::Haul(way)), None);
+        }
+        drop(room.stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
+        room.stage.show(&mut room.shown);
+    }
+    let after = center(&room);
+    let seen = DVec2::from(room.camera.screen_from_world(after).unwrap());
+    assert!(seen.distance(to) < 8.0, "it goes along: {seen}, the pointer is at {to}");
+    assert!((room.camera.depth(after) - room.camera.depth(before)).abs() < 1e-6);
+    room.undo();
+    assert_eq!(center(&room), before, "all of it is one step");
+}
+
+#[test]
+fn a_force_goes_along_the_arrow_that_is_drawn_in_the_plane_of_the_screen() {
+    let mut room = Room::new(Tool::Push);
+    room.hand.set_push_way(PushWay::Body);
+    let from = room.pixel(40);
+    let deed = room.drag([from, from + DVec2::new(100.0, 0.0)]);
+    room.give(&deed);
+    let force = DVec3::from(room.shown.scenery.forces[0].force);
+    assert!((force.length() - 10.0).abs() < 0.1 && force.y.abs() < 1e-9, "{force}");
+    assert!(
+        (force.normalize() - DVec3::new(0.6_f64.cos(), 0.0, -0.6_f64.sin())).length() < 1e-6,
+        "to the right: {force}"
+    );
+    room.hand.set_push_way(PushWay::Turn);
+    let deed = room.drag([from + DVec2::new(40.0, 60.0), from]);
+    assert!(deed.commands.is_empty() && deed.words.is_some_and(|words| words.contains("plane")));
+}
