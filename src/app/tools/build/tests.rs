@@ -565,7 +565,7 @@ fn the_end_of_a_rope_that_is_dragged_onto_a_body_is_tied_to_it() {
         let said = drawn(&hand.marks(scope(&seen), Some(to))).1;
         assert_eq!(said.contains("let go: it is tied here"), ties, "{said}");
         let deed = hand.release(scope(&seen), to);
-        assert_eq!((deed.commands.len(), deed.edit.is_some()), if ties { (2, true) } else { (1, false) });
+        assert_eq!((deed.commands.len(), deed.edit), if ties { (2, Some("tie a rope")) } else { (1, Some("drag")) });
         if ties {
             let mut stage = Stage::new(seen.2.clone().into()).unwrap();
             let there = crate::sim::Cursor::at([-1.7, 0.9]);
