@@ -26,6 +26,7 @@ mod obstacles;
 mod panels;
 mod pictures;
 mod pieces;
+mod plays;
 mod printed;
 mod recordings;
 mod replay;

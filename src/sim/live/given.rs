@@ -1,10 +1,11 @@
 //! What acts on a cluster from outside (mouse, forces, wind), and its work.
 //!
-//! The work of an impulse J is J . (u0 + u1)/2 with the velocities before and after it. Bonds and contacts answer in the same substep, and take
-//! from the point some of what J gave it: of that answer, as of J itself, half counts.
+//! The work of an impulse J is J . (u0 + u1)/2 with the velocities before and after it. Springs, bonds and contacts answer in the same
+//! substep, and take from the point some of what J gave it: of that answer, as of J itself, half counts. So what pushes against springs
+//! that hold it does nothing.
 
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub};
+use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// Who gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +29,11 @@ struct Gift<S, const D: usize> {
 
 /// All that was given in a substep.
 #[derive(Clone, Debug)]
-pub(super) struct Given<S, const D: usize>(Vec<Gift<S, D>>);
+pub(super) struct Given<S, const D: usize> {
+    gifts: Vec<Gift<S, D>>,
+    /// What springs that are forces answered before anything was given, one entry a point `[m/s]`; empty where nothing gives.
+    answered: Vec<[S; D]>,
+}
 
 /// What was done in a substep, by whom, and as far as the guard is told of it `[J]`.
 #[derive(Clone, Copy, Debug)]
@@ -41,12 +46,21 @@ pub(super) struct Works<S> {
 
 impl<S: Real, const D: usize> Given<S, D> {
     pub(super) fn none() -> Self {
-        Given(Vec::new())
+        Given { gifts: Vec::new(), answered: Vec::new() }
     }
 
-    /// A substep begins.
-    pub(super) fn clear(&mut self) {
-        self.0.clear();
+    /// A substep begins with these velocities `[m/s]`, in which something gives.
+    pub(super) fn begin(&mut self, velocity: &[[S; D]], gives: bool) {
+        self.gifts.clear();
+        self.answered.clear();
+        if gives {
+            self.answered.extend(velocity.iter().map(|&v| scale(v, -S::ONE)));
+        }
+    }
+
+    /// Springs that are forces changed velocities, and nothing else did.
+    pub(super) fn note_answers(&mut self, velocity: &[[S; D]]) {
+        self.answered.iter_mut().zip(velocity).for_each(|(answered, &v)| *answered = add(*answered, v));
     }
 
     /// A point gets faster by `gain` `[m/s]`, of which the guard is told `seen`.
@@ -54,20 +68,21 @@ impl<S: Real, const D: usize> Given<S, D> {
     pub(super) fn give(&mut self, velocity: &mut [[S; D]], i: usize, giver: Giver, [gain, seen]: [[S; D]; 2]) {
         let before = velocity[i];
         velocity[i] = add(before, gain);
-        self.0.push(Gift { point: i as u32, giver, gain, seen, twice: add(before, velocity[i]) });
+        self.gifts.push(Gift { point: i as u32, giver, gain, seen, twice: add(before, velocity[i]) });
     }
 
     /// All was given; what changes velocities from here on answers.
     pub(super) fn close(&mut self, velocity: &[[S; D]]) {
-        self.0.iter_mut().for_each(|gift| gift.twice = sub(gift.twice, velocity[gift.point as usize]));
+        self.gifts.iter_mut().for_each(|gift| gift.twice = sub(gift.twice, velocity[gift.point as usize]));
     }
 
     /// The works of a substep that ended with these velocities `[m/s]`, of points of these inverse masses `[1/kg]`.
     pub(super) fn works(&self, velocity: &[[S; D]], w: &[S]) -> Works<S> {
         let mut works = Works { mouse: S::ZERO, forces: S::ZERO, wind: S::ZERO, seen: S::ZERO };
-        for gift in &self.0 {
+        for gift in &self.gifts {
             let i = gift.point as usize;
-            let momentum = scale(add(gift.twice, velocity[i]), S::HALF / w[i]);
+            let answered = self.answered.get(i).copied().unwrap_or(zero());
+            let momentum = scale(sub(add(gift.twice, velocity[i]), answered), S::HALF / w[i]);
             let done = dot(gift.gain, momentum);
             match gift.giver {
                 Giver::Mouse => works.mouse += done,

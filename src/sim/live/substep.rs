@@ -93,9 +93,11 @@ fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>
     if let Some(tally) = &mut state.tally {
         tally.begin();
     }
-    state.given.clear();
+    let gives = !state.thrusts.is_empty() || pull.air.is_some() || around.mouse_at(t + h).is_some();
+    state.given.begin(&state.velocity[..own], gives);
     bonds::pull(state, common, time);
     drives::begin(state, around, (t, h));
+    state.given.note_answers(&state.velocity);
     let fall: [S; 2] = convert(around.gravity.map(|g| g * h));
     for (k, &body) in state.bodies.iter().enumerate() {
         let kept = S::from_f64(libm::exp(-h * (pull.drag_rate + settling[body].to_f64())));

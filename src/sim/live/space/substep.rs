@@ -51,8 +51,10 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
 fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>, (t, h): (f64, f64)) {
     let Outside { pull, around, settling } = outside;
     let time = S::from_f64(h);
-    state.given.clear();
+    let gives = !state.thrust.is_empty() || pull.air.is_some() || around.mouse_at(t + h).is_some();
+    state.given.begin(&state.velocity, gives);
     bonds::pull(state, common, time);
+    state.given.note_answers(&state.velocity);
     let fall: [S; 3] = convert(around.gravity.map(|g| g * h));
     for (k, &body) in state.bodies.iter().enumerate() {
         let kept = S::from_f64(libm::exp(-h * (pull.drag_rate + settling[body].to_f64())));

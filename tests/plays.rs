@@ -1,0 +1,204 @@
+//! The gallery as someone plays it: what a caption tells to do is done by commands, as the tools give them, and the outcome that it
+//! names is measured. `files/plays.json` has both; goldens show the scenes afterwards, `gallery/NAME.png` shows them before.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use crate::common;
+
+use serde::Deserialize;
+use serde_json::{Value, json};
+use wobble::app::opening;
+use wobble::history::{Log, Replay};
+use wobble::render::{Camera, Capture, Look, View};
+use wobble::scene::gallery;
+use wobble::sim::Sample;
+
+/// What is done in a scene, and what comes of it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Play {
+    scene: String,
+    /// When it is looked at `[s]`.
+    end: f64,
+    commands: Vec<Value>,
+    measures: Vec<Measure>,
+    /// Left out where bodies tumble over each other: a heap is another one after any change to the laws.
+    #[serde(default = "yes")]
+    picture: bool,
+}
+
+/// A number of the caption.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Measure {
+    what: What,
+    #[serde(default)]
+    axis: Axis,
+    /// Of these points; of all unless they or a range are said.
+    points: Option<Vec<usize>>,
+    range: Option<[usize; 2]>,
+    /// Less what it was then `[s]`.
+    since: Option<f64>,
+    expected: f64,
+    within: f64,
+}
+
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Axis {
+    X,
+    #[default]
+    Y,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum What {
+    /// Where the middle is, the topmost, the lowest point, and how far they are apart `[m]`.
+    Middle,
+    Top,
+    Bottom,
+    Extent,
+    /// From the first point to the second `[m]`.
+    Length,
+    /// Of the fastest point `[m/s]`.
+    Speed,
+    /// The largest |length/rest - 1| of a bond `[1]`.
+    Strain,
+    /// Bonds that tore.
+    Torn,
+}
+
+fn yes() -> bool {
+    true
+}
+
+fn plays() -> Vec<Play> {
+    let plays = std::fs::read_to_string(common::file("plays.json")).unwrap();
+    serde_json::from_str(&plays).unwrap()
+}
+
+impl Measure {
+    fn of(&self, sample: &Sample, torn: u64) -> f64 {
+        let all = 0..sample.position.len();
+        let points = match (&self.points, self.range) {
+            (Some(points), _) => points.clone(),
+            (None, Some([first, last])) => (first..=last).collect(),
+            (None, None) => all.collect(),
+        };
+        let places = points.iter().map(|&point| sample.position[point][self.axis as usize]);
+        let bottom = || places.clone().fold(f64::INFINITY, f64::min);
+        let top = || places.clone().fold(f64::NEG_INFINITY, f64::max);
+        let size = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        match self.what {
+            What::Middle => places.clone().sum::<f64>() / points.len() as f64,
+            What::Top => top(),
+            What::Bottom => bottom(),
+            What::Extent => top() - bottom(),
+            What::Length => {
+                let [a, b] = [points[0], points[1]].map(|point| sample.position[point]);
+                size([0, 1, 2].map(|axis| a[axis] - b[axis]))
+            }
+            What::Speed => points.iter().map(|&point| size(sample.velocity[point])).fold(0.0, f64::max),
+            What::Strain => sample.max_strain,
+            What::Torn => torn as f64,
+        }
+    }
+}
+
+/// Whether a caption has a number, or one of per cent, that is what came out, as exactly as it is printed.
+fn says(caption: &str, expected: f64, within: f64) -> bool {
+    let words: Vec<&str> = caption.split_whitespace().collect();
+    words.iter().zip(words.iter().skip(1).chain([&""])).any(|(word, next)| {
+        let word = word.trim_end_matches(|c: char| !c.is_ascii_digit());
+        let Ok(value) = word.parse::<f64>() else { return false };
+        let digits = word.split_once('.').map_or(0, |(_, digits)| digits.len());
+        let unit = if next.starts_with('%') { 0.01 } else { 1.0 };
+        let printed = 0.5 * 0.1_f64.powi(digits as i32);
+        (value * unit - expected.abs()).abs() <= within + printed * unit || (value * unit - expected).abs() <= 1e-12
+    })
+}
+
+/// Plays, and measures each number on the way; the picture at the end, where one is wanted.
+fn played(play: &Play, draw: Option<(&mut Capture, [u32; 2])>) -> (Vec<f64>, Option<image::RgbaImage>) {
+    let file = json!({"wobble_recording": 1, "scene": play.scene, "commands": play.commands, "end": play.end});
+    let log = Log::of_text(&file.to_string(), &play.scene).unwrap();
+    let (head, commands) = (log.recording().unwrap(), log.commands().unwrap());
+    let mut run = Replay::new(&head, &play.scene).unwrap();
+    let camera = draw.as_ref().map(|(_, size)| camera(&run, *size, &head.scene));
+    let mut times: Vec<f64> = play.measures.iter().filter_map(|measure| measure.since).chain([play.end]).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    let mut states = Vec::new();
+    for time in times {
+        run.advance(&commands, time).unwrap_or_else(|error| panic!("{}: {error}", play.scene));
+        let world = run.world();
+        states.push((time, world.sample(time.max(world.time())), world.counters().bonds_torn));
+    }
+    let values = play.measures.iter().map(|measure| {
+        let at = |when: f64| {
+            let (_, sample, torn) = states.iter().find(|(time, ..)| *time == when).unwrap();
+            measure.of(sample, *torn)
+        };
+        at(play.end) - measure.since.map_or(0.0, at)
+    });
+    let values = values.collect();
+    let picture = draw.zip(camera).map(|((capture, _), camera)| {
+        capture.forget_world();
+        let skins = run.skins();
+        let view = View { skins: &skins, tints: run.tints(), ..View::of(run.world()) };
+        capture.picture(&view, &camera, &Look::default()).unwrap()
+    });
+    (values, picture)
+}
+
+/// That of the scene as it opens.
+fn camera(run: &Replay, size: [u32; 2], scene: &wobble::scene::Scene) -> Camera {
+    let skins = run.skins();
+    opening::camera(scene, &View { skins: &skins, ..View::of(run.world()) }, size)
+}
+
+#[test]
+fn what_a_caption_tells_to_do_comes_out_as_it_says() {
+    let gpu = common::gpu();
+    let size = [320, 180];
+    let mut captures =
+        gpu.as_ref().map(|gpu| [2, 3].map(|dimensions| Capture::on(gpu.clone(), size, dimensions).unwrap()));
+    let mut wrong = Vec::new();
+    for play in plays() {
+        let entry = gallery().iter().find(|entry| entry.name == play.scene).unwrap();
+        let dimensions = entry.scene().unwrap().dimensions();
+        let capture = captures.as_mut().filter(|_| play.picture).map(|all| (&mut all[dimensions - 2], size));
+        let (values, picture) = played(&play, capture);
+        let caption = [entry.description, entry.to_try].join(" ");
+        for (measure, value) in play.measures.iter().zip(values) {
+            if (value - measure.expected).abs() > measure.within {
+                wrong.push(format!("{}: {value} instead of {}", play.scene, measure.expected));
+            }
+            let is_none = measure.expected == 0.0 && measure.within < 1e-8;
+            if !is_none && !says(&caption, measure.expected, measure.within) {
+                wrong.push(format!("{}: its caption has no {}: {caption}", play.scene, measure.expected));
+            }
+        }
+        if let (Some(gpu), Some(picture)) = (&gpu, picture) {
+            common::golden::check(&format!("played/{}", play.scene), &picture, &gpu.info);
+        }
+    }
+    assert!(wrong.is_empty(), "{} are wrong:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+/// A million points take more than all other scenes together.
+#[test]
+fn every_scene_of_the_gallery_is_played() {
+    let plays = plays();
+    for entry in gallery().iter().filter(|entry| entry.point_count < 200_000) {
+        assert!(plays.iter().any(|play| play.scene == entry.name), "nobody plays {}", entry.name);
+    }
+    assert!(plays.iter().all(|play| !play.measures.is_empty()));
+}
+
+#[test]
+fn a_number_that_a_caption_does_not_have_is_missed() {
+    assert!(says("it hangs 0.18 m longer", 0.183, 0.0) && !says("it hangs 0.18 m longer", 0.19, 0.0));
+    assert!(says("a bond is 92 % off", 0.918, 0.0) && !says("a bond is 92 off", 0.918, 0.0));
+    assert!(says("it falls 1.3 m; then", -1.31, 0.0) && !says("it falls far", -1.31, 10.0));
+}
