@@ -94,3 +94,27 @@ impl<S: Real, const D: usize> Given<S, D> {
         works
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A point of 2 kg that goes at `begun` is pulled by a spring as hard as a force pushes it the other way: its works in the substep.
+    fn works_against_a_spring(begun: f64) -> f64 {
+        let mut velocity = [[begun, 0.0]];
+        let mut given = Given::<f64, 2>::none();
+        given.begin(&velocity, true);
+        velocity[0][0] -= 0.5;
+        given.note_answers(&velocity);
+        given.give(&mut velocity, 0, Giver::Forces, [[0.5, 0.0]; 2]);
+        given.close(&velocity);
+        given.works(&velocity, &[0.5]).forces
+    }
+
+    #[test]
+    fn a_force_that_a_spring_holds_works_by_the_way_alone() {
+        assert_eq!(works_against_a_spring(0.0), 0.0);
+        // An impulse of 1 N s at 3 m/s.
+        assert!((works_against_a_spring(3.0) - 3.0).abs() < 1e-15);
+    }
+}
