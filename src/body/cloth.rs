@@ -49,7 +49,7 @@ impl Cloth {
         let u = direction("u", self.u)?;
         let v = direction("v", self.v)?;
         // 1e-6: the sine of the smallest angle between two directions that still spans a surface.
-        if vector::length(cross(u, v)) < 1e-6 {
+        if vector::length(vector::cross3(u, v)) < 1e-6 {
             return Err(BodyError::new("v", "is parallel to u: give another direction"));
         }
         grid::point_count(self.columns, self.rows)
@@ -88,13 +88,6 @@ fn unit(axis: [f64; 3]) -> [f64; 3] {
     let scaled = axis.map(|x| x / largest);
     let length = vector::length(scaled);
     scaled.map(|x| x / length)
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        a[i] * b[j] - a[j] * b[i]
-    })
 }
 
 #[cfg(test)]

@@ -60,8 +60,9 @@ pub fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 /// The vector product.
-pub fn cross3([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
-    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+#[inline(always)]
+pub fn cross3<S: Real>(a: [S; 3], b: [S; 3]) -> [S; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The vector in another scalar, each component rounded to nearest.

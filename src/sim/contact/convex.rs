@@ -1,6 +1,6 @@
 //! Balls and boxes in space that points cannot enter.
 
-use crate::sim::vector::{add, dot, length, scale, sub};
+use crate::sim::vector::{add, cross3, dot, length, scale, sub};
 
 /// A ball or a box, in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -213,7 +213,7 @@ impl Rotation {
 
     /// This one after another.
     fn after(self, first: Rotation) -> Rotation {
-        let v = add(add(scale(first.v, self.w), scale(self.v, first.w)), cross(self.v, first.v));
+        let v = add(add(scale(first.v, self.w), scale(self.v, first.w)), cross3(self.v, first.v));
         Rotation { w: self.w * first.w - dot(self.v, first.v), v }
     }
 
@@ -224,13 +224,9 @@ impl Rotation {
     }
 
     fn turned(self, x: [f64; 3]) -> [f64; 3] {
-        let twice = scale(cross(self.v, x), 2.0);
-        add(add(x, scale(twice, self.w)), cross(self.v, twice))
+        let twice = scale(cross3(self.v, x), 2.0);
+        add(add(x, scale(twice, self.w)), cross3(self.v, twice))
     }
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[cfg(test)]

@@ -9,9 +9,7 @@ use crate::sim::live::gather::SUBSTEPS;
 use crate::sim::live::strap::{Strap, straps};
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::vector::{dot, length, sub};
-
-use super::geometry::cross;
+use crate::sim::vector::{cross3, dot, length, sub};
 
 /// Largest share of its thinnest triangle's height that a skin keeps from itself: neighbours would press each other.
 const FROM_ITSELF: f64 = 0.5;
@@ -81,7 +79,7 @@ impl<S: Real> Bodies<S> {
         for (corners, _) in &draft.triangles {
             let [a, b, c] = corners.map(|corner| draft.body_of[corner as usize]);
             let [p, q, r] = corners.map(|corner| points.position[corner as usize]);
-            let normal = cross(sub(q, p), sub(r, p));
+            let normal = cross3(sub(q, p), sub(r, p));
             if a == b && b == c && dot(normal, normal) > S::ZERO {
                 own[a as usize].triangles.push(*corners);
             }
@@ -160,7 +158,7 @@ impl<S: Real> Bodies<S> {
 
 /// The least height of a triangle `[m]`.
 fn height<S: Real>([a, b, c]: [[S; 3]; 3]) -> S {
-    let normal = cross(sub(b, a), sub(c, a));
+    let normal = cross3(sub(b, a), sub(c, a));
     let longest = [sub(b, a), sub(c, b), sub(a, c)].map(|side| dot(side, side)).into_iter().fold(S::ZERO, S::max);
     (dot(normal, normal) / longest).sqrt()
 }

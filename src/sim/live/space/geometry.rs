@@ -1,15 +1,10 @@
 //! Where points lie of triangles and segments, in space.
 
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub};
+use crate::sim::vector::{add, cross3, dot, scale, sub};
 
 /// A vector in space.
 pub(super) type Vec3<S> = [S; 3];
-
-#[inline(always)]
-pub(super) fn cross<S: Real>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
 
 /// The place of a triangle that is nearest to a point.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +75,7 @@ pub(super) struct Beside<S> {
 #[inline(always)]
 pub(super) fn beside<S: Real>(places: [Vec3<S>; 4], side: S) -> Option<Beside<S>> {
     let [p, a, b, c] = places;
-    let normal = cross(sub(b, a), sub(c, a));
+    let normal = cross3(sub(b, a), sub(c, a));
     let square = dot(normal, normal);
     if square == S::ZERO {
         return None;
@@ -101,7 +96,7 @@ pub(super) fn beside<S: Real>(places: [Vec3<S>; 4], side: S) -> Option<Beside<S>
 /// Six times the volume of p above the triangle a, b, c: its sign says on which side p is.
 #[inline(always)]
 pub(super) fn volume<S: Real>([p, a, b, c]: [Vec3<S>; 4]) -> S {
-    dot(cross(sub(b, a), sub(c, a)), sub(p, a))
+    dot(cross3(sub(b, a), sub(c, a)), sub(p, a))
 }
 
 /// How p goes through the plane of a triangle.
@@ -164,7 +159,7 @@ fn is_over(places: [Vec3<f64>; 4]) -> bool {
     let found = nearest(places);
     let [_, a, b, c] = places;
     let size = dot(sub(b, a), sub(b, a)).max(dot(sub(c, a), sub(c, a)));
-    let normal = cross(sub(b, a), sub(c, a));
+    let normal = cross3(sub(b, a), sub(c, a));
     let square = dot(normal, normal);
     let off = dot(found.from, found.from) - if square > 0.0 { dot(normal, found.from).powi(2) / square } else { 0.0 };
     found.is_within || off <= SLACK * SLACK * size

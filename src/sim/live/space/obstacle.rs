@@ -1,9 +1,9 @@
 //! Balls and boxes as bodies meet them: by points, by edges and by triangles, so that none pokes through between points.
 
-use super::geometry::{cross, lines, nearest};
+use super::geometry::{lines, nearest};
 use crate::sim::contact::convex::{BOX_EDGES, Convex, Figure};
 use crate::sim::real::Real;
-use crate::sim::vector::{add, convert, dot, scale, sub, zero};
+use crate::sim::vector::{add, convert, cross3, dot, scale, sub, zero};
 
 /// A ball or a box.
 #[derive(Clone, Debug)]
@@ -114,7 +114,7 @@ impl<S: Real> Solid<S> {
     pub(super) fn of_corner(&self, number: u32, before: [[S; 3]; 3], [a, b, c]: [[S; 3]; 3]) -> Option<Off<S>> {
         let Shape::Box { center, axes, corners, .. } = &self.shape else { return None };
         let corner = corners[number as usize];
-        let normal = self.outward(cross(sub(b, a), sub(c, a)), cross_of(before), (before[0], *center))?;
+        let normal = self.outward(cross3(sub(b, a), sub(c, a)), cross_of(before), (before[0], *center))?;
         let is_furthest = (0..3).all(|k| dot(normal, axes[k]) * sign::<S>(number, k) >= S::ZERO);
         let found = nearest([corner, a, b, c]);
         (is_furthest && found.is_within).then(|| Off { shares: found.shares, normal, gap: dot(normal, sub(a, corner)) })
@@ -128,7 +128,7 @@ impl<S: Real> Solid<S> {
         let [c, d] = ends.map(|end| corners[end as usize]);
         let [s, _] = lines([a, b], [c, d])?;
         let along = sub(d, c);
-        let normal = self.outward(cross(sub(b, a), along), cross(sub(b0, a0), along), (a0, *center))?;
+        let normal = self.outward(cross3(sub(b, a), along), cross3(sub(b0, a0), along), (a0, *center))?;
         let own = ends[0] ^ ends[1];
         let is_furthest =
             (0..3).filter(|k| own >> k & 1 == 0).all(|k| dot(normal, axes[k]) * sign::<S>(ends[0], k) >= S::ZERO);
@@ -149,7 +149,7 @@ impl<S: Real> Solid<S> {
 }
 
 fn cross_of<S: Real>([a, b, c]: [[S; 3]; 3]) -> [S; 3] {
-    cross(sub(b, a), sub(c, a))
+    cross3(sub(b, a), sub(c, a))
 }
 
 /// On which side along an axis a corner of a box lies.
