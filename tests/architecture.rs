@@ -360,6 +360,7 @@ const SIM: [(&str, &[&str]); 46] = [
             "measure",
             "moved",
             "plan",
+            "reach",
             "real",
             "solver",
             "swept",

@@ -3,6 +3,7 @@
 
 mod cloth;
 mod obstacles;
+mod pace;
 
 use serde_json::Value;
 use wobble::scene::Scene;

@@ -368,7 +368,9 @@ impl<const D: usize> Model<D> {
     pub(crate) fn budget(&self) -> Option<f64> {
         let Method { solver, tolerance, budget, .. } = self.method;
         let is_known = self.convex.is_empty() && !self.has_penalties();
-        let is_meant = D == 2 && solver == Solver::Auto && tolerance.is_none() && is_known;
+        // In space what meets others is live from the start.
+        let is_open = D == 2 || self.contact.is_none();
+        let is_meant = is_open && solver == Solver::Auto && tolerance.is_none() && is_known;
         budget.filter(|_| is_meant)
     }
 

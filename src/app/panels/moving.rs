@@ -140,7 +140,7 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> Line {
         ),
         Why::Alarm => (
             format!("{who} went wild when computed exactly: a sturdier way moves {}", by("it", "them")),
-            "the live step: its own method gained energy, stretched bonds too far or came to no end",
+            "the live step: its own method gained energy, stretched bonds too far or came to no end, or pins are led too far apart for it",
             Tone::Text,
         ),
         Why::Contact | Why::Plan => (

@@ -136,6 +136,13 @@ impl<S: Real, const D: usize> Obstacles<S, D> {
     pub(crate) fn meeting(&self, a: [S; D], b: [S; D], mut may: impl FnMut(usize) -> bool) -> Option<Met> {
         let solids = self.solids.as_ref()?;
         let (planes, slack) = (self.planes, self.slack());
+        // Most ways are far from all polygons.
+        let (from, to) = (flat(a), flat(b));
+        let low = [0, 1].map(|k| from[k].min(to[k]) - 2.0 * slack);
+        let high = [0, 1].map(|k| from[k].max(to[k]) + 2.0 * slack);
+        if !solids.is_near([low, high]) {
+            return None;
+        }
         self.entering(a, b, &mut may).or_else(|| {
             let deep = DEEP * length(sub(b, a)).to_f64() + DEEP * slack;
             let surface = planes + solids.around(flat(b), slack, deep)?;

@@ -48,7 +48,7 @@ const UNSEEN: f64 = 0.01;
 const FEW: usize = 10_000;
 const RARELY: u64 = 8;
 /// How long a triangle may be inside out before that is not left to its springs any more `[s]`.
-const MOST_FOLDED: f64 = 0.5;
+const MOST_FOLDED: f64 = 0.1;
 /// Operations of a look for each bond, each point and each triangle.
 const OF_A_LOOK: u64 = 10;
 

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! meet     bodies come near each other, themselves or a corner: looked at before each step, where the scene has contact
-//! alarm    energy from nowhere, strain, no convergence: looked at where frames end
+//! alarm    energy from nowhere, strain, no convergence: looked at where frames end; pins that are led beyond reach, before (`taut.rs`)
 //! lost     no numbers: looked at after every step; what nothing can move stands still where it last was among them (`lost.rs`)
 //! budget   the counted work of a frame is more than it may be: groups in the order of their work, until the sum fits
 //! back     after a while, if its own method takes an island as it is
@@ -14,6 +14,7 @@
 mod back;
 mod lost;
 mod meet;
+mod taut;
 
 use crate::sim::bond::PointId;
 use crate::sim::bulk::control::FRAME;
@@ -87,6 +88,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let ends_frame = frame_of(t + h) != frame_of(t);
         if ends_frame {
             self.heed_alarms(t);
+            self.heed_pins(t);
         }
         let frame = frame_of(t);
         self.keep_budget(allowed(budget, h), t, |group| group.watch.as_ref().map_or(0, |watch| watch.spent_in(frame)));
@@ -185,6 +187,7 @@ impl<S: Real, const D: usize> World<S, D> {
             return;
         }
         self.lead_out();
+        self.heed_pins(self.timeline.time());
         if let Some(budget) = self.model.budget() {
             self.keep_budget(allowed(budget, FRAME), self.timeline.time(), least_work);
         }

@@ -131,6 +131,19 @@ struct Pass<'a, M, L, S> {
 }
 
 impl<M: Simd, L, S: Real> Pass<'_, M, L, S> {
+    /// Bonds of one kind whose first points lie from a cell on.
+    #[inline(always)]
+    fn bond<W: Work<M, S, D, L>, const D: usize, const CAREFUL: bool>(
+        &self,
+        work: &mut W,
+        (cut, from): (&Cut<'_, L, S>, usize),
+        (a, b): (&mut Node<M, S, D>, &mut Node<M, S, D>),
+        mask: Mask<M, S>,
+    ) {
+        let (rest, mask) = cut.rest::<M, CAREFUL>(self.m, from, mask);
+        work.bond::<CAREFUL>(self.m, &cut.law, rest, a, b, mask);
+    }
+
     /// Bonds whose ends lie in the same place of the halves.
     #[inline(always)]
     fn level<W: Work<M, S, D, L>, const D: usize, const CAREFUL: bool>(
@@ -141,26 +154,22 @@ impl<M: Simd, L, S: Real> Pass<'_, M, L, S> {
         (even, odd): (usize, usize),
     ) {
         let Pass { m, shape, kinds, at, has_next } = *self;
-        let up_to = |count: usize| between::<M, S>(m, 0, count as isize - k as isize);
-        let (evens, odds) = (up_to(even), up_to(odd));
+        let left = |count: usize| count as isize - k as isize;
+        let (evens, odds) = (between::<M, S>(m, 0, left(even)), between::<M, S>(m, 0, left(odd)));
         let places = [at + k, at + shape.half + k, at + shape.pitch + k, at + shape.pitch + shape.half + k];
-        let mut bond = |cut: &Cut<'_, L, S>, from: usize, a: &mut Node<M, S, D>, b: &mut Node<M, S, D>, mask| {
-            let (rest, mask) = cut.rest::<M, CAREFUL>(m, from, mask);
-            work.bond::<CAREFUL>(m, &cut.law, rest, a, b, mask);
-        };
         let mut e = Node::<M, S, D>::load::<CAREFUL>(m, view, places[0]);
         let mut o = Node::<M, S, D>::load::<CAREFUL>(m, view, places[1]);
-        bond(&kinds.along, places[0], &mut e, &mut o, odds);
+        self.bond::<W, D, CAREFUL>(work, (&kinds.along, places[0]), (&mut e, &mut o), odds);
         if has_next {
             let mut below_e = Node::<M, S, D>::load::<CAREFUL>(m, view, places[2]);
             let mut below_o = Node::<M, S, D>::load::<CAREFUL>(m, view, places[3]);
-            bond(&kinds.down, places[0], &mut e, &mut below_e, evens);
-            bond(&kinds.down, places[1], &mut o, &mut below_o, odds);
+            self.bond::<W, D, CAREFUL>(work, (&kinds.down, places[0]), (&mut e, &mut below_e), evens);
+            self.bond::<W, D, CAREFUL>(work, (&kinds.down, places[1]), (&mut o, &mut below_o), odds);
             if let Some(falling) = &kinds.falling {
-                bond(falling, places[0], &mut e, &mut below_o, odds);
+                self.bond::<W, D, CAREFUL>(work, (falling, places[0]), (&mut e, &mut below_o), odds);
             }
             if let Some(rising) = &kinds.rising {
-                bond(rising, places[1], &mut o, &mut below_e, odds);
+                self.bond::<W, D, CAREFUL>(work, (rising, places[1]), (&mut o, &mut below_e), odds);
             }
             below_e.keep::<W, L>(view, places[2]);
             below_o.keep::<W, L>(view, places[3]);
@@ -181,21 +190,17 @@ impl<M: Simd, L, S: Real> Pass<'_, M, L, S> {
         let Pass { m, shape, kinds, at, has_next } = *self;
         let mask = between::<M, S>(m, 0, count as isize - k as isize);
         let places = [at + k + 1, at + shape.half + k, at + shape.pitch + k + 1, at + shape.pitch + shape.half + k];
-        let mut bond = |cut: &Cut<'_, L, S>, from: usize, a: &mut Node<M, S, D>, b: &mut Node<M, S, D>| {
-            let (rest, mask) = cut.rest::<M, CAREFUL>(m, from, mask);
-            work.bond::<CAREFUL>(m, &cut.law, rest, a, b, mask);
-        };
         let mut e = Node::<M, S, D>::load::<CAREFUL>(m, view, places[0]);
         let mut o = Node::<M, S, D>::load::<CAREFUL>(m, view, places[1]);
-        bond(&kinds.along, places[1], &mut o, &mut e);
+        self.bond::<W, D, CAREFUL>(work, (&kinds.along, places[1]), (&mut o, &mut e), mask);
         if has_next && let Some(falling) = &kinds.falling {
             let mut below = Node::<M, S, D>::load::<CAREFUL>(m, view, places[2]);
-            bond(falling, places[1], &mut o, &mut below);
+            self.bond::<W, D, CAREFUL>(work, (falling, places[1]), (&mut o, &mut below), mask);
             below.keep::<W, L>(view, places[2]);
         }
         if has_next && let Some(rising) = &kinds.rising {
             let mut below = Node::<M, S, D>::load::<CAREFUL>(m, view, places[3]);
-            bond(rising, places[0], &mut e, &mut below);
+            self.bond::<W, D, CAREFUL>(work, (rising, places[0]), (&mut e, &mut below), mask);
             below.keep::<W, L>(view, places[3]);
         }
         o.keep::<W, L>(view, places[1]);

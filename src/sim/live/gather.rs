@@ -32,6 +32,19 @@ pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
     SUBSTEPS.into_iter().find(|&count| f64::from(count) >= wanted).unwrap_or(SUBSTEPS[3])
 }
 
+/// Substeps of a frame that bodies are given so that their springs can be forces, whose substep takes this counted work: few bodies, many.
+pub(super) fn affordable(work: f64) -> u32 {
+    let room = AFFORDED / work;
+    SUBSTEPS.into_iter().rev().find(|&count| f64::from(count) <= room).unwrap_or(SUBSTEPS[1]).max(SUBSTEPS[1])
+}
+
+/// What a body asks for of so many substeps: those in which all its springs are exact forces, or most are forces, or as many as there are, for
+/// springs that no number of substeps makes forces are the softer the fewer there are, where they are to be `firm`.
+pub(super) fn asked([few, fine]: [u32; 2], most: u32, is_firm: bool) -> Option<u32> {
+    let is_affordable = |count: &u32| *count > 0 && *count <= most;
+    Some(fine).filter(is_affordable).or(Some(few).filter(is_affordable)).or(is_firm.then_some(most))
+}
+
 impl<S: Real> Live<S> {
     /// The clusters of what is awake, in the order of their lowest bodies.
     pub(super) fn gather(
@@ -47,14 +60,13 @@ impl<S: Real> Live<S> {
         together.into_iter().map(cluster).collect()
     }
 
-    /// Substeps of a frame that these bodies are given so that their springs can be forces: few bodies, many.
+    /// Substeps of a frame that these bodies are given so that their springs can be forces.
     fn affordable<'a>(&self, bodies: impl Iterator<Item = &'a usize>) -> u32 {
         let of = |&body: &usize| {
             let body = &self.bodies.list[body];
             super::work_of_a_substep([body.points.len(), body.springs.len() + body.holds.len(), body.areas.len()])
         };
-        let room = AFFORDED / bodies.map(of).sum::<f64>();
-        SUBSTEPS.into_iter().rev().find(|&count| f64::from(count) <= room).unwrap_or(SUBSTEPS[1]).max(SUBSTEPS[1])
+        affordable(bodies.map(of).sum())
     }
 
     /// The bodies that may meet within `h` `[s]`, in the order of the lowest of each.
@@ -268,16 +280,12 @@ impl<S: Real> Cluster<S> {
         let shortest = self.least_promise.to_f64() / PROMISE;
         let wanted = speed * frame / (WAY * shortest);
         let moving = self.members(common).zip(&self.settles).filter(|(_, settles)| !**settles);
-        let affordable = |body: &Body<S>| {
-            let [few, fine] = body.least_substeps;
-            let is_affordable = |count: &u32| *count > 0 && *count <= self.most_substeps;
-            // Springs that no number of substeps makes forces, or none that there is work for, are the softer the fewer there are. What is
-            // folded is the easier to open.
-            let is_firm = body.springs.len() > 0 && (few == 0 || self.tangle.knots.is_empty());
-            let most = is_firm.then_some(self.most_substeps);
-            Some(fine).filter(is_affordable).or(Some(few).filter(is_affordable)).or(most)
+        let asked = |body: &Body<S>| {
+            // What is folded is the easier to open.
+            let is_firm = body.springs.len() > 0 && (body.least_substeps[0] == 0 || self.tangle.knots.is_empty());
+            asked(body.least_substeps, self.most_substeps, is_firm)
         };
-        let least = moving.filter_map(|((body, _), _)| affordable(body)).max().unwrap_or_default();
+        let least = moving.filter_map(|((body, _), _)| asked(body)).max().unwrap_or_default();
         let is_enough = |count: &u32| f64::from(*count) >= wanted && *count >= least;
         SUBSTEPS.into_iter().find(is_enough).unwrap_or(SUBSTEPS[3])
     }

@@ -177,13 +177,17 @@ impl<S: Real> Cluster<S> {
     fn choose(&mut self, slack: S) -> S {
         let own = self.own();
         let (goes, gone, way) = (&mut self.goes[..own], &self.gone[..own], &self.way[..own]);
-        let (mut farthest, mut fastest) = (S::ZERO, S::ZERO);
-        for i in 0..own {
-            let length = dot(way[i], way[i]).sqrt();
-            goes[i] = gone[i] + length;
-            farthest = farthest.max(goes[i]);
-            fastest = fastest.max(length);
+        // Four largest that do not wait for each other.
+        let (mut farthest, mut fastest) = ([S::ZERO; 4], [S::ZERO; 4]);
+        for ((goes, gone), way) in goes.chunks_mut(4).zip(gone.chunks(4)).zip(way.chunks(4)) {
+            for (j, (goes, (&gone, &way))) in goes.iter_mut().zip(gone.iter().zip(way)).enumerate() {
+                let length = dot(way, way).sqrt();
+                *goes = gone + length;
+                farthest[j] = farthest[j].max(*goes);
+                fastest[j] = fastest[j].max(length);
+            }
         }
+        let [farthest, fastest] = [farthest, fastest].map(|most| most[0].max(most[1]).max(most[2].max(most[3])));
         let slack = slack.max(fastest);
         let reach = farthest + farthest + slack;
         let Cluster { pairs, goes, rooms, chosen, active, .. } = self;

@@ -31,6 +31,9 @@ const LEAST_STRAIN: f64 = 1e-5;
 
 /// Strain that the rigid bonds of a larger one may have where nothing is said `[1]`.
 const TOUCHING_STRAIN: f64 = 1e-4;
+/// The angle from which on a substep that is given is too long for explicit methods of order 4, let alone for Verlet's: what swings so fast
+/// grows without bounds.
+const EDGE: f64 = 2.8;
 /// What [`PHASE`] is for large meshes of springs: their fastest oscillations are of single cells, which nobody follows.
 const PHASE_MESH: f64 = 0.5;
 /// Share of a decay that a substep of Verlet's method may span where springs only push: 2 would be the edge of stability.
@@ -85,7 +88,7 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
     }
     let is_direct = can_be_direct(island);
     let solver = match method.solver {
-        Solver::Auto => pick(island, setting, is_direct),
+        Solver::Auto => pick(island, method.substep, setting, is_direct),
         given => given,
     };
     let mut bulk = scheme(island, method, setting, is_direct);
@@ -144,7 +147,9 @@ fn scheme(island: &Island, method: &Method, setting: Setting, is_direct: bool) -
     match method.solver {
         // Large bodies know neither angles nor areas, nor drives, nor surfaces that push by depth.
         _ if island.bonds.is_empty() || island.has_form() || island.has_drives || island.is_pressed => None,
-        Solver::Auto if are_springs && pick(island, setting, is_direct) == Solver::VelocityVerlet => given(Way::Forces),
+        Solver::Auto if are_springs && pick(island, method.substep, setting, is_direct) == Solver::VelocityVerlet => {
+            given(Way::Forces)
+        }
         Solver::Verlet | Solver::VelocityVerlet if are_springs => {
             (is_large || (has_order && setting.points > LARGE)).then(|| given(Way::Forces))?
         }
@@ -165,7 +170,8 @@ fn scheme(island: &Island, method: &Method, setting: Setting, is_direct: bool) -
     }
 }
 
-fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
+/// The method of an island where none is asked for; `given`: the longest substep that is `[s]`.
+fn pick(island: &Island, given: Option<f64>, setting: Setting, is_direct: bool) -> Solver {
     if island.relaxed > 0 {
         return Solver::Verlet;
     }
@@ -180,11 +186,12 @@ fn pick(island: &Island, setting: Setting, is_direct: bool) -> Solver {
     if island.springs == 0 && !island.has_form() && setting.mouse.is_none() && !setting.has_surfaces && !is_driven {
         return Solver::Flight;
     }
+    let is_beyond = given.is_some_and(|given| given * island.frequency.max(0.5 * island.decay) > EDGE);
     let substeps = FRAME / PHASE * island.frequency.max(island.decay * PHASE / DECAY_SHARE);
-    if setting.has_surfaces && island.springs > MOST_TOUCHING && substeps <= MOST_TOUCHES {
+    if setting.has_surfaces && island.springs > MOST_TOUCHING && substeps <= MOST_TOUCHES && !is_beyond {
         return Solver::VelocityVerlet;
     }
-    let is_implicit = is_stiff(island) && !island.is_pressed && !island.has_motors;
+    let is_implicit = (is_stiff(island) || is_beyond) && !island.is_pressed && !island.has_motors;
     if is_implicit && (island.points.len() <= MOST_IMPLICIT || (setting.points <= LARGE && factors_pay(island))) {
         return Solver::ImplicitMidpoint;
     }

@@ -225,7 +225,9 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let are_alone =
             !islands.is_empty() && islands.iter().all(|island| island.pieces.as_ref().is_some_and(Pieces::is_one));
         let is_few = are_alone || bonds.len() <= most;
-        let may_go = count(|island| island.relaxed) == 0 && is_few && points > 0;
+        // The live step in space knows no drives, and stretches nets of rigid bonds by some percent.
+        let stays = D == 3 && (rigid > 0 || islands.iter().any(|island| island.has_drives));
+        let may_go = count(|island| island.relaxed) == 0 && is_few && points > 0 && !stays;
         let surfaces = &self.obstacles.surfaces;
         let tracks = self.tracks();
         let can_fail = rigid > 0 || !surfaces.is_empty() || self.model.mouse.is_some() || !tracks.is_empty();
@@ -236,7 +238,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             || surfaces.iter().any(|surface| surface.restitution > S::ONE)
             || self.model.has_fields()
             || self.model.wind.is_some();
-        let triangles = if may_go { self.triangles() } else { Vec::new() };
+        // In space nothing is inside out.
+        let triangles = if may_go && D == 2 { self.triangles() } else { Vec::new() };
         let corners: Vec<[u32; 3]> = triangles.iter().map(|(corners, _)| *corners).collect();
         let watch = Watch::new(points, (&bonds, &corners), may_go, (has_eyes && may_go, !gives));
         Some(Box::new(watch.with_scout(self.scout(&bonds))))

@@ -34,8 +34,8 @@ pub(super) struct Body<S> {
     pub(super) straps: Vec<Strap<S>>,
     /// Bounds on the square of the fastest oscillation of its springs `[1/s^2]` and on the fastest decay by their dampers `[1/s]`.
     pub(super) swing: [S; 2],
-    /// Fewest substeps in a frame that it bears.
-    pub(super) least_substeps: u32,
+    /// Substeps of a frame in which all its springs may be forces, and exact ones; 0: no number of them.
+    pub(super) least_substeps: [u32; 2],
 }
 
 /// All bodies of a group.
@@ -137,7 +137,7 @@ impl<S: Real> Bodies<S> {
             own_distance: (radius + radius).min(most),
             straps,
             swing: bounds.most().map(S::from_f64),
-            least_substeps: bounds.substeps([1.0, 1.0], SUBSTEPS[1])[1],
+            least_substeps: bounds.substeps([1.0, 1.0], SUBSTEPS[3]),
         });
     }
 

@@ -64,6 +64,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) goes: Vec<S>,
     /// The least of what is promised `[m]`.
     pub(super) least_promise: S,
+    /// Substeps of a frame that there is work for.
+    pub(super) most_substeps: u32,
     /// How long a substep is `[s]`.
     pub(super) span: S,
     /// Something pressed something in this step.

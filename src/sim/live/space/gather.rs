@@ -1,12 +1,14 @@
 //! Which bodies go together, and their state: copied for the step and back.
 
 use super::Space;
+use super::body::Body;
 use super::cluster::{Cluster, Common, Counts};
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::live::FRAMES;
-use crate::sim::live::gather::{PROMISE, SUBSTEPS, WAY};
+use crate::sim::live::gather::{PROMISE, SUBSTEPS, WAY, affordable, asked};
 use crate::sim::live::given::Given;
+use crate::sim::live::work_of_a_substep;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
@@ -31,7 +33,13 @@ impl<S: Real> Space<S> {
         let mut members: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.list.len()];
         all.filter(is_there).for_each(|body| members[together.find(body as u32) as usize].push(body));
         let is_awake = |bodies: &Vec<usize>| bodies.iter().any(|&body| !self.rests[body].is_asleep);
-        members.into_iter().filter(is_awake).map(|bodies| self.cluster(bodies, points, common)).collect()
+        members.retain(is_awake);
+        let of = |&body: &usize| {
+            let body = &self.bodies.list[body];
+            work_of_a_substep([body.points.len(), body.springs.len() + body.holds.len(), body.triangles.len()])
+        };
+        let most_substeps = affordable(members.iter().flatten().map(of).sum());
+        members.into_iter().map(|bodies| Cluster { most_substeps, ..self.cluster(bodies, points, common) }).collect()
     }
 
     /// Where the points of a body may get to in `h` `[s]`, and what is near.
@@ -71,6 +79,7 @@ impl<S: Real> Space<S> {
             gone_apart: vec![S::ZERO; own],
             goes: vec![S::ZERO; own],
             least_promise: S::INFINITY,
+            most_substeps: 0,
             span: S::ZERO,
             has_pressed: false,
             work: S::ZERO,
@@ -135,7 +144,7 @@ impl<S: Real> Space<S> {
 }
 
 impl<S: Real> Cluster<S> {
-    /// Substeps of a frame that the fastest point needs.
+    /// Substeps of a frame that the fastest point needs, and springs.
     pub(super) fn substeps(&self, common: &Common<S>, pull: &Pull<S, 3>, around: &Environment<3>, t: f64) -> u32 {
         let frame = 1.0 / FRAMES;
         let pushed = around.mouse_at(t).map_or(0.0, |(force, _)| force.strength.abs() * force.radius);
@@ -144,7 +153,8 @@ impl<S: Real> Cluster<S> {
         let shortest = self.least_promise.to_f64() / PROMISE;
         let wanted = speed * frame / (WAY * shortest);
         let flying = self.members(common).zip(&self.touched).filter(|(_, touched)| !**touched);
-        let least = flying.map(|((body, _), _)| body.least_substeps).max().unwrap_or_default();
+        let asked = |body: &Body<S>| asked(body.least_substeps, self.most_substeps, body.springs.len() > 0);
+        let least = flying.filter_map(|((body, _), _)| asked(body)).max().unwrap_or_default();
         let is_enough = |count: &u32| f64::from(*count) >= wanted && *count >= least;
         SUBSTEPS.into_iter().find(is_enough).unwrap_or(SUBSTEPS[3])
     }
