@@ -103,6 +103,12 @@ impl Primitive {
         }
     }
 
+    /// The one after it in the palette, and after the last the first.
+    pub fn next(self) -> Self {
+        let place = Self::ALL.iter().position(|&other| other == self).map_or(0, |place| place + 1);
+        Self::ALL[place % Self::ALL.len()]
+    }
+
     /// Whether it is drawn click by click, not dragged out.
     pub fn is_drawn(self) -> bool {
         matches!(self, Primitive::Bonds | Primitive::Polygon)

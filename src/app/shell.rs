@@ -13,7 +13,7 @@ use winit::keyboard::{Key, NamedKey};
 use winit::window::{Window, WindowId};
 
 use super::AppError;
-use super::action::Action;
+use super::action::{Action, Tool};
 use super::keys::{self, Held};
 use super::leftovers::state_folder;
 use super::player::{Keeping, Player};
@@ -194,9 +194,17 @@ fn press_key(session: &mut Session, event: &KeyEvent, event_loop: &ActiveEventLo
     if session.is_covered() && !session.lets_through(action) {
         return;
     }
+    if action == Action::Cancel && session.has_popup() {
+        return;
+    }
     match action {
         Action::Quit if session.may_leave(true) => event_loop.exit(),
         Action::Quit => {}
+        Action::Take(Tool::Build) if session.builds() => {
+            if !event.repeat {
+                session.build_next();
+            }
+        }
         // A key held down steps on and on, but does not flicker between play and pause.
         action if !event.repeat || action.repeats() => {
             session.down.press(event.physical_key, action);

@@ -120,7 +120,7 @@ pub fn keys_of(action: Action) -> Option<&'static str> {
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
-    use crate::app::action::Tool;
+    use crate::app::action::{Primitive, Tool};
 
     const PLAIN: Held = Held { command: false, shift: false, alt: false };
     const CTRL: Held = Held { command: true, ..PLAIN };
@@ -128,6 +128,13 @@ mod tests {
 
     fn writes(text: &str, held: Held) -> Option<Action> {
         action(&Key::Character(text.into()), held)
+    }
+
+    #[test]
+    fn what_is_built_comes_round() {
+        let all: Vec<Primitive> =
+            std::iter::successors(Some(Primitive::default()), |one| Some(one.next())).take(12).collect();
+        assert_eq!((&all[..11], all[11]), (&Primitive::ALL[..], Primitive::default()));
     }
 
     #[test]

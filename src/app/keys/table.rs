@@ -34,7 +34,7 @@ pub static TABLE: &[Binding] = &[
     ),
     binding(
         "1, 2, 3, 4, 5, 6, 7, 8, 9, 0",
-        "the tools: hand, pin, cut, erase, build, select, muscle, motor, material brush, force",
+        "the tools: hand, pin, cut, erase, build (5 again: the next thing to build), select, muscle, motor, material brush, force",
         &[
             (Writes("1"), Action::Take(Tool::Hand)),
             (Writes("2"), Action::Take(Tool::Pin)),
@@ -135,7 +135,7 @@ pub static TABLE: &[Binding] = &[
 ];
 
 /// What the mouse does, in the same form.
-pub fn by_mouse() -> [[&'static str; 2]; 9] {
+pub fn by_mouse() -> [[&'static str; 2]; 10] {
     [
         ["left button on a body, or with one in the circle", "grab it; let go and it flies"],
         ["left button on a pin", "lead it elsewhere; pins that bonds join go as one bar, with Shift it turns"],
@@ -143,6 +143,7 @@ pub fn by_mouse() -> [[&'static str; 2]; 9] {
         ["select: drag beside all bodies", "select what the box touches; with Alt what a free stroke goes around"],
         ["select: drag a corner", "scale it; with Shift in proportion"],
         ["select: drag the knob above", "turn it; with Shift in steps of 15°"],
+        ["select, while plots are shown: click a point or a bond", "put a probe on it, or take it off"],
         ["right or middle drag", "pan; in space the right button orbits"],
         ["wheel", "zoom at the cursor"],
         ["wheel while a rope is drawn", "more or less slack"],

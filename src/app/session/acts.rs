@@ -109,6 +109,15 @@ impl Session {
         self.touch();
     }
 
+    /// The key of the tool that builds, while that is taken: it makes the next thing.
+    pub(in crate::app) fn build_next(&mut self) {
+        self.leave_drawing();
+        let next = self.hand.primitive().next();
+        self.hand.choose(next);
+        self.say(format!("build: {}", next.name().to_lowercase()));
+        self.touch();
+    }
+
     /// Does what the panels ask for.
     pub(super) fn grant(&mut self, wish: Wish) {
         match wish {

@@ -3,6 +3,7 @@
 use winit::event::WindowEvent;
 
 use super::Session;
+use crate::app::action::Tool;
 use crate::app::keys::{Down, Held};
 use crate::app::panels::Sheet;
 use crate::app::shell::is_for_panels;
@@ -25,6 +26,16 @@ impl Session {
     pub(in crate::app) fn is_writing(&self) -> bool {
         let is_coming = self.panels.is_fresh && self.panels.sheet.is_some_and(|sheet| sheet != Sheet::Help);
         is_coming || self.egui.egui_ctx().text_edit_focused()
+    }
+
+    /// Whether something is open above the panels that Esc closes by itself: a menu, a picker of colours.
+    pub(in crate::app) fn has_popup(&self) -> bool {
+        egui::Popup::is_any_open(self.egui.egui_ctx())
+    }
+
+    /// Whether the tool that builds is taken, where it can be.
+    pub(in crate::app) fn builds(&self) -> bool {
+        self.hand.tool() == Tool::Build && self.scene.dimensions() == 2
     }
 
     /// Keys and buttons that were held down are let go elsewhere.
