@@ -5,6 +5,7 @@ use egui::{Event, Pos2, Shape, vec2};
 
 use super::pointer::click;
 use super::{Facts, Neighbor, Wish, beside};
+use crate::render::Look;
 use crate::scene::{BesideKeys, SolverName};
 
 /// What is written in a frame, and where.
@@ -51,6 +52,7 @@ fn beside_each_other() -> Facts {
         at: [x, 0.0],
         width: 600.0,
         columns: 2,
+        color: Some(Look::default().trails[0]),
     };
     let neighbors = vec![world("euler", "", 66.0), world("Verlet", "up to 3.4 cm apart", 640.0)];
     Facts { neighbors, tints_distance: true, ..Facts::default() }
