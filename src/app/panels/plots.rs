@@ -34,6 +34,8 @@ const ROOM: f32 = 12.0;
 const CORNER: f32 = 296.0;
 /// Width of what was measured once alone `[points]`.
 const DOT: f32 = 7.0;
+/// So high a menu of quantities shows all of them `[points]`.
+const MENU: f32 = 400.0;
 /// Half of the room less this is free for the plot: the primitives beside the tools end there `[points]`.
 const OTHERS: f32 = 165.0;
 
@@ -260,7 +262,7 @@ fn quantities(ui: &mut Ui, plots: &mut Plots) {
     let is_orbit = plots.subject == Subject::Orbit;
     let shown = if is_orbit { orbit(plots.quantity) } else { plots.quantity.words()[0].to_owned() };
     let all: Vec<Quantity> = plots.quantities().collect();
-    let menu = egui::ComboBox::from_id_salt("quantity").selected_text(shown).show_ui(ui, |ui| {
+    let menu = egui::ComboBox::from_id_salt("quantity").height(MENU).selected_text(shown).show_ui(ui, |ui| {
         for &quantity in &all {
             let is_chosen = !is_orbit && plots.quantity == quantity;
             if ui.selectable_label(is_chosen, quantity.words()[0]).clicked() {

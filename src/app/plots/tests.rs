@@ -207,7 +207,7 @@ fn a_table_has_a_header_and_a_row_for_each_measurement() {
             [measured.time, measured.energies.kinetic]
         );
         let Some(probed @ Probed { velocity, .. }) = measured.probes[0] else {
-            assert_eq!(row[5..], [""; 16]);
+            assert_eq!(row[5..], [""; 22]);
             continue;
         };
         assert_eq!((row[5], row[10].parse()), ("1", Ok(probed.speed())));
