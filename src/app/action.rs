@@ -236,6 +236,8 @@ pub enum Action {
     NextShowing,
     /// Shows the grid with its numbers, or hides it.
     ToggleGrid,
+    /// Shows where points have been, or not.
+    ToggleTrails,
     /// Dark colours or light ones.
     Palette,
     /// Cuts the scene's picture out anew.

@@ -29,6 +29,7 @@ mod session;
 mod shell;
 mod thumbnails;
 mod tools;
+mod trailing;
 mod warnings;
 
 pub use shell::Statistics;

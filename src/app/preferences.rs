@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use super::trailing::TrailSettings;
 use crate::output;
 use crate::render::Palette;
 
@@ -19,19 +20,22 @@ enum PaletteName {
 }
 
 /// All of it. What a file does not say, or says in words of another version, is as it is at first.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct Preferences {
     /// The colours of panels and world.
     #[serde(with = "PaletteName")]
     pub(super) palette: Palette,
+    /// How many trails points have, and how long they last.
+    pub(super) trails: TrailSettings,
 }
 
 impl Preferences {
     /// Those in a folder; the first ones where there are none that can be read.
     pub(super) fn load(folder: &Path) -> Self {
         let text = std::fs::read_to_string(folder.join(FILE)).unwrap_or_default();
-        serde_json::from_str(&text).unwrap_or_default()
+        let found: Preferences = serde_json::from_str(&text).unwrap_or_default();
+        Preferences { trails: found.trails.kept(), ..found }
     }
 
     /// Keeps them in a folder, which is made if it is not there.
@@ -50,11 +54,20 @@ mod tests {
     use super::*;
 
     #[test]
+    fn numbers_of_trails_that_nobody_could_set_are_not_taken_from_a_file() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join(FILE), r#"{"trails": {"most": 4000000000, "length": -1}}"#).unwrap();
+        let trails = Preferences::load(folder.path()).trails;
+        assert_eq!(trails, TrailSettings { most: TrailSettings::MOST, length: TrailSettings::LENGTHS[0] });
+    }
+
+    #[test]
     fn what_is_preferred_is_there_at_the_next_start_and_a_broken_file_is_as_none() {
         let folder = tempfile::tempdir().unwrap();
         let own = folder.path().join("not there yet");
         assert_eq!(Preferences::load(&own), Preferences::default());
-        let light = Preferences { palette: Palette::Light };
+        let trails = TrailSettings { most: 20, length: 6.5 };
+        let light = Preferences { palette: Palette::Light, trails };
         light.save(&own).unwrap();
         assert_eq!(Preferences::load(&own), light);
         for broken in ["", "[]", r#"{"palette": "mauve"}"#] {
@@ -62,6 +75,6 @@ mod tests {
             assert_eq!(Preferences::load(&own), Preferences::default(), "{broken}");
         }
         std::fs::write(own.join(FILE), r#"{"palette": "light", "of a later version": 3}"#).unwrap();
-        assert_eq!(Preferences::load(&own), light);
+        assert_eq!(Preferences::load(&own).palette, light.palette);
     }
 }

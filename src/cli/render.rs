@@ -140,10 +140,16 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         let skins = run.skins();
         let main = Moment::of(run.world(), (&skins, run.tints()), time, &mut trails);
         let others = beside.moments(time, &main);
-        let moments = std::iter::once(&main).chain(&others).enumerate();
+        let moments: Vec<&Moment<'_>> = std::iter::once(&main).chain(&others).collect();
         let panes: Vec<Pane<'_>> = moments
+            .iter()
+            .enumerate()
             .map(|(place, moment)| {
-                Pane::of(&tiles, place, moment.view(u64::from(index)), &camera, look, arguments.size)
+                // The trails of all are compared on the first.
+                let trails = moments.iter().zip(0..).filter(|(_, of)| place == 0 || *of == place);
+                let trails = trails.map(|(moment, of)| (moment.trails, of)).collect();
+                let view = View { trails, ..moment.view(u64::from(index)) };
+                Pane::of(&tiles, place, view, &camera, look, arguments.size)
             })
             .collect();
         let picture = capture.pictures(&panes)?;
@@ -226,7 +232,8 @@ fn lead_up(
         let at = from + (time - from) * f64::from(step) / f64::from(LEAD);
         run.advance(commands, at)?;
         let world = run.world();
-        trails.note(world.time(), &View::of(world));
+        let view = View::of(world);
+        trails.note(world.time(), &view, &Trails::usual(&view));
         beside.reach(commands, at);
         beside.note();
     }
@@ -258,13 +265,14 @@ impl<'a> Moment<'a> {
         let sample = world.sample(time.max(world.time()));
         let places: Vec<f64> = sample.position.iter().flat_map(|x| &x[..dimensions]).copied().collect();
         let places_now = Positions::F64(&places);
-        trails.note(time, &View { previous: places_now, current: places_now, ..View::of(world) });
+        let view = View { previous: places_now, current: places_now, ..View::of(world) };
+        trails.note(time, &view, &Trails::usual(&view));
         Moment { world, skins, tints, time, places, distances: None, trails }
     }
 
     /// As the renderer reads it; `motion` is the number of the picture.
     fn view(&self, motion: u64) -> View<'_> {
-        let Moment { world, skins, tints, time, ref places, ref distances, trails } = *self;
+        let Moment { world, skins, tints, time, ref places, ref distances, .. } = *self;
         let on_track = |(force, cursor): (_, Cursor)| {
             let force: &crate::sim::MouseForce = force;
             (force, force.track.at(time).map_or(cursor, Cursor::at))
@@ -277,7 +285,6 @@ impl<'a> Moment<'a> {
             skins,
             tints,
             values: distances.as_deref(),
-            trails: Some(trails),
             ..View::of(world)
         }
     }
@@ -321,7 +328,8 @@ impl Neighbors {
 
     fn note(&mut self) {
         for (companion, _, trails) in &mut self.companions {
-            trails.note(companion.world().time(), &View::of(companion.world()));
+            let view = View::of(companion.world());
+            trails.note(companion.world().time(), &view, &Trails::usual(&view));
         }
     }
 

@@ -63,7 +63,7 @@ impl Frame {
             ground: look.ground,
             bond_color: look.bond,
             rope_color: look.rope,
-            strain_colors: look.strain,
+            strain_colors: if shows_difference { look.of_distances() } else { look.strain },
             point_color: [r, g, b, opacity * point_strength(look, bond_pixels)],
             pin_color: look.pin,
             region_color: look.region,

@@ -55,8 +55,10 @@ pub(super) fn guides(
         let color = if k < RIM { [red, green, blue, PATCH_RIM * opacity] } else { look.axis };
         list.push(guide(a - origin, b - origin, look.scale_factor, color));
     }
-    for ([a, b], fresh) in view.trails.map(|trails| trails.stretches(view)).unwrap_or_default() {
-        let [red, green, blue, opacity] = look.trail;
+    let stretches = view.trails.iter().rev().flat_map(|(trails, color)| {
+        trails.stretches(view).into_iter().map(move |stretch| (stretch, look.trails[color % look.trails.len()]))
+    });
+    for (([a, b], fresh), [red, green, blue, opacity]) in stretches {
         let color = [red, green, blue, opacity * (fresh * fresh) as f32];
         list.push(guide(a - origin, b - origin, look.outline_width * look.scale_factor, color));
     }

@@ -66,6 +66,36 @@ const STRAIN_ON_LIGHT: [Color; 9] = [
     hex(0x981616, 1.0),
 ];
 
+/// Colours of distances, in even steps from none on.
+const DISTANCE_COLORS: [Color; 5] =
+    [hex(0xa9_b0_bb, 1.0), hex(0xbf_a0_dd, 1.0), hex(0xc7_7f_e8, 1.0), hex(0xcf_5c_f0, 1.0), hex(0xe8_3f_e0, 1.0)];
+
+/// The same on a light ground.
+const DISTANCE_ON_LIGHT: [Color; 5] =
+    [hex(0x7c_85_92, 1.0), hex(0x8a_63_b0, 1.0), hex(0x8a_3f_b8, 1.0), hex(0x8a_1f_b0, 1.0), hex(0x7a_0a_8a, 1.0)];
+
+/// Colours of trails, of as many worlds as there may be side by side; eyes that see two colours only tell those next to each other apart.
+///
+/// Source: P. Tol, Colour schemes (technical note SRON/EPS/TN/09-002, 3.2, 2021), the schemes `light` and `bright`.
+const TRAILS: [Color; 6] = [
+    hex(0xee_dd_88, 0.85),
+    hex(0x66_ac_ff, 0.85),
+    hex(0xff_88_77, 0.85),
+    hex(0x55_d0_a0, 0.85),
+    hex(0xdd_99_ee, 0.85),
+    hex(0xff_ff_ff, 0.85),
+];
+
+/// The same on a light ground.
+const TRAILS_ON_LIGHT: [Color; 6] = [
+    hex(0x8c_6a_00, 0.85),
+    hex(0x1a_5a_b0, 0.85),
+    hex(0xb8_30_28, 0.85),
+    hex(0x0f_7a_50, 0.85),
+    hex(0x8a_3a_a8, 0.85),
+    hex(0x22_2d_3e, 0.85),
+];
+
 /// Colours and sizes. Lengths are in logical pixels, to be multiplied by the scale factor of the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
@@ -87,12 +117,14 @@ pub struct Look {
     pub rope: Color,
     /// Strains, from squeezed by [`Look::strain_full`] to stretched by it.
     pub strain: [Color; 9],
+    /// Distances, from none to [`Look::difference_full`]: hues that no strain has, since both may stand side by side.
+    pub distance: [Color; 5],
     /// Points.
     pub point: Color,
     /// Pinned points.
     pub pin: Color,
-    /// Trails of points, where they are fresh.
-    pub trail: Color,
+    /// Trails of points, where they are fresh: of the world itself, then of those that stand beside it, each in its own.
+    pub trails: [Color; 6],
     /// The region of the mouse force.
     pub region: Color,
     /// Marks of motors.
@@ -146,9 +178,10 @@ impl Default for Look {
             bond: hex(0x8f_a6_c2, 1.0),
             rope: hex(0xd8_bb_8c, 1.0),
             strain: STRAIN_COLORS,
+            distance: DISTANCE_COLORS,
             point: hex(0xe9_f1_fb, 1.0),
             pin: hex(0xff_5c_7a, 1.0),
-            trail: hex(0xee_dd_88, 0.75),
+            trails: TRAILS,
             region: hex(0x7d_f0_c8, 0.9),
             motor: hex(0xff_d6_78, 0.95),
             bond_width: 1.8,
@@ -190,9 +223,10 @@ impl Look {
                 bond: hex(0x52_67_84, 1.0),
                 rope: hex(0x8a_66_2c, 1.0),
                 strain: STRAIN_ON_LIGHT,
+                distance: DISTANCE_ON_LIGHT,
                 point: hex(0x22_2d_3e, 1.0),
                 pin: hex(0xcc_1f_46, 1.0),
-                trail: hex(0x8c_6a_00, 0.75),
+                trails: TRAILS_ON_LIGHT,
                 region: hex(0x00_6a_4f, 0.9),
                 motor: hex(0x80_56_00, 0.95),
                 ..Look::default()
@@ -208,13 +242,21 @@ impl Look {
             bond: of.bond,
             rope: of.rope,
             strain: of.strain,
+            distance: of.distance,
             point: of.point,
             pin: of.pin,
-            trail: of.trail,
+            trails: of.trails,
             region: of.region,
             motor: of.motor,
             ..self
         }
+    }
+}
+
+impl Look {
+    /// Colours of distances as the shader reads those of strains: from its middle on.
+    pub(super) fn of_distances(&self) -> [Color; 9] {
+        std::array::from_fn(|place| self.distance[place.abs_diff(self.strain.len() / 2)])
     }
 }
 
@@ -242,7 +284,13 @@ mod tests {
             let look = Look::in_palette(palette);
             let on_ground = |color| contrast(color, look.ground);
             assert!(on_ground(look.number) >= 4.5, "{palette:?}: {}", on_ground(look.number));
-            for color in look.strain.into_iter().chain([look.wall, look.bond, look.rope, look.point, look.pin]) {
+            for color in look
+                .strain
+                .into_iter()
+                .chain(look.distance)
+                .chain(look.trails)
+                .chain([look.wall, look.bond, look.rope, look.point, look.pin])
+            {
                 assert!(on_ground(color) >= 3.0, "{palette:?}: {color:?}: {}", on_ground(color));
             }
             assert_eq!(look.colored(palette.other()).colored(palette), look);

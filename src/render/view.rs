@@ -86,8 +86,8 @@ pub struct View<'a> {
     pub tints: &'a [Tint],
     /// What points are coloured by, one each, where the look shows a difference `[m]`: below 0, or no number, it has none.
     pub values: Option<&'a [f32]>,
-    /// Where points have been, if that is shown.
-    pub trails: Option<&'a Trails>,
+    /// Where points have been, with the place of the colour of each among those of the look; the first lie on top.
+    pub trails: Vec<(&'a Trails, usize)>,
     /// The points that never move.
     pub pinned: &'a [PointId],
     /// Corners of the walls (z = 0 in the plane).
@@ -113,7 +113,7 @@ pub struct View<'a> {
 impl<'a> View<'a> {
     /// A world of nothing.
     #[cfg(test)]
-    pub(in crate::render) fn empty(bonds: &'a Bonds, dimensions: usize) -> Self {
+    pub(crate) fn empty(bonds: &'a Bonds, dimensions: usize) -> Self {
         View {
             dimensions,
             previous: Positions::F64(&[]),
@@ -126,7 +126,7 @@ impl<'a> View<'a> {
             triangles: &[],
             tints: &[],
             values: None,
-            trails: None,
+            trails: Vec::new(),
             pinned: &[],
             bounds: None,
             planes: Vec::new(),
@@ -153,7 +153,7 @@ impl<'a> View<'a> {
             triangles: world.triangles(),
             tints: &[],
             values: None,
-            trails: None,
+            trails: Vec::new(),
             pinned: world.pinned(),
             bounds: world.bounds(),
             planes: world.planes(),

@@ -299,10 +299,10 @@ static GALLERY: [Entry; 53] = [
     ),
     entry!(
         "phase-portrait",
-        264,
+        256,
         "Phase portrait",
-        "Oscillators as points: where they are across, how fast upwards. They follow the field round closed orbits.",
-        "R, and stop after a turn of 6.28 s: the innermost is back at 0.70 m. By explicit Euler orbits grow, by backward Euler they shrink."
+        "Oscillators as points: where they are across, how fast upwards. They follow the arrows of the field round closed orbits.",
+        "R, and stop after a turn of 6.28 s: the innermost is back at 0.70 m. By explicit Euler orbits grow, by backward Euler they shrink: the trails at the left have a colour for each."
     ),
     entry!(
         "penalty",

@@ -40,7 +40,7 @@ pub fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> Vi
         triangles: &[],
         tints: &[],
         values: None,
-        trails: None,
+        trails: Vec::new(),
         dimensions,
         previous: Positions::F32(positions),
         current: Positions::F32(positions),

@@ -106,6 +106,7 @@ pub static TABLE: &[Binding] = &[
     binding("V", "bodies, their strain, or points and bonds alone", &[(Writes("v"), Action::NextShowing)]),
     binding("B", "bonds and points, over bodies", &[(Writes("b"), Action::ToggleMesh)]),
     binding("X", "the grid and its numbers", &[(Writes("x"), Action::ToggleGrid)]),
+    binding("J", "trails: where points have been", &[(Writes("j"), Action::ToggleTrails)]),
     binding("C", "dark or light colours", &[(Writes("c"), Action::Palette)]),
     binding("N", "draw a body on a canvas", &[(Writes("n"), Action::Paint)]),
     binding("I", "cut the scene's first picture out anew", &[(Writes("i"), Action::Import)]),

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use egui::{Area, Id, LayerId, Order, Popup, Rect, RichText, Ui, pos2};
+use egui::{Area, Color32, Id, LayerId, Order, Popup, Rect, RichText, Sense, Ui, pos2, vec2};
 
 use super::icons::{self, Icon};
 use super::theme::{colors, floating};
 use super::{Facts, Wish, legend};
+use crate::render::Color;
 use crate::scene::{BesideKeys, MOST_BESIDE, SolverName};
 
 /// Room about a title `[points]`.
@@ -20,6 +21,9 @@ const LEAST_WIDE: f32 = 90.0;
 /// What is left beside a tool's panel for a title that stays there instead of going below it, at least; and the margins of a title `[points]`.
 const BESIDE: f32 = 150.0;
 const MARGINS: f32 = 20.0;
+
+/// Length and width of the stroke before a title `[points]`.
+const STROKE: [f32; 2] = [14.0, 3.0];
 
 /// Heights of titles, and of the legend that the last one has `[points]`.
 const TITLE: f32 = 50.0;
@@ -47,6 +51,8 @@ pub(in crate::app) struct Neighbor {
     pub(in crate::app) at: [f32; 2],
     /// Width of that edge `[points]`.
     pub(in crate::app) width: f32,
+    /// That of its trails, where it has some.
+    pub(in crate::app) color: Option<Color>,
     /// How many stand in a row.
     pub(in crate::app) columns: usize,
 }
@@ -95,7 +101,7 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
             floating(ui).show(ui, |ui| {
                 ui.set_max_width(most.max(LEAST_WIDE));
                 ui.vertical(|ui| {
-                    ui.label(RichText::new(&neighbor.title).color(colors(ui).text).strong());
+                    title(ui, neighbor);
                     if !neighbor.words.is_empty() {
                         ui.weak(&neighbor.words);
                     }
@@ -110,6 +116,23 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
         }
     }
     end
+}
+
+/// What a world is called, behind a stroke in the colour of its trails.
+fn title(ui: &mut Ui, neighbor: &Neighbor) {
+    let words = RichText::new(&neighbor.title).color(colors(ui).text).strong();
+    let Some(color) = neighbor.color else {
+        ui.label(words);
+        return;
+    };
+    let [red, green, blue, _] = color.map(|part| (255.0 * part).round() as u8);
+    ui.horizontal(|ui| {
+        let (at, _) =
+            ui.allocate_exact_size(vec2(STROKE[0], ui.text_style_height(&egui::TextStyle::Body)), Sense::hover());
+        let ends = [at.left_center(), at.right_center()];
+        ui.painter().line_segment(ends, (STROKE[1], Color32::from_rgb(red, green, blue)));
+        ui.add(egui::Label::new(words).wrap());
+    });
 }
 
 /// Whether an area is such a title.

@@ -5,6 +5,7 @@ use egui::{Event, Pos2, Shape, vec2};
 
 use super::pointer::click;
 use super::{Facts, Neighbor, Wish, beside};
+use crate::render::Look;
 use crate::scene::{BesideKeys, SolverName};
 
 /// What is written in a frame, and where.
@@ -51,6 +52,7 @@ fn beside_each_other() -> Facts {
         at: [x, 0.0],
         width: 600.0,
         columns: 2,
+        color: Some(Look::default().trails[0]),
     };
     let neighbors = vec![world("euler", "", 66.0), world("Verlet", "up to 3.4 cm apart", 640.0)];
     Facts { neighbors, tints_distance: true, ..Facts::default() }
@@ -86,7 +88,7 @@ fn each_world_has_its_title_in_its_part_of_the_window_and_the_last_the_legend() 
     let facts = beside_each_other();
     let written = settled(&context, &facts);
     let at = |words: &str| written.iter().find(|(text, _)| text == words).unwrap_or_else(|| panic!("{written:?}")).1;
-    assert!((66.0..120.0).contains(&at("euler").x), "in the corner: {written:?}");
+    assert!((66.0..140.0).contains(&at("euler").x), "in the corner, behind its stroke: {written:?}");
     assert!((640.0..750.0).contains(&at("up to 3.4 cm apart").x) && at("Verlet").y < 100.0);
     assert!((640.0..1280.0).contains(&at("distance to the first:").x));
     assert_eq!(written.iter().filter(|(text, _)| text == "distance to the first:").count(), 1);

@@ -72,7 +72,8 @@ impl Window {
             let inset = if place.is_multiple_of(tiles.columns()) { TOOLS } else { 0.0 };
             let title = if place == 0 { "this scene: as printed".to_owned() } else { "the same, solved".to_owned() };
             let words = if place == 0 { String::new() } else { "up to 0.594 m apart, at rest".to_owned() };
-            Neighbor { title, words, at: [left + inset, top], width: width - inset, columns: tiles.columns() }
+            let color = None;
+            Neighbor { title, words, at: [left + inset, top], width: width - inset, columns: tiles.columns(), color }
         };
         let count = if scene.beside.is_empty() { 0 } else { 1 + scene.beside.len() };
         self.facts.neighbors = (0..count).map(of).collect();

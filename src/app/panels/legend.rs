@@ -49,15 +49,14 @@ const SHARES: [f32; 4] = [0.0, 0.01, 0.1, 1.0];
 /// Width of the bar of distances with its numbers `[points]`.
 pub(super) const WIDTH: f32 = 220.0;
 
-/// What colours of distance mean: the same bar from its middle on.
+/// What colours of distance mean.
 pub(super) fn of_distance(ui: &mut Ui, look: &Look) {
     ui.weak("distance to the first:");
     let width = ui.available_width().min(WIDTH);
     let (place, _) = ui.allocate_exact_size(vec2(width, BAR[1] + 17.0), Sense::hover());
     let bar = Rect::from_min_size(place.min + vec2(8.0, 0.0), vec2(width - 32.0, BAR[1]));
-    let middle = look.strain.len() / 2;
     let unit = LengthUnit::of(f64::from(look.difference_full));
-    ui.painter().add(Shape::mesh(shades(bar, &look.strain[middle..])));
+    ui.painter().add(Shape::mesh(shades(bar, &look.distance)));
     for share in SHARES {
         let x = bar.left() + bar.width() * (100.0 * share).asinh() / 100.0_f32.asinh();
         ui.painter().line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, colors(ui).weak));

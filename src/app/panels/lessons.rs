@@ -18,8 +18,9 @@ pub(super) const WIDTH: f32 = 270.0;
 const WIDEST: f32 = 380.0;
 /// It takes this share of the room's width, between those `[1]`.
 const SHARE: f32 = 0.3;
-/// From this width on names stand beside their words, and all that leads on in one row `[points]`.
+/// From this width on names stand beside their words, and from that one on all that leads on is in one row `[points]`.
 const WIDE: f32 = 370.0;
+const ROW: f32 = 330.0;
 /// Width of such names `[points]`.
 const NAMES: f32 = 62.0;
 /// Frame and header, above what is scrolled `[points]`.
@@ -230,7 +231,7 @@ fn line(ui: &mut Ui, words: RichText) {
 /// A step, with what leads to others below it, and from the last one to the `next` lesson.
 fn of_lesson(ui: &mut Ui, lesson: &Lesson, (at, next): (At, Option<At>), height: f32, wishes: &mut Vec<Wish>) {
     let Some(step) = lesson.steps.get(at.step) else { return };
-    let is_wide = ui.available_width() >= WIDE;
+    let is_wide = ui.available_width() >= ROW;
     let height = (height - if is_wide { 42.0 } else { 78.0 }).max(60.0);
     let scroll = ScrollArea::vertical().id_salt((at.lesson, at.step)).max_height(height).min_scrolled_height(height);
     scroll.show(ui, |ui| {

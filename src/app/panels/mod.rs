@@ -57,6 +57,7 @@ use super::matter::{Matter, MatterChange};
 use super::player::{Figures, MethodSetting};
 use super::plots::Plots;
 use super::tools::{Brush, Drives, Links, PushWay};
+use super::trailing::TrailSettings;
 use crate::render::{Look, Overlay, Palette};
 use crate::scene::{BesideKeys, SolverName};
 use crate::sim::Key;
@@ -121,6 +122,8 @@ pub(super) enum Wish {
     Solver(SolverName),
     /// Something else of the method, of the same drag as the last one.
     Method(MethodSetting, bool),
+    /// Points have so many trails, so long.
+    Trails(TrailSettings),
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     Pace(f64),
     /// A time that was seen already `[s]`.
@@ -272,6 +275,8 @@ pub(super) struct Facts {
     pub(super) points: Vec<egui::Pos2>,
     /// The worlds that are side by side; none where there is but one.
     pub(super) neighbors: Vec<Neighbor>,
+    /// Whether points have trails, and which.
+    pub(super) trails: (bool, TrailSettings),
     /// They are coloured by their distance to the first.
     pub(super) tints_distance: bool,
     /// Why solvers cannot run the scene, of those that cannot.

@@ -34,6 +34,8 @@ const ROOM: f32 = 12.0;
 const CORNER: f32 = 296.0;
 /// Width of what was measured once alone `[points]`.
 const DOT: f32 = 7.0;
+/// So high a menu of quantities shows all of them `[points]`.
+const MENU: f32 = 400.0;
 /// Half of the room less this is free for the plot: the primitives beside the tools end there `[points]`.
 const OTHERS: f32 = 165.0;
 
@@ -237,7 +239,7 @@ fn legend(ui: &mut Ui, plots: &mut Plots) {
                 let named = ENERGIES.into_iter().zip(of_energies(colors(ui)));
                 named.for_each(|((words, _), color)| _ = name(ui, words, color));
             }
-            Subject::Probes => {
+            Subject::Probes | Subject::Orbit => {
                 for (place, (point, color)) in plots.probes().into_iter().zip(colors(ui).probes).enumerate() {
                     let words = point.map(|probe| format!("{}: {}", place + 1, named(probe)));
                     words.iter().for_each(|words| _ = name(ui, words, color));
@@ -248,14 +250,32 @@ fn legend(ui: &mut Ui, plots: &mut Plots) {
         if plots.subject != Subject::Energies {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.spacing_mut().item_spacing.x = 4.0;
-                let has_bond = plots.has_bond();
-                let all = Quantity::ALL.into_iter().filter(|quantity| has_bond || !quantity.is_of_bonds());
-                for quantity in all.rev() {
-                    ui.selectable_value(&mut plots.quantity, quantity, quantity.words()[0]);
-                }
+                quantities(ui, plots);
             });
         }
     });
+}
+
+/// Which quantity of the probes is plotted, and of a coordinate whether against how fast it changes.
+fn quantities(ui: &mut Ui, plots: &mut Plots) {
+    let orbit = |quantity: Quantity| format!("{}, its velocity upwards", quantity.words()[0]);
+    let is_orbit = plots.subject == Subject::Orbit;
+    let shown = if is_orbit { orbit(plots.quantity) } else { plots.quantity.words()[0].to_owned() };
+    let all: Vec<Quantity> = plots.quantities().collect();
+    let menu = egui::ComboBox::from_id_salt("quantity").height(MENU).selected_text(shown).show_ui(ui, |ui| {
+        for &quantity in &all {
+            let is_chosen = !is_orbit && plots.quantity == quantity;
+            if ui.selectable_label(is_chosen, quantity.words()[0]).clicked() {
+                plots.choose(quantity);
+            }
+        }
+        for &quantity in all.iter().filter(|quantity| quantity.rate().is_some()) {
+            if ui.selectable_label(is_orbit && plots.quantity == quantity, orbit(quantity)).clicked() {
+                plots.choose_orbit(quantity);
+            }
+        }
+    });
+    menu.response.on_hover_text("what is plotted of the probes");
 }
 
 /// What is probed.
@@ -272,6 +292,7 @@ fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
         Subject::Energies => frame("energies", ["s", "J"], colors(ui)),
         Subject::Probes => frame(("probes", name), ["s", unit], colors(ui)),
         Subject::Phase => frame(("phase", name), [unit, unit], colors(ui)),
+        Subject::Orbit => frame(("orbit", name), [unit, "m/s"], colors(ui)),
     };
     let colors = colors(ui);
     let shown = frame.width(width).height(height).show(ui, |ui| {
@@ -359,6 +380,13 @@ pub(in crate::app) fn figure(plots: &Plots) -> String {
             let all = places.map(|(place, probe)| curve(named(probe), ON_WHITE[place], over_time(&of(place))));
             svg(["time [s]", &format!("{name} [{unit}]")], &all.collect::<Vec<_>>())
         }
+        Subject::Orbit => {
+            let places = plots.probes().into_iter().enumerate().filter_map(|(place, probe)| Some((place, probe?)));
+            let orbit =
+                |place: usize| plots.series().iter().filter_map(|measured| orbit(plots, measured, place)).collect();
+            let all = places.map(|(place, probe)| curve(named(probe), ON_WHITE[place], orbit(place)));
+            svg([&format!("{name} [{unit}]"), &format!("velocity {name} [m/s]")], &all.collect::<Vec<_>>())
+        }
         Subject::Phase => {
             let both = |measured: &Measured| Some([of(0)(measured)?, of(1)(measured)?]);
             let names = plots.probes().map(|probe| probe.map_or(String::new(), named));
@@ -397,11 +425,25 @@ fn lines(plots: &Plots, colors: &Colors) -> Vec<Line<'static>> {
             let places = plots.probes().into_iter().enumerate().filter(|(_, probe)| probe.is_some());
             places.map(|(place, _)| line(place)).collect()
         }
+        Subject::Orbit => {
+            let line = |place: usize| {
+                let at = |measured: &Measured| orbit(plots, measured, place);
+                Line::new((place + 1).to_string(), points(series, at)).color(colors.probes[place])
+            };
+            let places = plots.probes().into_iter().enumerate().filter(|(_, probe)| probe.is_some());
+            places.map(|(place, _)| line(place)).collect()
+        }
         Subject::Phase => {
             let at = |measured: &Measured| Some([of(0)(measured)?, of(1)(measured)?]);
             vec![Line::new("2 against 1", points(series, at)).color(colors.text)]
         }
     }
+}
+
+/// A coordinate of a probe, and how fast it changes.
+fn orbit(plots: &Plots, measured: &Measured, place: usize) -> Option<[f64; 2]> {
+    let probed = measured.probes[place]?;
+    Some([plots.quantity.of(&probed)?, plots.quantity.rate()?.of(&probed)?])
 }
 
 fn points(series: &Series, at: impl Fn(&Measured) -> Option<[f64; 2]>) -> PlotPoints<'static> {

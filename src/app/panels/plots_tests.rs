@@ -151,7 +151,9 @@ fn probes_are_plotted_over_time_and_against_each_other() {
     let mut two = Screen::new(2);
     assert!(two.curve(first) > 50 && two.curve(second) > 50);
     two.click("speed");
-    assert_eq!(two.plots.quantity, Quantity::Speed);
+    assert!(two.place_of("velocity z").is_none() && two.place_of("strain").is_none(), "not of points of the plane");
+    two.click("velocity y");
+    assert_eq!(two.plots.quantity, Quantity::VelocityY);
     two.click("against each other");
     assert_eq!(two.plots.subject, Subject::Phase);
     assert!({
@@ -160,6 +162,22 @@ fn probes_are_plotted_over_time_and_against_each_other() {
     });
     two.click("energies");
     assert_eq!(two.plots.subject, Subject::Energies);
+}
+
+#[test]
+fn a_probe_is_plotted_against_its_own_velocity() {
+    let mut one = Screen::new(1);
+    let first = colors(&one.context).probes[0];
+    one.click("speed");
+    one.click("y, its velocity upwards");
+    assert_eq!((one.plots.subject, one.plots.quantity), (Subject::Orbit, Quantity::Y));
+    assert!(one.curve(first) > 50, "{}", one.curve(first));
+    let drawn = super::figure(&one.plots);
+    assert!(drawn.contains("velocity y [m/s]") && drawn.contains("y [m]"), "{drawn}");
+    // Another quantity is one over time again.
+    one.click("y, its velocity upwards");
+    one.click("velocity x");
+    assert_eq!((one.plots.subject, one.plots.quantity), (Subject::Probes, Quantity::VelocityX));
 }
 
 #[test]

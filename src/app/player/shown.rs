@@ -182,7 +182,7 @@ impl Scenery {
             triangles,
             tints,
             values: None,
-            trails: None,
+            trails: Vec::new(),
             pinned,
             bounds: *bounds,
             planes: planes.clone(),

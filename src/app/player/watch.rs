@@ -28,13 +28,20 @@ pub struct Probed {
     pub probe: Probe,
     /// Position of the point, or of the middle of the bond `[m]`, z = 0 in the plane.
     pub position: [f64; 3],
-    /// The length of the velocity of that `[m/s]`.
-    pub speed: f64,
+    /// The velocity of that `[m/s]`.
+    pub velocity: [f64; 3],
     /// Strain of the bond, length/rest - 1 `[1]`; none of a point, or at rest length 0.
     pub strain: Option<f64>,
     /// By which the bond pulls its ends together, below 0 where it pushes `[N]`: of springs without a drive, and of rigid bonds where the
     /// state tells.
     pub force: Option<f64>,
+}
+
+impl Probed {
+    /// The length of its velocity `[m/s]`.
+    pub fn speed(&self) -> f64 {
+        norm(self.velocity)
+    }
 }
 
 /// Energies and probed points at one time.
@@ -111,14 +118,14 @@ fn probed(world: &dyn Dynamics, probe: Probe) -> Option<Probed> {
     let found = match probe {
         Probe::Point(point) => {
             let [position, velocity] = state(world, point)?;
-            Probed { probe, position, speed: norm(velocity), strain: None, force: None }
+            Probed { probe, position, velocity, strain: None, force: None }
         }
         Probe::Bond(number) => {
             let place = world.bond_place(number)?;
             of_bond(world, (place, world.bonds().get(place)), probe)?
         }
     };
-    let numbers = found.position.into_iter().chain([found.speed]).chain(found.strain).chain(found.force);
+    let numbers = found.position.into_iter().chain(found.velocity).chain(found.strain).chain(found.force);
     numbers.into_iter().all(f64::is_finite).then_some(found)
 }
 
@@ -155,7 +162,7 @@ fn of_bond(world: &dyn Dynamics, (place, bond): (usize, Bond), probe: Probe) -> 
         BondKind::Relaxed { .. } => None,
     };
     let strain = (rest > 0.0).then(|| length / rest - 1.0);
-    Some(Probed { probe, position: half(x, y), speed: norm(half(v, w)), strain, force })
+    Some(Probed { probe, position: half(x, y), velocity: half(v, w), strain, force })
 }
 
 fn norm([x, y, z]: [f64; 3]) -> f64 {

@@ -21,6 +21,8 @@ pub(super) enum Subject {
     Probes,
     /// The same quantity of both points against each other.
     Phase,
+    /// A coordinate of each probed point, and its velocity along that axis upwards.
+    Orbit,
 }
 
 /// What is plotted of a point, or of a bond.
@@ -30,6 +32,14 @@ pub(super) enum Quantity {
     X,
     /// Its second coordinate.
     Y,
+    /// Its third coordinate, in space.
+    Z,
+    /// Its velocity along the first axis.
+    VelocityX,
+    /// Its velocity along the second axis.
+    VelocityY,
+    /// Its velocity along the third axis, in space.
+    VelocityZ,
     /// The length of its velocity.
     #[default]
     Speed,
@@ -40,8 +50,32 @@ pub(super) enum Quantity {
 }
 
 impl Quantity {
-    pub(super) const ALL: [Quantity; 5] =
-        [Quantity::X, Quantity::Y, Quantity::Speed, Quantity::Strain, Quantity::Force];
+    pub(super) const ALL: [Quantity; 9] = [
+        Quantity::X,
+        Quantity::Y,
+        Quantity::Z,
+        Quantity::VelocityX,
+        Quantity::VelocityY,
+        Quantity::VelocityZ,
+        Quantity::Speed,
+        Quantity::Strain,
+        Quantity::Force,
+    ];
+
+    /// Whether space alone has it.
+    pub(super) fn is_of_space(self) -> bool {
+        matches!(self, Quantity::Z | Quantity::VelocityZ)
+    }
+
+    /// Of a coordinate how fast it changes.
+    pub(super) fn rate(self) -> Option<Quantity> {
+        match self {
+            Quantity::X => Some(Quantity::VelocityX),
+            Quantity::Y => Some(Quantity::VelocityY),
+            Quantity::Z => Some(Quantity::VelocityZ),
+            _ => None,
+        }
+    }
 
     /// Whether bonds alone have it.
     pub(super) fn is_of_bonds(self) -> bool {
@@ -53,6 +87,10 @@ impl Quantity {
         match self {
             Quantity::X => ["x", "m"],
             Quantity::Y => ["y", "m"],
+            Quantity::Z => ["z", "m"],
+            Quantity::VelocityX => ["velocity x", "m/s"],
+            Quantity::VelocityY => ["velocity y", "m/s"],
+            Quantity::VelocityZ => ["velocity z", "m/s"],
             Quantity::Speed => ["speed", "m/s"],
             Quantity::Strain => ["strain", "%"],
             Quantity::Force => ["force", "N"],
@@ -64,7 +102,11 @@ impl Quantity {
         match self {
             Quantity::X => Some(probed.position[0]),
             Quantity::Y => Some(probed.position[1]),
-            Quantity::Speed => Some(probed.speed),
+            Quantity::Z => Some(probed.position[2]),
+            Quantity::VelocityX => Some(probed.velocity[0]),
+            Quantity::VelocityY => Some(probed.velocity[1]),
+            Quantity::VelocityZ => Some(probed.velocity[2]),
+            Quantity::Speed => Some(probed.speed()),
             Quantity::Strain => probed.strain.map(|strain| 100.0 * strain),
             Quantity::Force => probed.force,
         }
@@ -78,6 +120,8 @@ pub(super) struct Plots {
     probes: Probes,
     pub(super) subject: Subject,
     pub(super) quantity: Quantity,
+    /// Of the world: 2 or 3.
+    dimensions: usize,
 }
 
 impl Plots {
@@ -88,6 +132,7 @@ impl Plots {
             probes: [None; 2],
             subject: Subject::default(),
             quantity: Quantity::default(),
+            dimensions: 2,
         }
     }
 
@@ -122,6 +167,10 @@ impl Plots {
 
     /// Takes what a frame brings. Returns whether there is anything new, and whether probes dropped out with their points.
     pub(super) fn take(&mut self, shown: &Shown) -> [bool; 2] {
+        self.dimensions = shown.dimensions;
+        if self.dimensions == 2 && self.quantity.is_of_space() {
+            (self.quantity, self.subject) = (Quantity::default(), self.without_orbit());
+        }
         let mut is_new = self.series.cut(shown.figures.time);
         let is_there = |probe: &Probe| match probe {
             Probe::Point(point) => {
@@ -193,6 +242,30 @@ impl Plots {
         self.suit_quantity();
     }
 
+    /// What is looked at, without orbits.
+    fn without_orbit(&self) -> Subject {
+        if self.subject == Subject::Orbit { Subject::Probes } else { self.subject }
+    }
+
+    /// The quantities that what is probed has.
+    pub(super) fn quantities(&self) -> impl Iterator<Item = Quantity> {
+        let (has_bond, is_in_space) = (self.has_bond(), self.dimensions == 3);
+        let has = move |quantity: &Quantity| {
+            (has_bond || !quantity.is_of_bonds()) && (is_in_space || !quantity.is_of_space())
+        };
+        Quantity::ALL.into_iter().filter(has)
+    }
+
+    /// A quantity is plotted over time from now on, or of both probes against each other.
+    pub(super) fn choose(&mut self, quantity: Quantity) {
+        (self.quantity, self.subject) = (quantity, self.without_orbit());
+    }
+
+    /// A coordinate is plotted with how fast it changes from now on.
+    pub(super) fn choose_orbit(&mut self, coordinate: Quantity) {
+        (self.quantity, self.subject) = (coordinate, Subject::Orbit);
+    }
+
     /// Of points alone no strain is plotted.
     fn suit_quantity(&mut self) {
         if self.quantity.is_of_bonds() && !self.has_bond() {
@@ -208,7 +281,7 @@ impl Plots {
         }
         self.subject = match (self.subject, self.probes) {
             (Subject::Phase, [Some(_), None] | [None, Some(_)]) => Subject::Probes,
-            (Subject::Phase | Subject::Probes, [None, None]) => Subject::Energies,
+            (Subject::Phase | Subject::Probes | Subject::Orbit, [None, None]) => Subject::Energies,
             (subject, _) => subject,
         };
         self.suit_quantity();

@@ -90,6 +90,7 @@ impl Series {
         write!(to, "time_s,kinetic_J,elastic_J,gravity_J,sum_J")?;
         for number in 1..=2 {
             write!(to, ",point_{number},bond_{number},x_{number}_m,y_{number}_m,z_{number}_m,speed_{number}_m/s")?;
+            write!(to, ",vx_{number}_m/s,vy_{number}_m/s,vz_{number}_m/s")?;
             write!(to, ",strain_{number},force_{number}_N")?;
         }
         for Measured { time, energies, probes } in &self.list {
@@ -98,16 +99,16 @@ impl Series {
             for probe in probes {
                 match probe {
                     Some(probed) => {
-                        let [x, y, z] = probed.position;
+                        let ([x, y, z], [u, v, w]) = (probed.position, probed.velocity);
                         let names = match probed.probe {
                             Probe::Point(point) => format!("{},", point.0),
                             Probe::Bond(number) => format!(",{number}"),
                         };
                         let said = |number: Option<f64>| number.map_or(String::new(), |number| number.to_string());
                         let [strain, force] = [probed.strain, probed.force].map(said);
-                        write!(to, ",{names},{x},{y},{z},{},{strain},{force}", probed.speed)?;
+                        write!(to, ",{names},{x},{y},{z},{},{u},{v},{w},{strain},{force}", probed.speed())?;
                     }
-                    None => write!(to, ",,,,,,,,")?,
+                    None => write!(to, ",,,,,,,,,,,")?,
                 }
             }
         }

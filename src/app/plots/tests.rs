@@ -206,11 +206,13 @@ fn a_table_has_a_header_and_a_row_for_each_measurement() {
             row[..2].iter().map(|cell| cell.parse().unwrap()).collect::<Vec<f64>>(),
             [measured.time, measured.energies.kinetic]
         );
-        let Some(Probed { speed, .. }) = measured.probes[0] else {
-            assert_eq!(row[5..], [""; 16]);
+        let Some(probed @ Probed { velocity, .. }) = measured.probes[0] else {
+            assert_eq!(row[5..], [""; 22]);
             continue;
         };
-        assert_eq!((row[5], row[10].parse()), ("1", Ok(speed)));
+        assert_eq!((row[5], row[10].parse()), ("1", Ok(probed.speed())));
+        let components: Vec<f64> = row[11..14].iter().map(|word| word.parse().unwrap()).collect();
+        assert_eq!(components, velocity);
     }
     assert!(rows[1][5].is_empty() && !rows[rows.len() - 1][5].is_empty());
 }

@@ -80,6 +80,7 @@ impl Session {
             Action::NextShowing => self.show_as(self.showing().next()),
             Action::Palette => self.recolor(),
             Action::ToggleGrid => self.look.has_grid = !self.look.has_grid,
+            Action::ToggleTrails => self.toggle_trails(),
             Action::Paint => self.paint(),
             Action::Import => self.cut_anew(),
             Action::Open => self.choose_file(),
@@ -140,6 +141,7 @@ impl Session {
             Wish::TintDistance(tints) => self.tints_distance = tints,
             Wish::Solver(solver) => self.player.ask(Order::Solver(solver)),
             Wish::Method(setting, goes_on) => self.player.ask(Order::Method(setting, goes_on)),
+            Wish::Trails(settings) => self.set_trails(settings),
             Wish::Pace(pace) => self.set_pace(pace),
             Wish::GoTo(time) => {
                 self.go(Order::GoTo(time, self.told));

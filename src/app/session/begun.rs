@@ -5,7 +5,7 @@ use std::sync::Arc;
 use winit::event_loop::{EventLoopProxy, OwnedDisplayHandle};
 use winit::window::{CursorIcon, Window};
 
-use super::{Framing, LEAST_PIN, Leaving, Lost, Session, Shelf, TRAIL};
+use super::{Framing, LEAST_PIN, Leaving, Lost, Session, Shelf};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::keys::{Down, Held};
 use crate::app::meter::Meter;
@@ -13,6 +13,7 @@ use crate::app::panels::{PanelState, listen, theme};
 use crate::app::player::{Figures, Player};
 use crate::app::pointer::Pointer;
 use crate::app::tools::{Chosen, Hand};
+use crate::app::trailing::{TrailSettings, Trailing};
 use crate::render::{Camera, Look, Palette, RenderError, Tiles, Trails};
 use crate::scene::Scene;
 use crate::sim::SceneChange;
@@ -44,7 +45,8 @@ impl Session {
             free: [[0.0; 2], size.map(f64::from)],
             corner: None,
             covered: Vec::new(),
-            trails: Trails::new(TRAIL),
+            trails: Trails::new(TrailSettings::default().length),
+            trailing: Trailing::default(),
             look: Look { scale_factor: window.scale_factor() as f32, least_pin: LEAST_PIN, ..Look::default() },
             palette: Palette::default(),
             has_picture: false,

@@ -3,12 +3,13 @@
 use glam::DVec2;
 
 use super::Session;
+use super::trails::AllTrails;
 use crate::app::lengths::LengthUnit;
 use crate::app::panels::{Neighbor, TOOLS, solvers};
 use crate::app::player::{Beside, Companions, Order};
 use crate::app::tools::{Mark, Role};
 use crate::app::{distances, opening};
-use crate::render::{Camera, Look, Overlay, Pane, Trails, View};
+use crate::render::{Camera, Look, Overlay, Pane, View};
 use crate::scene::{BesideKeys, Meeting, Scene, SolverName};
 use crate::sim::{Cursor, MouseForce};
 
@@ -110,11 +111,12 @@ impl Session {
         Look { region, inset, overlay: if is_tinted { Overlay::Difference } else { look.overlay }, ..look }
     }
 
-    /// The worlds as they are drawn in a picture of `size` `[px]`: `first`, then what stands `beside` it, with the trails of each.
+    /// The worlds as they are drawn in a picture of `size` `[px]`: `first`, with the trails of all, then what stands `beside` it, each with
+    /// its own.
     pub(super) fn panes<'a>(
         &self,
         first: View<'a>,
-        (beside, trails): (&'a [Beside], &'a [Trails]),
+        (beside, trails): (&'a [Beside], AllTrails<'a>),
         (force, camera, look): (Option<(&'a MouseForce, Cursor)>, &Camera, Look),
         size: [u32; 2],
     ) -> Vec<Pane<'a>> {
@@ -122,10 +124,11 @@ impl Session {
         let others = beside.iter().enumerate().take(self.tiles.count() - 1);
         let others = others.map(|(k, world)| View {
             mouse: force,
-            trails: trails.get(k),
+            trails: trails.of(k + 1),
             covered: first.covered,
             ..world.view(self.scene.dimensions())
         });
+        let first = View { trails: (0..self.tiles.count()).flat_map(|place| trails.of(place)).collect(), ..first };
         let views = std::iter::once(first).chain(others).enumerate();
         views.map(|(place, view)| Pane::of(&self.tiles, place, view, camera, self.look_of(place, look), size)).collect()
     }
@@ -138,19 +141,6 @@ impl Session {
         let others = (0..self.tiles.count()).filter(|place| *place != self.cell);
         let radius = GHOST_RADIUS * f64::from(self.look.scale_factor);
         others.map(|place| Mark::Ring(Role::Ghost, at - shift(self.cell) + shift(place), radius)).collect()
-    }
-
-    /// Notes where the points of what stands beside the world are.
-    pub(super) fn note_trails(&mut self, time: f64) {
-        let dimensions = self.scene.dimensions();
-        let length = self.trails.length();
-        let beside = &self.player.shown().beside;
-        self.beside_trails.resize_with(beside.len(), || Trails::new(length));
-        for (trails, world) in self.beside_trails.iter_mut().zip(beside) {
-            if world.farthest.is_some() {
-                trails.note(time, &world.view(dimensions));
-            }
-        }
     }
 
     /// What is said above each world, and where `[points]`. Nothing where the world is alone.
@@ -166,7 +156,8 @@ impl Session {
             // The tools stand at the left edge.
             let inset = if place.is_multiple_of(columns) { TOOLS } else { 0.0 };
             let (left, width) = (left + inset, width - inset);
-            Neighbor { title: title.to_owned(), words, at: [left, top], width, columns }
+            let color = self.trailing.is_on().then(|| self.look.trails[place % self.look.trails.len()]);
+            Neighbor { title: title.to_owned(), words, at: [left, top], width, columns, color }
         };
         // One unit for all of them, that of the legend where there is one.
         let known = shown.beside.iter().filter_map(|world| world.farthest).filter(|most| *most <= BLOWN_UP);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::shelf::Left;
-use super::{Framing, Session, TRAIL};
+use super::{Framing, Session};
 use crate::app::action::Tool;
 use crate::app::player::{Player, too_many_to_meet};
 use crate::app::tools::Chosen;
@@ -112,7 +112,7 @@ impl Session {
         self.canvas.forget_world(scene.dimensions());
         self.has_picture = scene.picture_body().is_some();
         self.look.has_mesh = false;
-        self.trails = Trails::new(TRAIL * scene.rate());
+        self.trails = Trails::new(self.trailing.settings.length * scene.rate());
         self.beside_trails.clear();
         (self.cell, self.misfits.0, self.most_apart) = (0, None, 0.0);
         self.tints_distance = scene.method.solver == Some(SolverName::AsPrinted);

@@ -7,6 +7,7 @@ use egui::epaint::{ClippedShape, Shape};
 use egui::{Color32, FontId, Pos2, Rect, Stroke};
 
 use super::begun::panels_for;
+use super::trails::AllTrails;
 use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
@@ -161,6 +162,7 @@ impl Session {
             seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },
             points: self.points_seen(),
             neighbors: self.neighbors(),
+            trails: (self.trailing.is_on(), self.trailing.settings),
             tints_distance: self.tints_distance,
             misfits: Arc::clone(&self.misfits.1),
             settings: Settings {
@@ -250,17 +252,16 @@ impl Session {
             (self.panels_dirty, self.dirty) = (true, true);
             self.marked_words = words;
         }
-        self.note_trails(self.shown().figures.time);
+        self.note_trails();
         let region = self.region();
         let empty = crate::app::player::Shown { dimensions: self.canvas.dimensions(), ..Default::default() };
         let shown = if self.player.is_open() { self.player.shown() } else { &empty };
         let view = View { mouse: region.as_ref().map(|(force, at)| (force, *at)), ..shown.view() };
-        self.trails.note(shown.figures.time, &view);
         let force = view.mouse;
-        let view = View { trails: Some(&self.trails), covered: &self.covered, ..view };
+        let view = View { covered: &self.covered, ..view };
         let inset = if self.panels.hides_panels { 0.0 } else { panels::TOOLS };
         let look = Look { inset, ..self.look };
-        let beside = (&shown.beside[..], &self.beside_trails[..]);
+        let beside = (&shown.beside[..], AllTrails(&self.trails, &self.beside_trails));
         let panes = self.panes(view, beside, (force, &self.camera, look), self.area);
         let done = self.canvas.draw(&panes, self.area, &mut self.paint);
         match done {

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::Session;
+use super::trails::AllTrails;
 use crate::app::opening::keys;
 use crate::app::panels::{Sheet, Wish, ask_to_save, is_recording};
 use crate::app::player::Order;
@@ -109,8 +110,8 @@ impl Session {
         let mut camera = self.camera;
         camera.resize(self.area);
         let capture = Capture::on(self.canvas.gpu().clone(), self.area, view.dimensions);
-        let (view, force) = (View { trails: Some(&self.trails), ..view.clone() }, view.mouse);
-        let beside = (&self.player.shown().beside[..], &self.beside_trails[..]);
+        let (view, force) = (view.clone(), view.mouse);
+        let beside = (&self.player.shown().beside[..], AllTrails(&self.trails, &self.beside_trails));
         let panes = self.panes(view, beside, (force, &camera, self.look), self.area);
         let drawn = capture.and_then(|mut capture| capture.pictures(&panes));
         match drawn {

@@ -22,6 +22,7 @@ mod pointing;
 mod selecting;
 mod shelf;
 mod told;
+mod trails;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -49,6 +50,7 @@ use super::preferences::Preferences;
 use super::saving::Saving;
 use super::thumbnails::Thumbnails;
 use super::tools::{Chosen, Hand};
+use super::trailing::Trailing;
 use crate::history::HistoryError;
 use crate::picture::Tint;
 use crate::render::{Camera, Look, Palette, RenderCounters, Tiles, Trails};
@@ -62,8 +64,6 @@ use shelf::Shelf;
 
 /// The tag of scenes that are painted on.
 const BRUSH: &str = "brush";
-/// How long trails of points last, in scenes of few `[s of wall time]`.
-const TRAIL: f64 = 2.5;
 /// Least radius of a pinned point, of a few `[points]`: it is led by the hand.
 const LEAST_PIN: f32 = 4.2;
 /// A frame's time where there was none before it `[s]`.
@@ -147,6 +147,7 @@ pub(super) struct Session {
     look: Look,
     palette: Palette,
     trails: Trails,
+    trailing: Trailing,
     panels: PanelState,
     paint: Paint,
     /// What was written over the world last.
@@ -218,6 +219,7 @@ impl Session {
     pub(super) fn keep_in(&mut self, folder: Option<PathBuf>, record: Option<PathBuf>) {
         let preferred = folder.as_deref().map(Preferences::load).unwrap_or_default();
         self.color(preferred.palette);
+        self.trailing.settings = preferred.trails;
         self.search = folder.clone().map(|folder| look(folder, self.wake_up()));
         (self.state_folder, self.record) = (folder, record);
     }
@@ -236,9 +238,15 @@ impl Session {
     /// Dark or light, as it is from now on and at the next start.
     fn recolor(&mut self) {
         self.color(self.palette.other());
-        let kept = self.state_folder.as_deref().map(|folder| Preferences { palette: self.palette }.save(folder));
+        self.keep_preferences();
+    }
+
+    /// What is preferred is kept for the next start.
+    fn keep_preferences(&mut self) {
+        let preferred = Preferences { palette: self.palette, trails: self.trailing.settings };
+        let kept = self.state_folder.as_deref().map(|folder| preferred.save(folder));
         if let Some(Err(why)) = kept {
-            self.complain(&format!("at the next start the colours are the old ones again: {why}"));
+            self.complain(&format!("at the next start colours and trails are as they were: {why}"));
         }
     }
 

@@ -1,10 +1,11 @@
 //! The sections of the settings: what the scene is about first, then in the order of use.
 
-use egui::Ui;
+use egui::{Slider, Ui};
 
 use super::super::{Facts, Wish, parameters};
 use super::{Sink, fields};
 use crate::app::action::Action;
+use crate::app::trailing::TrailSettings;
 use crate::render::Palette;
 use crate::scene::Parameter;
 
@@ -21,10 +22,11 @@ pub(super) enum Section {
     Method,
     /// How all scenes look.
     Colors,
+    Trails,
 }
 
 /// All of them, in the order of use.
-const ALL: [Section; 8] = [
+const ALL: [Section; 9] = [
     Section::Scene,
     Section::Gravity,
     Section::Bodies,
@@ -33,6 +35,7 @@ const ALL: [Section; 8] = [
     Section::Walls,
     Section::Method,
     Section::Colors,
+    Section::Trails,
 ];
 
 /// What a caption that sends one here calls the settings.
@@ -65,14 +68,15 @@ impl Section {
                 "tolerance",
             ],
             Section::Colors => &["colours", "colors", "dark", "light", "palette", "theme", "look"],
+            Section::Trails => &["trails", "paths", "points", "number", "length"],
         }
     }
 
     /// Whether a caption that speaks of the settings means it.
     fn is_named(self, caption: &str) -> bool {
         let words = match self {
-            // What the scene names stands first anyway; colours belong to none.
-            Section::Scene | Section::Colors => return false,
+            // What the scene names stands first anyway; colours and trails belong to none.
+            Section::Scene | Section::Colors | Section::Trails => return false,
             Section::Gravity => &["gravity"][..],
             Section::Bodies => &["meet each other", "areas"],
             Section::Push => &["push of the mouse"],
@@ -94,7 +98,7 @@ impl Section {
             Section::Air => scene.drag_rate.is_some() && scene.wind.is_some(),
             Section::Walls => scene.bounds.is_some(),
             Section::Method => scene.method.is_some(),
-            Section::Colors => true,
+            Section::Colors | Section::Trails => true,
         }
     }
 
@@ -127,6 +131,7 @@ impl Section {
             }
             Section::Method => scene.method.iter().for_each(|method| fields::of_method(ui, method, facts, sink)),
             Section::Colors => of_colors(ui, facts, sink),
+            Section::Trails => of_trails(ui, facts, sink),
         }
     }
 }
@@ -156,6 +161,27 @@ fn of_colors(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
             }
         }
     });
+}
+
+fn of_trails(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
+    let (mut is_on, before) = facts.trails;
+    let mut to = before;
+    ui.strong("Trails");
+    let said =
+        super::described("where points have been: those that are probed or selected first", Action::ToggleTrails);
+    if ui.checkbox(&mut is_on, "trails of points").on_hover_text(said).changed() {
+        sink.wishes.push(Wish::Act(Action::ToggleTrails));
+    }
+    ui.spacing_mut().slider_width = 96.0;
+    ui.add_enabled_ui(is_on, |ui| {
+        ui.add(Slider::new(&mut to.most, 1..=TrailSettings::MOST).logarithmic(true).text("points"));
+        let [shortest, longest] = TrailSettings::LENGTHS;
+        let length = Slider::new(&mut to.length, shortest..=longest).logarithmic(true).max_decimals(1);
+        ui.add(length.suffix(" s").text("long"));
+    });
+    if to != before {
+        sink.wishes.push(Wish::Trails(to));
+    }
 }
 
 #[cfg(test)]
@@ -193,6 +219,7 @@ mod tests {
         assert_eq!(found(&facts, "wind"), [Section::Air]);
         assert_eq!(found(&facts, "friction"), [Section::Bodies, Section::Walls]);
         assert_eq!(found(&facts, "light"), [Section::Colors]);
+        assert_eq!(found(&facts, "trails"), [Section::Trails]);
         assert!(found(&facts, "no such thing").is_empty());
         assert!(found(&facts, " ").len() >= 7);
     }
