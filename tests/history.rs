@@ -8,7 +8,7 @@ mod keyframes;
 
 use common::session::{Dice, play as play_at_random};
 use wobble::history::{DeleteKeys, Do, History, Log, Recording, SetKeys, Start, hash_now, replay};
-use wobble::scene::{AddKeys, Scene};
+use wobble::scene::{AddKeys, KindName, Scene};
 use wobble::sim::{Contact, Cursor, MouseChange, PointId, Reach};
 
 fn history(name: &str) -> History {
@@ -516,4 +516,36 @@ fn skins_of_the_scene_and_of_what_was_added_are_in_a_snapshot() {
     assert!(again.skins() == before);
     // A snapshot of what began with one has them too.
     assert!(open(&again.snapshot().unwrap()).skins() == before);
+}
+
+/// A soft block that is squeezed to a half by what lies on it becomes rigid within half a second: its load is lifted, not thrown.
+#[test]
+fn what_is_squeezed_and_becomes_rigid_lifts_its_load() {
+    let scene = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": true, "bounds": {"min": [-4, 0], "max": [4, 12], "friction": 0.5},
+        "bodies": [
+            {"make": "lattice", "columns": 11, "rows": 6, "spacing": 0.1, "origin": [-0.5, 0.01],
+                "material": {"kind": "spring", "stiffness": 600, "damping": 2, "mass": 2}},
+            {"make": "box", "width": 0.8, "height": 0.4, "origin": [0, 0.8], "material": {"kind": "rigid", "mass": 40}}]}"#;
+    let mut history = History::new(Start::from(Scene::parse(scene, "scene").unwrap())).unwrap();
+    let top = |history: &History| {
+        let sample = history.world().sample(history.world().time());
+        sample.position[66..].iter().map(|x| x[1]).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let go = |history: &mut History, until: f64| {
+        let mut most = f64::NEG_INFINITY;
+        while history.world().time() < until {
+            history.step();
+            most = most.max(top(history));
+        }
+        most
+    };
+    go(&mut history, 3.0);
+    let before = top(&history);
+    assert!(before < 0.7, "it is squeezed: {before}");
+    let rigid =
+        SetKeys { bonds: Some((0..215).collect()), kind: Some(KindName::Rigid), over: Some(0.5), ..SetKeys::default() };
+    history.give(vec![Do::Set(Box::new(rigid))], Some("Rigid")).unwrap();
+    let most = go(&mut history, 6.0);
+    let end = top(&history);
+    assert!(most < end + 0.15 && end > 0.85, "it rises to {most} m and lies at {end} m");
 }

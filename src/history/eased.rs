@@ -1,10 +1,11 @@
 //! Masses and springs that are led to other numbers over a while, in place of having them at once.
 //!
 //! A spring that is loaded holds k d^2/2: at once ten times as stiff it would hold ten times that, and throw the body. Led there, it lifts its
-//! load by its sag, slowly:
+//! load by its sag, evenly, for the sag goes by what the stiffness is the inverse of:
 //!
 //! ```text
-//! number = from^(1 - s) to^s,   s = 3 r^2 - 2 r^3, r the share of the time that has gone
+//! 1/stiffness = (1 - s)/from + s/to,   s = 3 r^2 - 2 r^3, r the share of the time that has gone
+//! masses and damping = from^(1 - s) to^s
 //! ```
 //! A spring that is to be rigid is led to [`NEARLY_RIGID`] times its stiffness, and is rigid then.
 
@@ -123,6 +124,12 @@ fn between(from: f64, to: f64, s: f64) -> f64 {
     if from > 0.0 && to > 0.0 { from * libm::pow(to / from, s) } else { from + s * (to - from) }
 }
 
+/// The same of a stiffness.
+fn stiffness_between(from: f64, to: f64, s: f64) -> f64 {
+    let from = from.max(FIRST * to);
+    if from > 0.0 && to > 0.0 { 1.0 / ((1.0 - s) / from + s / to) } else { between(from, to, s) }
+}
+
 impl Eased {
     /// Whether it gets other numbers at a time `[s]`.
     pub(super) fn is_due(&self, time: f64) -> bool {
@@ -147,15 +154,18 @@ impl Eased {
             .zip(self.from.iter().zip(&self.to))
             .filter(|(number, _)| self.is_there(world, *number))
             .unzip();
-        let each = |part: usize| {
-            let now = ways.iter().map(|(from, to)| between(from[part], to[part], s));
+        let each = |part: usize, law: fn(f64, f64, f64) -> f64| {
+            let now = ways.iter().map(|(from, to)| law(from[part], to[part], s));
             Some(OneOrEach::Each(now.collect()))
         };
         let keys = match self.led {
-            Led::Masses => SetKeys { mass: each(0), points: Some(numbers.clone()), ..SetKeys::default() },
-            Led::Springs => {
-                SetKeys { stiffness: each(0), damping: each(1), bonds: Some(numbers.clone()), ..SetKeys::default() }
-            }
+            Led::Masses => SetKeys { mass: each(0, between), points: Some(numbers.clone()), ..SetKeys::default() },
+            Led::Springs => SetKeys {
+                stiffness: each(0, stiffness_between),
+                damping: each(1, between),
+                bonds: Some(numbers.clone()),
+                ..SetKeys::default()
+            },
         };
         (!numbers.is_empty()).then_some(keys)
     }

@@ -81,6 +81,14 @@ pub(super) fn of_air(ui: &mut Ui, mut drag_rate: f64, wind: Option<Wind<3>>, sin
     let blows = to.velocity != [0.0; 3];
     let gusts = ui.add_enabled_ui(blows, |ui| slider(ui, "turbulence", &mut to.turbulence, 1.0)).inner;
     changed = changed.or(gusts.changed().then_some(gusts));
+    if blows && to.turbulence > 0.0 {
+        let by = ui.horizontal(|ui| {
+            let label = ui.label("seed");
+            ui.add(DragValue::new(&mut to.seed).speed(0.05)).labelled_by(label.id)
+        });
+        let by = by.inner.on_hover_text("of the gusts: with another one they come at other times, as strong");
+        changed = changed.or(by.changed().then_some(by));
+    }
     if blows && drag_rate == 0.0 {
         ui.weak("without drag no wind is felt");
     }

@@ -51,7 +51,7 @@ impl Section {
                 &["bodies", "meet", "contact", "collisions", "friction", "restitution", "bounce", "areas", "resist"]
             }
             Section::Push => &["push", "mouse", "strength", "radius", "reach"],
-            Section::Air => &["air", "drag", "wind", "turbulence", "gusts"],
+            Section::Air => &["air", "drag", "wind", "turbulence", "gusts", "seed"],
             Section::Walls => &["walls", "floor", "left", "right", "top", "friction", "restitution", "bounce"],
             Section::Method => &[
                 "method",
@@ -65,9 +65,10 @@ impl Section {
                 "sleep",
                 "asleep",
                 "rest",
-                "tolerance",
             ],
-            Section::Colors => &["colours", "colors", "dark", "light", "palette", "theme", "look"],
+            Section::Colors => {
+                &["colours", "colors", "dark", "light", "palette", "theme", "look", "grid", "numbers", "axes"]
+            }
             Section::Trails => &["trails", "paths", "points", "number", "length"],
         }
     }
@@ -161,6 +162,11 @@ fn of_colors(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
             }
         }
     });
+    let mut is_shown = facts.look.has_grid;
+    let said = super::described("metres along the lower and the left edge", Action::ToggleGrid);
+    if ui.checkbox(&mut is_shown, "grid and its numbers").on_hover_text(said).changed() {
+        sink.wishes.push(Wish::Act(Action::ToggleGrid));
+    }
 }
 
 fn of_trails(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
@@ -217,6 +223,7 @@ mod tests {
         let facts = facts("jelly");
         assert_eq!(found(&facts, "Sweeps"), [Section::Method]);
         assert_eq!(found(&facts, "wind"), [Section::Air]);
+        assert_eq!((found(&facts, "seed"), found(&facts, "grid")), (vec![Section::Air], vec![Section::Colors]));
         assert_eq!(found(&facts, "friction"), [Section::Bodies, Section::Walls]);
         assert_eq!(found(&facts, "light"), [Section::Colors]);
         assert_eq!(found(&facts, "trails"), [Section::Trails]);
