@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::app::player::Shown;
 use crate::picture::Tint;
 use crate::render::{Camera, Pose};
-use crate::sim::PointId;
+use crate::sim::{PointId, segments_meet};
 
 /// What is taken by a press: how near its points are to the pixel at least `[logical px]`.
 const GRIP: f64 = 14.0;
@@ -314,10 +314,9 @@ pub(super) fn distance_to_segment(at: DVec2, from: DVec2, to: DVec2) -> f64 {
     at.distance(from + share * along)
 }
 
-/// Whether two stretches cross, or touch.
-pub(super) fn cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
-    let side = |from: DVec2, to: DVec2, at: DVec2| (to - from).perp_dot(at - from);
-    side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
+/// Whether two stretches cross, or touch: as the cut sees it.
+pub(super) fn cross(first: [DVec2; 2], second: [DVec2; 2]) -> bool {
+    segments_meet(first.map(|end| end.to_array()), second.map(|end| end.to_array()))
 }
 
 /// Whether a place lies within loops by the even-odd rule.
