@@ -319,6 +319,18 @@ pub(super) fn cross(first: [DVec2; 2], second: [DVec2; 2]) -> bool {
     segments_meet(first.map(|end| end.to_array()), second.map(|end| end.to_array()))
 }
 
+/// The sides of loops, from end to end `[m]`.
+pub(super) fn sides(loops: &[Vec<[f64; 2]>]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+    loops.iter().flat_map(|corners| {
+        (0..corners.len()).map(move |k| [corners[k], corners[(k + 1) % corners.len()]].map(DVec2::from))
+    })
+}
+
+/// How far a place is from the nearest of such sides `[m]`; infinite of none.
+pub(super) fn distance_to_sides(at: DVec2, loops: &[Vec<[f64; 2]>]) -> f64 {
+    sides(loops).map(|[from, to]| distance_to_segment(at, from, to)).fold(f64::INFINITY, f64::min)
+}
+
 /// Whether a place lies within loops by the even-odd rule.
 pub(super) fn is_inside(loops: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> bool {
     let mut inside = false;
