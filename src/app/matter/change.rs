@@ -1,12 +1,12 @@
 //! What is changed of the matter of bodies, and the commands that do it.
 
 use super::Among;
-use super::facts::{NEVER, areas, place};
+use super::extent::{areas, rest_length};
+use super::facts::NEVER;
 use super::preset::{Preset, Stuff};
 use crate::history::{Do, OneOrEach, SetKeys};
 use crate::picture::{Coat, Tint};
 use crate::scene::{AddKeys, KindName, SkinKeys};
-use crate::sim::vector::{length, sub};
 use crate::sim::{Bond, BondKind, Dynamics, Limit, PointId};
 
 /// Stiffness of springs that were rigid before, over the mass of their body `[1/s^2]`, and damping over stiffness `[s]`.
@@ -220,7 +220,7 @@ fn of_preset(world: &dyn Dynamics, (points, among): (&[PointId], &Among), preset
     all
 }
 
-/// What points weigh in a matter of this density `[kg/m^2]`, one each: a third of each triangle that they are corners of, whichever body it
+/// What points weigh in a matter of this density `[kg/m^2]`, one each, by their shape at rest: a third of each triangle that they are corners of, whichever body it
 /// is of; where there is none, half of each of their bonds, as a rope of it; a point without either weighs what it did.
 fn weights(world: &dyn Dynamics, points: &[PointId], density: f64) -> Vec<f64> {
     let mut area = vec![0.0; world.point_count()];
@@ -229,9 +229,9 @@ fn weights(world: &dyn Dynamics, points: &[PointId], density: f64) -> Vec<f64> {
         corners.iter().for_each(|corner| area[corner.index()] += covered / 3.0);
     }
     let mut half = vec![0.0; world.point_count()];
-    for &[a, b] in world.bonds().ends() {
-        let long: f64 = length(sub(place(world, b), place(world, a)));
-        [a, b].into_iter().for_each(|end| half[end.index()] += 0.5 * long);
+    for bond in world.bonds().iter() {
+        let long = rest_length(world, &bond);
+        [bond.a, bond.b].into_iter().for_each(|end| half[end.index()] += 0.5 * long);
     }
     let weight = |point: &PointId| {
         let place = point.index();

@@ -1,8 +1,8 @@
 //! What a selection is made of, in figures.
 
 use super::Among;
+use super::extent::areas;
 use crate::picture::Tint;
-use crate::sim::vector::{cross, length, sub};
 use crate::sim::{Bond, BondKind, Dynamics, Obstacle, PointId};
 
 /// A strain at which bonds break that none comes to `[1]`: files have no word for never.
@@ -58,7 +58,7 @@ pub struct Matter {
     pub(in crate::app) name: Option<String>,
     /// Of its points `[kg]`.
     pub(in crate::app) mass: f64,
-    /// What its triangles cover `[m^2]`.
+    /// What its triangles cover at rest `[m^2]`.
     pub(in crate::app) area: f64,
     /// Bonds that are rigid, springs, relaxed.
     pub(in crate::app) kinds: [usize; 3],
@@ -213,33 +213,4 @@ fn surface(obstacle: &Obstacle) -> [f64; 2] {
         Obstacle::Polygon(polygon) => [polygon.friction, polygon.restitution],
         Obstacle::Convex(convex) => [convex.friction, convex.restitution],
     }
-}
-
-/// Where a point of a world is `[m]`.
-pub(super) fn place(world: &dyn Dynamics, point: PointId) -> [f64; 3] {
-    let (positions, dimensions) = (world.positions(), world.dimensions());
-    let at = |axis: usize| positions.get(point.index() * dimensions + axis);
-    std::array::from_fn(|axis| if axis < dimensions { at(axis) } else { 0.0 })
-}
-
-/// The triangles all of whose corners are among some points, ascending, with their areas now `[m^2]`.
-pub(super) fn areas(world: &dyn Dynamics, points: &[PointId]) -> Vec<([PointId; 3], f64)> {
-    let has = |point: &PointId| points.binary_search(point).is_ok();
-    let area = |corners: &[PointId; 3]| {
-        let [a, b, c] = corners.map(|corner| place(world, corner));
-        let (p, q): ([f64; 3], [f64; 3]) = (sub(b, a), sub(c, a));
-        match world.dimensions() {
-            2 => 0.5 * cross([p[0], p[1]], [q[0], q[1]]).abs(),
-            _ => {
-                let normal = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
-                0.5 * length(normal)
-            }
-        }
-    };
-    world
-        .triangles()
-        .iter()
-        .filter(|corners| corners.iter().all(has))
-        .map(|corners| (*corners, area(corners)))
-        .collect()
 }

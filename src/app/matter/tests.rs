@@ -240,6 +240,32 @@ fn what_is_pressed_flat_becomes_stiffer_without_a_hop_in_one_step_of_undo() {
 }
 
 #[test]
+fn what_is_pressed_flat_or_stretched_gets_the_mass_of_its_shape_at_rest() {
+    let weighed = |stage: &mut Stage, among: &Among| {
+        let list = super::commands(stage.history().world(), among, MatterChange::Preset(Preset::Wood)).unwrap();
+        assert_eq!(stage.obey(Order::Give(list, Some("at once"))), None);
+        let after = matter(stage, among);
+        assert!(after.area == 0.0 || (after.density().unwrap() / Preset::Wood.stuff().density - 1.0).abs() < 1e-9);
+        after.mass
+    };
+    let (mut flat, disc) = loaded();
+    let mut round = Stage::new(Scene::parse(LOADED, "x.json").unwrap().into()).unwrap();
+    let squeezed = heights(&flat)[1] / heights(&round)[1];
+    assert!(squeezed < 0.75, "{squeezed}");
+    let [pressed, free] = [&mut flat, &mut round].map(|stage| weighed(stage, &disc));
+    assert!((pressed / free - 1.0).abs() < 1e-6, "{pressed} kg, {free} kg as it was built");
+    // A rope of springs that is twice as long as it is at rest.
+    let rope = |long: f64| {
+        let text = format!(
+            r#"{{"wobble": 1, "points": {{"position": [[0, 0], [{long}, 0]]}},
+            "bonds": [{{"a": 0, "b": 1, "kind": "spring", "stiffness": 9, "rest": 1}}]}}"#
+        );
+        weighed(&mut Stage::new(Scene::parse(&text, "x.json").unwrap().into()).unwrap(), &among(0..2))
+    };
+    assert!(rope(1.0) > 0.0 && (rope(2.0) / rope(1.0) - 1.0).abs() < 1e-9);
+}
+
+#[test]
 fn what_is_led_to_another_matter_is_shown_as_it_will_be_undone_as_one_kept_in_files_and_replayed_to_the_bit() {
     use crate::history::{Do, Replay, Start};
     let (mut stage, disc) = loaded();

@@ -55,9 +55,9 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
         if muscle.runs {
             let said = "in lengths of the stroke";
             slider(ui, "wave length", &mut muscle.length, LENGTHS[0]..=LENGTHS[1], "").on_hover_text(said);
-        } else {
-            slider(ui, "phase", &mut muscle.phase, 0.0..=std::f64::consts::TAU, " rad");
         }
+        let said = if muscle.runs { "at the beginning of the stroke" } else { "of all muscles of a stroke" };
+        slider(ui, "phase", &mut muscle.phase, 0.0..=std::f64::consts::TAU, " rad").on_hover_text(said);
     }
     keys(ui, &mut muscle.key, &mut muscle.back);
 }

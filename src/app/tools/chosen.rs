@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::Deed;
 use super::marks::{self, Mark, Role};
-use super::pick::Scope;
+use super::pick::{self, Scope};
 use crate::history::{DeleteKeys, Do};
 use crate::picture::Tint;
 use crate::render::Pose;
@@ -178,12 +178,7 @@ fn solids(scope: Scope<'_>) -> impl Iterator<Item = (u32, Vec<DVec2>)> {
     let scenery = &scope.shown.scenery;
     let pixel = move |x: DVec3| scope.camera.screen_from_world(x).map(DVec2::from);
     let of_polygons = scenery.polygons.iter().map(move |polygon| {
-        let places = polygon.loops.iter().flat_map(|corners| {
-            (0..corners.len()).flat_map(|k| {
-                let [from, to] = [corners[k], corners[(k + 1) % corners.len()]].map(DVec2::from);
-                [from, 0.5 * (from + to)]
-            })
-        });
+        let places = pick::sides(&polygon.loops).flat_map(|[from, to]| [from, 0.5 * (from + to)]);
         places.filter_map(|place| pixel(place.extend(0.0))).collect()
     });
     let of_convex = scenery

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::chosen::Chosen;
 use super::hub::Hubs;
-use super::pick::{Scope, distance_to_segment, is_inside};
+use super::pick::{Scope, distance_to_sides, is_inside};
 use crate::sim::PointId;
 
 /// A pin this near to the side of an obstacle hangs on it `[logical px]`.
@@ -23,11 +23,8 @@ pub(super) fn pins_in(scope: Scope<'_>, obstacles: &[u32]) -> Vec<PointId> {
     let planes = scenery.planes.iter().zip(&scenery.plane_numbers).filter(|(_, number)| is_meant(number));
     let planes: Vec<[DVec2; 2]> = planes.map(|(plane, _)| plane.map(|x| DVec3::from(x).truncate())).collect();
     let is_stuck = |at: DVec2| {
-        let touches = |corners: &Vec<[f64; 2]>| {
-            let side = |k: usize| [corners[k], corners[(k + 1) % corners.len()]].map(DVec2::from);
-            (0..corners.len()).map(side).any(|[from, to]| distance_to_segment(at, from, to) <= near)
-        };
-        let in_polygon = |loops: &&Vec<Vec<[f64; 2]>>| is_inside(loops, at.to_array()) || loops.iter().any(touches);
+        let in_polygon =
+            |loops: &&Vec<Vec<[f64; 2]>>| is_inside(loops, at.to_array()) || distance_to_sides(at, loops) <= near;
         let behind = |[point, normal]: &[DVec2; 2]| (at - *point).dot(normal.normalize_or_zero()) <= near;
         polygons.iter().any(in_polygon) || planes.iter().any(behind)
     };

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::drives::MotorChoice;
 use super::hub::{Hub, Hubs};
 use super::marks::{Mark, Role};
-use super::pick::{Scope, distance_to_segment};
+use super::pick::{Scope, distance_to_sides};
 use super::skin;
 use crate::scene::{AddKeys, AngleKeys, BondKeys, KindName, MassKeys, PointKeys, Row, Vector};
 use crate::sim::{Bond, BondKind, PointId};
@@ -270,11 +270,7 @@ fn gap(scope: Scope<'_>, at: DVec2) -> f64 {
         let [point, normal] = [*point, *normal].map(|x| DVec3::from(x).truncate());
         (at - point).dot(normal.normalize_or_zero()).abs()
     });
-    let loops = scenery.polygons.iter().flat_map(|polygon| &polygon.loops);
-    let sides = loops.flat_map(|corners| {
-        let side = move |k: usize| [corners[k], corners[(k + 1) % corners.len()]].map(DVec2::from);
-        (0..corners.len()).map(side).map(|[from, to]| distance_to_segment(at, from, to))
-    });
+    let sides = scenery.polygons.iter().map(|polygon| distance_to_sides(at, &polygon.loops));
     walls.chain(planes).chain(sides).fold(f64::INFINITY, f64::min)
 }
 

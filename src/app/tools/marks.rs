@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::build::Maker;
 use super::chosen::Chosen;
 use super::erase::{Target, target};
-use super::pick::Scope;
+use super::pick::{self, Scope};
 use super::selecting::carried;
 use super::{Doing, boxes, jam, knot, skin};
 use crate::app::action::Tool;
@@ -265,15 +265,8 @@ pub(super) fn obstacle(role: Role, scope: Scope<'_>, number: u32) -> Vec<Mark> {
         return around(role, scope, &convex.figure);
     }
     let Some(polygon) = scenery.polygons.get(place) else { return Vec::new() };
-    let pixel = |[x, y]: [f64; 2]| scope.camera.screen_from_world([x, y, 0.0].into()).map(DVec2::from);
-    let side = |corners: &[[f64; 2]], k: usize| {
-        let [from, to] = [corners[k], corners[(k + 1) % corners.len()]];
-        Some(Mark::Line(role, pixel(from)?, pixel(to)?, 2.0 * scope.scale))
+    let side = |[from, to]: [DVec2; 2]| {
+        Some(Mark::Line(role, scope.on_screen(from)?, scope.on_screen(to)?, 2.0 * scope.scale))
     };
-    polygon
-        .loops
-        .iter()
-        .flat_map(|corners| (0..corners.len()).filter_map(move |k| side(corners, k)))
-        .take(MOST)
-        .collect()
+    pick::sides(&polygon.loops).filter_map(side).take(MOST).collect()
 }

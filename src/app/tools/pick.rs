@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::app::player::Shown;
 use crate::picture::Tint;
 use crate::render::{Camera, Pose};
-use crate::sim::PointId;
+use crate::sim::{PointId, segments_meet};
 
 /// What is taken by a press: how near its points are to the pixel at least `[logical px]`.
 const GRIP: f64 = 14.0;
@@ -314,10 +314,21 @@ pub(super) fn distance_to_segment(at: DVec2, from: DVec2, to: DVec2) -> f64 {
     at.distance(from + share * along)
 }
 
-/// Whether two stretches cross, or touch.
-pub(super) fn cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
-    let side = |from: DVec2, to: DVec2, at: DVec2| (to - from).perp_dot(at - from);
-    side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
+/// Whether two stretches cross, or touch: as the cut sees it.
+pub(super) fn cross(first: [DVec2; 2], second: [DVec2; 2]) -> bool {
+    segments_meet(first.map(|end| end.to_array()), second.map(|end| end.to_array()))
+}
+
+/// The sides of loops, from end to end `[m]`.
+pub(super) fn sides(loops: &[Vec<[f64; 2]>]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+    loops.iter().flat_map(|corners| {
+        (0..corners.len()).map(move |k| [corners[k], corners[(k + 1) % corners.len()]].map(DVec2::from))
+    })
+}
+
+/// How far a place is from the nearest of such sides `[m]`; infinite of none.
+pub(super) fn distance_to_sides(at: DVec2, loops: &[Vec<[f64; 2]>]) -> f64 {
+    sides(loops).map(|[from, to]| distance_to_segment(at, from, to)).fold(f64::INFINITY, f64::min)
 }
 
 /// Whether a place lies within loops by the even-odd rule.

@@ -21,7 +21,7 @@ impl Hand {
                 self.calm = Some(CALM);
                 let ties = self.tool() == Tool::Hand && !self.shift;
                 let is_dragged = self.is_dragged || is_drag(scope, [self.pressed, at]);
-                match knot::let_go(scope, &led, at).filter(|_| ties) {
+                match ties.then(|| knot::let_go(scope, &led, at)).flatten() {
                     Some(tied) => tied,
                     // Taking hold alone is nothing to undo.
                     None => Deed { edit: is_dragged.then_some(DRAG), ..Deed::plain(vec![Do::Release]) },

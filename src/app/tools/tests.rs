@@ -165,6 +165,23 @@ fn a_stroke_cuts_from_where_it_began_and_a_click_does_not() {
 }
 
 #[test]
+fn a_stroke_in_line_with_a_bond_marks_and_cuts_it_where_it_lies_on_it_and_not_beside_it() {
+    let text = r#"{"wobble": 1, "gravity": [0, 0], "points": {"position": [[0, 0], [1, 0]]}, "bonds": [{"a": 0, "b": 1}],
+        "view": {"center": [0, 0], "height": 8}}"#;
+    let rope = shown(Scene::parse(text, "x.json").unwrap());
+    let [start, end] = [pixel(&rope, 0), pixel(&rope, 1)];
+    let mut hand = Hand::default();
+    hand.take(Tool::Cut);
+    for (from, to, is_cut) in [(end + DVec2::X * 30.0, end + DVec2::X * 120.0, false), (start, end * 2.0 - start, true)]
+    {
+        hand.press(scope(&rope), from);
+        let marks = hand.marks(scope(&rope), Some(to)).len();
+        let deed = hand.release(scope(&rope), to);
+        assert_eq!((marks, deed.commands.len()), if is_cut { (2, 1) } else { (1, 0) }, "{deed:?}");
+    }
+}
+
+#[test]
 fn what_is_erased_is_a_body_a_bond_or_an_obstacle() {
     let opened_rims = opened("pebble");
     let mut hand = Hand::default();

@@ -1,12 +1,13 @@
 //! Bonds that a stroke crosses go.
 
 use super::check::finite;
+use super::segments::segments_meet;
 use super::{done, invalid};
 use crate::sim::bond::PointId;
 use crate::sim::command::{Applied, CommandError};
 use crate::sim::force::mouse::Cursor;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, cross, cross3, dot, embed, flat, length, scale, sub};
+use crate::sim::vector::{add, cross3, dot, embed, flat, length, scale, sub};
 use crate::sim::world::World;
 
 /// Rays whose directions differ by less than this are parallel `[rad]`, and a stroke of a smaller angle crosses nothing.
@@ -32,7 +33,7 @@ impl<S: Real, const D: usize> World<S, D> {
         if D == 2 {
             let place = |point: PointId| flat(self.place(point.index()));
             let stroke = stroke.map(|end| [end.origin[0], end.origin[1]]);
-            return Ok(ends.map(|ends| crosses(stroke, ends.map(place))).collect());
+            return Ok(ends.map(|ends| segments_meet(stroke, ends.map(place))).collect());
         }
         let place = |point: PointId| embed(self.place(point.index()));
         let sheet = Sheet::between(stroke).ok_or_else(|| {
@@ -87,32 +88,9 @@ impl Sheet {
     }
 }
 
-/// Whether two segments have a point in common.
-fn crosses([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
-    let side = |from: [f64; 2], to: [f64; 2], x: [f64; 2]| cross(sub(to, from), sub(x, from));
-    let (c_side, d_side) = (side(a, b, c), side(a, b, d));
-    let (a_side, b_side) = (side(c, d, a), side(c, d, b));
-    let apart = |p: f64, q: f64| (p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0);
-    if apart(c_side, d_side) || apart(a_side, b_side) {
-        return false;
-    }
-    // In one line they may lie side by side.
-    (0..2).all(|k| a[k].min(b[k]) <= c[k].max(d[k]) && c[k].min(d[k]) <= a[k].max(b[k]))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn segments_meet_or_do_not() {
-        let stroke = [[0.0, 0.0], [2.0, 0.0]];
-        assert!(crosses(stroke, [[1.0, -1.0], [1.0, 1.0]]));
-        assert!(crosses(stroke, [[2.0, 0.0], [3.0, 1.0]]), "they touch");
-        assert!(!crosses(stroke, [[3.0, -1.0], [3.0, 1.0]]));
-        assert!(!crosses(stroke, [[3.0, 0.0], [4.0, 0.0]]), "in one line, side by side");
-        assert!(!crosses([[1.0, 1.0]; 2], [[0.0, 0.0], [2.0, 0.0]]), "a stroke of no length beside it");
-    }
 
     #[test]
     fn bonds_go_through_what_is_between_two_rays_or_past_it() {

@@ -19,6 +19,7 @@ mod pins;
 mod push;
 mod recompile;
 mod round;
+mod segments;
 mod set;
 mod settings;
 mod shift;
@@ -31,6 +32,7 @@ use super::force::mouse::Cursor;
 use super::real::Real;
 use super::world::World;
 pub(crate) use round::blocked;
+pub(crate) use segments::segments_meet;
 
 /// A command that was done, and changed something or had nothing to do.
 fn done(is_something: bool) -> Applied {

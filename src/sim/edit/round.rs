@@ -1,5 +1,6 @@
 //! Ropes between pins that polygons are put between: whether they are long enough to go round.
 
+use super::segments::{segments_pass, side};
 use super::{CommandError, invalid};
 use crate::sim::bond::PointId;
 use crate::sim::bonds::Bonds;
@@ -92,13 +93,9 @@ pub(crate) fn blocked(
 /// Length of the shortest way between two places round polygons, where the straight one leads through one `[m]`; `None`: it does not, none
 /// is found, or there are too many corners.
 fn way_round(ends: [[f64; 2]; 2], polygons: &[Polygon]) -> Option<f64> {
-    let sides: Vec<[[f64; 2]; 2]> = polygons
-        .iter()
-        .flat_map(|polygon| &polygon.loops)
-        .flat_map(|corners| (0..corners.len()).map(|k| [corners[k], corners[(k + 1) % corners.len()]]))
-        .collect();
+    let sides: Vec<[[f64; 2]; 2]> = polygons.iter().flat_map(sides_of).collect();
     let is_open = |a: [f64; 2], b: [f64; 2]| {
-        !sides.iter().any(|&side| cross([a, b], side))
+        !sides.iter().any(|&side| segments_pass([a, b], side))
             && !LOOKS.iter().any(|&share| {
                 let at = [0, 1].map(|axis| a[axis] + share * (b[axis] - a[axis]));
                 polygons.iter().any(|polygon| is_within(&sides_of(polygon), at))
@@ -134,25 +131,13 @@ fn sides_of(polygon: &Polygon) -> Vec<[[f64; 2]; 2]> {
     loops.flat_map(|corners| (0..corners.len()).map(|k| [corners[k], corners[(k + 1) % corners.len()]])).collect()
 }
 
-/// On which side of a line from a to b a place is, 0 where it is on it but for rounding `[m^2]`.
-fn side(a: [f64; 2], b: [f64; 2], at: [f64; 2]) -> f64 {
-    let product = (b[0] - a[0]) * (at[1] - a[1]) - (b[1] - a[1]) * (at[0] - a[0]);
-    let scale = ((b[0] - a[0]).abs() + (b[1] - a[1]).abs()) * ((at[0] - a[0]).abs() + (at[1] - a[1]).abs());
-    if product.abs() <= 1e-9 * scale { 0.0 } else { product }
-}
-
-/// Whether two stretches cross, each from one side of the other to its other side.
-fn cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
-    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
-}
-
 /// Whether a place is within sides by the even-odd rule, and on none of them.
 fn is_within(sides: &[[[f64; 2]; 2]], at: [f64; 2]) -> bool {
     let mut is_in = false;
     for &[a, b] in sides {
         let is_along =
             (0..2).all(|axis| at[axis] >= a[axis].min(b[axis]) - 1e-12 && at[axis] <= a[axis].max(b[axis]) + 1e-12);
-        if is_along && side(a, b, at) == 0.0 {
+        if is_along && side([a, b], at) == 0.0 {
             return false;
         }
         if (a[1] > at[1]) != (b[1] > at[1]) && at[0] < a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
