@@ -140,7 +140,7 @@ static GALLERY: [Entry; 53] = [
         105,
         "Cradle",
         "A ball swings against four that hang in a row, and the last one leaves; after some swings all go together.",
-        "R, pause, lift the second ball like the first: the last one leaves all the same, 0.79 m far. Let two go together."
+        "R, pause, lift the second ball like the first: the last two leave, 0.79 m and 0.36 m far; after one alone 1.08 m and 0.09 m."
     ),
     entry!(
         "soft-car",
@@ -182,7 +182,7 @@ static GALLERY: [Entry; 53] = [
         16,
         "One diagonal or two",
         "Boxes that drop alike: those with one diagonal sway to a side, and the upper one falls off; those with two stay on each other.",
-        "R, and compare after 4 s: the upper boxes came down by 2.4 m and 1.4 m; cut a diagonal."
+        "R, and compare after 4 s: the upper boxes came down by 2.4 m and 1.4 m. Cut a diagonal of the lower right one as it falls: 2.4 m at the right too."
     ),
     entry!(
         "box-as-printed",
@@ -253,7 +253,7 @@ static GALLERY: [Entry; 53] = [
         26,
         "Rim, as printed",
         "A tutorial's loop as printed (source 000): walls come before the sweep, so points get through the floor; one point hangs by one bond.",
-        "R, and look at the floor when it lands: points get to -5.004 m, and the floor is at -5. Drag one, and both follow."
+        "R, and drag its top down onto the floor: points get to -5.014 m, and the floor is at -5. Drag one, and both follow."
     ),
     entry!(
         "spring-damper",
@@ -309,14 +309,14 @@ static GALLERY: [Entry; 53] = [
         24,
         "Contact or penalty",
         "Boxes of 1, 2 and 4 kg. Left: contact, they stand on a step. Right: a penalty force, they sink in, the deeper the heavier.",
-        "wait till they stand: at the right 4 kg sink in by 0.49 m, 1 kg by 0.12 m; push a box off the step; press one down and let it go."
+        "wait till they stand: at the right 4 kg sink in by 0.49 m, 1 kg by 0.12 m; drag the heaviest one off the step: it sinks in too, by a corner 0.60 m."
     ),
     entry!(
         "image-mesh",
         195,
         "Image mesh",
-        "A letter cut out of a bitmap, its triangles' sides swept by relaxation as in the source: a jelly that the mouse dents.",
-        "cut it in two as it falls: it lands 3.4 m wide in two halves; dent the letter with the mouse."
+        "A letter cut out of a bitmap, its triangles' sides swept four times a step, in one order: a jelly that the mouse dents, and that comes to rest.",
+        "cut it in two as it falls: it lands 4.1 m wide in two halves; dent the letter with the mouse."
     ),
     entry!(
         "image-mesh-as-printed",
