@@ -10,6 +10,8 @@ use crate::scene::KeyName;
 
 /// Width of the panel `[points]`.
 const WIDTH: f32 = 230.0;
+/// Between its rows `[points]`.
+const GAP: f32 = 4.0;
 /// Most of what the sliders reach: share of a length, period `[s]`, speed `[rad/s]`, torque `[N m]`.
 const MOST: [f64; 4] = [0.6, 4.0, 20.0, 300.0];
 /// Lengths of a wave that they reach, in lengths of the stroke.
@@ -24,6 +26,8 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
     Area::new(Id::unique("drives")).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_width(WIDTH);
+            // Low enough for what lies below it in the smallest window.
+            ui.spacing_mut().item_spacing.y = GAP;
             ui.spacing_mut().slider_width = 100.0;
             match facts.tool {
                 Tool::Muscle => of_muscle(ui, &mut drives),

@@ -24,7 +24,7 @@ impl Chosen {
             let body = Chosen { points: scope.body(hit.point), ..Chosen::default() };
             return Some(body.with_groups(scope));
         }
-        scope.solid(at).map(|number| Chosen { obstacles: vec![number], ..Chosen::default() })
+        scope.obstacle(at).map(|number| Chosen { obstacles: vec![number], ..Chosen::default() })
     }
 
     /// The bodies of which a point lies in a region of pixels, with what is grouped with them, and the solid obstacles that have a corner

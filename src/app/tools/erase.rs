@@ -29,7 +29,7 @@ pub(super) fn target(scope: Scope<'_>, at: DVec2) -> Option<Target> {
             bond.or_else(|| Some(Target::Body(scope.body(hit.point))))
         }
         Some(hit) => Some(Target::Body(scope.body(hit.point))),
-        None => scope.solid(at).map(Target::Obstacle),
+        None => scope.obstacle(at).map(Target::Obstacle),
     }
 }
 

@@ -13,6 +13,8 @@ use crate::sim::{Bond, BondKind, Limit, PointId};
 
 /// Between an end that is dragged and the skin that it is tied to there is no more than this `[logical px]`.
 const REACH: f64 = 24.0;
+/// In space it is no deeper or less deep than so many times as much: who drags sees that least.
+const DEEP: f64 = 3.0;
 /// What tying is called when it is undone.
 const TIE: &str = "tie a rope";
 /// Said where the end of a rope is dragged onto a body.
@@ -177,11 +179,17 @@ fn dragged(scope: Scope<'_>, led: &[PointId], at: DVec2) -> Option<[PointId; 2]>
     if body.binary_search(&end).is_ok() {
         return None;
     }
-    let from = scope.pixel(end)?;
+    let deep = |point: PointId| scope.depth(scope.shown.place(point.index())) * scope.camera.pixels_per_metre();
+    let (from, depth) = (scope.pixel(end)?, deep(end));
     let corners = skin::sides(scope, &body).into_iter().flatten();
-    let far = |point: PointId| Some((scope.pixel(point)?.distance(from), point));
-    let (far, to) = corners.filter_map(far).min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))?;
-    (far <= REACH * scope.scale).then_some([end, to])
+    // In space it is the nearest that counts, not the one that is seen next to it far behind.
+    let far = |point: PointId| {
+        let (beside, behind) = (scope.pixel(point)?.distance(from), (deep(point) - depth).abs());
+        let is_near = beside <= REACH * scope.scale && behind <= DEEP * REACH * scope.scale;
+        is_near.then_some((beside.hypot(behind), point))
+    };
+    let (_, to) = corners.filter_map(far).min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))?;
+    Some([end, to])
 }
 
 /// Where the end of a rope that is led would be tied to, drawn, with what is said of it.

@@ -243,8 +243,12 @@ fn around(role: Role, scope: Scope<'_>, figure: &Figure) -> Vec<Mark> {
     BOX_EDGES.into_iter().filter_map(side).collect()
 }
 
-/// The surface of a plane, as far as it is seen.
+/// The surface of a plane, as far as it is seen; in space the rim of a part of it.
 fn surface(role: Role, scope: Scope<'_>, plane: &[[f64; 3]; 2]) -> Vec<Mark> {
+    if scope.shown.dimensions == 3 {
+        let side = |[from, to]: [DVec2; 2]| Mark::Line(role, from, to, 2.0 * scope.scale);
+        return scope.rim(*plane).into_iter().map(side).collect();
+    }
     let Some(middle) = scope.on_plane(plane) else { return Vec::new() };
     let along = DVec3::from(plane[1]).truncate().normalize_or_zero().perp();
     let [width, height] = scope.camera.viewport().map(f64::from);

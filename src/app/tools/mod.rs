@@ -16,6 +16,7 @@ mod drives_tests;
 mod erase;
 mod facing;
 mod fastened;
+mod floor;
 #[cfg(test)]
 mod grab_tests;
 mod handles;

@@ -44,7 +44,7 @@ impl Scope<'_> {
         self.camera.screen_from_world(DVec3::from(self.shown.place(point.index()))).map(DVec2::from)
     }
 
-    fn depth(&self, place: [f64; 3]) -> f64 {
+    pub(super) fn depth(&self, place: [f64; 3]) -> f64 {
         match self.camera.pose {
             Pose::Plane { .. } => 0.0,
             Pose::Orbit { .. } => self.camera.depth(DVec3::from(place)),
@@ -239,9 +239,9 @@ impl Scope<'_> {
         }
     }
 
-    /// The place where the ray of a pixel meets the foremost ball or box of space `[m]`.
+    /// The place where the ray of a pixel meets the foremost obstacle of space `[m]`.
     pub(super) fn entry(&self, at: DVec2) -> Option<DVec3> {
-        let (far, _) = self.foremost(at)?;
+        let (far, _) = self.first(at)?;
         let cursor = self.camera.cursor(at.to_array());
         Some(DVec3::from(cursor.origin) + far * DVec3::from(cursor.direction))
     }
@@ -286,7 +286,7 @@ impl Scope<'_> {
     }
 
     /// The foremost ball or box of space under a pixel, and how far it is `[m]`.
-    fn foremost(&self, at: DVec2) -> Option<(f64, u32)> {
+    pub(super) fn foremost(&self, at: DVec2) -> Option<(f64, u32)> {
         let cursor = self.camera.cursor(at.to_array());
         let ray = [cursor.origin, cursor.direction];
         let solids = self.shown.scenery.convex.iter().zip(&self.shown.scenery.solid_numbers);

@@ -24,7 +24,8 @@ impl Hand {
             return;
         }
         let is_free = self.alt || self.draws_lasso;
-        let under = Chosen::at(scope, at).filter(|_| !self.alt);
+        let is_meant = |under: &Chosen| !self.alt && (!under.is_ground(scope) || self.chosen.has(under));
+        let under = Chosen::at(scope, at).filter(is_meant);
         let Some(under) = under else {
             self.doing = Doing::Marking(Region::begin(at, is_free));
             return;
@@ -52,7 +53,7 @@ impl Hand {
 
     /// What lies under the pixel is moved by a drag of the hand, while time stands still; a click does nothing.
     pub(super) fn carry(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
-        if let Some(under) = Chosen::at(scope, at) {
+        if let Some(under) = Chosen::at(scope, at).filter(|under| !under.is_ground(scope)) {
             self.doing = Doing::Carrying(scope.hold(at), under);
         }
         Deed::default()
@@ -67,9 +68,10 @@ impl Hand {
 
     /// What lies in a region is selected: with what was, while Shift is held; a click selects nothing.
     pub(super) fn mark(&mut self, scope: Scope<'_>, region: &Region, to: DVec2) {
+        let ground = || Chosen::at(scope, region.from()).filter(|under| !self.alt && under.is_ground(scope));
         let found = match region.reach(to) >= CLICK * scope.scale {
             true => Chosen::within(scope, |at| region.has(to, at)),
-            false => Chosen::default(),
+            false => ground().unwrap_or_default(),
         };
         self.chosen = if self.shift { self.chosen.joined(&found, false) } else { found };
     }

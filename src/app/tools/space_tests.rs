@@ -25,7 +25,11 @@ struct Room {
 
 impl Room {
     fn new(tool: Tool) -> Self {
-        let scene = Scene::parse(CLOTH, "x.json").unwrap();
+        Room::of(CLOTH, tool)
+    }
+
+    fn of(text: &str, tool: Tool) -> Self {
+        let scene = Scene::parse(text, "x.json").unwrap();
         let mut stage = Stage::new(scene.clone().into()).unwrap();
         let (mut shown, mut hand) = (Shown::default(), Hand::default());
         stage.show(&mut shown);
@@ -151,4 +155,90 @@ fn a_force_goes_along_the_arrow_that_is_drawn_in_the_plane_of_the_screen() {
     room.hand.set_push_way(PushWay::Turn);
     let deed = room.drag([from + DVec2::new(40.0, 60.0), from]);
     assert!(deed.commands.is_empty() && deed.words.is_some_and(|words| words.contains("plane")));
+}
+
+/// A floor, the back of a wall before all else, a ball on the floor, one under it, and a loose point.
+const FLOOR: &str = r#"{"wobble": 1, "dimensions": 3, "gravity": [0, 0, 0], "points": {"position": [[0, 1, 0]]}, "obstacles": [
+    {"plane": {"point": [0, -1, 0], "normal": [0, 1, 0]}}, {"plane": {"point": [0, 0, 2.5], "normal": [0, 0, -1]}},
+    {"circle": {"center": [1.5, -0.5, 0], "radius": 0.5}}, {"circle": {"center": [-1, -1.8, 0], "radius": 0.5}}],
+    "view": {"target": [0, 0, 0], "distance": 9, "yaw": 0, "pitch": 0.5}}"#;
+
+#[test]
+fn a_plane_is_outlined_selected_moved_and_deleted_by_its_front_and_a_drag_over_it_selects_what_lies_before_it() {
+    let mut room = Room::of(FLOOR, Tool::Select);
+    let numbers = |room: &Room| room.shown.scenery.plane_numbers.clone();
+    let [floor, wall] = numbers(&room)[..] else { panic!("{:?}", numbers(&room)) };
+    let seen = |room: &Room, at: [f64; 3]| DVec2::from(room.camera.screen_from_world(at.into()).unwrap());
+    let [on_floor, on_ball, under, up] =
+        [[0.0, -1.0, 0.5], [1.5, -0.5, 0.0], [-1.0, -1.8, 0.0], [0.0, 3.5, 2.5]].map(|at| seen(&room, at));
+    let picked = |room: &mut Room, at: DVec2| room.with(|_, scope| scope.obstacle(at)).unwrap();
+    assert_eq!([picked(&mut room, on_floor), picked(&mut room, under)], [floor; 2], "it lies before the ball under it");
+    let ball = picked(&mut room, on_ball);
+    assert!(ball != floor && ball != wall, "before the floor, and through the back of the wall");
+    assert_eq!(picked(&mut room, up), wall, "where nothing else lies");
+    // The hand presses on through it.
+    assert!(room.with(|_, scope| scope.solid(on_floor)).is_none());
+    // A drag over it is for what lies before it; a click selects it.
+    let [low, high] = [on_floor + DVec2::new(-300.0, 60.0), on_floor + DVec2::new(300.0, -500.0)];
+    room.drag([low, high]);
+    let chosen = room.with(|hand, scope| hand.chosen(scope)).unwrap();
+    assert!(chosen.points == [PointId(0)] && !chosen.obstacles.contains(&floor), "{chosen:?}");
+    room.drag([on_floor; 2]);
+    let chosen = room.with(|hand, scope| hand.chosen(scope)).unwrap();
+    assert!(chosen.points.is_empty() && chosen.obstacles == [floor]);
+    let marks = room.with(|hand, scope| hand.marks(scope, None));
+    assert_eq!(marks.len(), 4, "its rim: {marks:?}");
+    // Once it is selected a drag moves it, as far as the pointer goes.
+    let height = |room: &Room| room.shown.scenery.planes[0][0][1];
+    let deed = room.drag([on_floor, on_floor + DVec2::new(0.0, -40.0)]);
+    assert!(matches!(deed.commands[..], [Do::Move(_)]), "{deed:?}");
+    room.give(&deed);
+    assert!((-0.9..-0.3).contains(&height(&room)), "{}", height(&room));
+    room.undo();
+    assert_eq!(height(&room), -1.0);
+    room.hand.take(Tool::Erase);
+    let deed = room.with(|hand, scope| hand.press(scope, on_floor));
+    room.give(&deed);
+    assert_eq!(numbers(&room), [wall]);
+    room.undo();
+    assert_eq!(numbers(&room), [floor, wall]);
+    // Paused, the hand leaves it alone.
+    room.hand.take(Tool::Hand);
+    room.hand.stand_still(true);
+    assert!(room.drag([on_floor, on_floor + DVec2::new(0.0, -40.0)]).is_empty());
+}
+
+#[test]
+fn the_end_of_a_rope_is_tied_to_what_is_as_deep_as_it_is_and_not_to_what_is_seen_behind_it() {
+    let tied = |depth: f64| {
+        let text = format!(
+            r#"{{"wobble": 1, "dimensions": 3, "gravity": [0, 0, 0],
+            "points": {{"position": [[0, 2, 0], [0, 0, 0]]}}, "bonds": [{{"a": 0, "b": 1, "kind": "spring", "stiffness": 9}}],
+            "bodies": [{{"make": "cloth", "columns": 5, "rows": 5, "spacing": 0.25, "origin": [-0.5, 0.5, {depth}],
+                "material": {{"kind": "spring", "stiffness": 500, "mass": 1}}}}],
+            "view": {{"target": [0, 0, 0], "distance": 9, "yaw": 0, "pitch": 0}}}}"#
+        );
+        let mut room = Room::of(&text, Tool::Hand);
+        // The rope's end is seen on a corner of the skin, whichever way the cloth lies.
+        let corner = (2..27).map(|point| room.pixel(point)).min_by(|a, b| a.x.total_cmp(&b.x)).unwrap();
+        let inside = corner.lerp(room.pixel(14), 0.1);
+        let end = room.facing_place(corner);
+        let keys = crate::history::MoveKeys {
+            points: vec![1],
+            by: Some(crate::scene::Vector::Space(end.to_array())),
+            ..crate::history::MoveKeys::default()
+        };
+        assert_eq!(room.stage.obey(Order::Give(vec![Do::Move(Box::new(keys))], None)), None);
+        room.stage.show(&mut room.shown);
+        room.with(|_, scope| super::knot::let_go(scope, &[PointId(1)], inside)).is_some()
+    };
+    assert!(tied(0.0) && tied(-0.2), "beside it");
+    assert!(!tied(-4.0), "four metres behind it");
+}
+
+impl Room {
+    /// The place of the plane through the target that a pixel shows `[m]`.
+    fn facing_place(&self, at: DVec2) -> DVec3 {
+        self.camera.world_from_screen(at.to_array())
+    }
 }
