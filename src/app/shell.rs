@@ -200,11 +200,8 @@ fn press_key(session: &mut Session, event: &KeyEvent, event_loop: &ActiveEventLo
     match action {
         Action::Quit if session.may_leave(true) => event_loop.exit(),
         Action::Quit => {}
-        Action::Take(Tool::Build) if session.builds() => {
-            if !event.repeat {
-                session.build_next();
-            }
-        }
+        Action::Take(Tool::Build) if session.builds() && event.repeat => {}
+        Action::Take(Tool::Build) if session.builds() => session.build_next(),
         // A key held down steps on and on, but does not flicker between play and pause.
         action if !event.repeat || action.repeats() => {
             session.down.press(event.physical_key, action);
