@@ -230,12 +230,9 @@ impl Plots {
         let is_alone = self.probes.iter().flatten().count() == 1;
         self.quantity = match (probe, self.quantity) {
             (Probe::Bond(bond), Quantity::Strain) if is_alone && is_rigid(bond) => Quantity::Force,
-            (Probe::Bond(bond), quantity) if !quantity.is_of_bonds() => {
-                if is_rigid(bond) {
-                    Quantity::Force
-                } else {
-                    Quantity::Strain
-                }
+            // The middle of a bond has an orbit as a point has.
+            (Probe::Bond(bond), quantity) if !quantity.is_of_bonds() && self.subject != Subject::Orbit => {
+                if is_rigid(bond) { Quantity::Force } else { Quantity::Strain }
             }
             (_, quantity) => quantity,
         };

@@ -161,6 +161,15 @@ fn a_third_probe_takes_the_place_of_the_second() {
 }
 
 #[test]
+fn an_orbit_stays_one_when_a_bond_is_probed_too() {
+    let mut plots = Plots::new(1.0);
+    plots.toggle(PointId(0), |_| false);
+    plots.choose_orbit(Quantity::Y);
+    plots.toggle(Probe::Bond(3), |_| false);
+    assert_eq!((plots.subject, plots.quantity), (Subject::Orbit, Quantity::Y));
+}
+
+#[test]
 fn a_probe_opens_on_what_changes_of_it() {
     let opened = |probe: Probe, is_rigid: bool| {
         let mut plots = Plots::new(1.0);
