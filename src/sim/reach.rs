@@ -16,6 +16,14 @@ pub(crate) struct Reach {
     pub(crate) most: f64,
 }
 
+/// Two pins, of which one at least is led, and what hangs between them.
+#[derive(Clone, Debug)]
+pub(crate) struct Span {
+    pub(crate) reach: Reach,
+    /// The free points that rigid bonds join to each of the pins, ascending.
+    pub(crate) hung: [Vec<PointId>; 2],
+}
+
 /// The reaches of all pairs of pins, the first 64 of `from` and any of `to`, which are ascending.
 pub(crate) fn reaches(bonds: impl Iterator<Item = Bond>, from: &[PointId], to: &[PointId]) -> Vec<Reach> {
     if from.is_empty() || to.len() < 2 {

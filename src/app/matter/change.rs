@@ -220,8 +220,9 @@ fn of_preset(world: &dyn Dynamics, (points, among): (&[PointId], &Among), preset
     all
 }
 
-/// What points weigh in a matter of this density `[kg/m^2]`, one each, by their shape at rest: a third of each triangle that they are corners of, whichever body it
-/// is of; where there is none, half of each of their bonds, as a rope of it; a point without either weighs what it did.
+/// What points weigh in a matter of this density `[kg/m^2]`, one each, by their shape at rest: a third of each triangle that they are
+/// corners of, whichever body it is of; where there is none, half of each of their bonds, as a rope of it; a point without either weighs
+/// what it did.
 fn weights(world: &dyn Dynamics, points: &[PointId], density: f64) -> Vec<f64> {
     let mut area = vec![0.0; world.point_count()];
     let every: Vec<PointId> = (0..world.point_count() as u32).map(PointId).collect();

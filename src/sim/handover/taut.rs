@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use super::{UNHELD, can_be_cheaper};
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::moved::Why;
-use crate::sim::reach::{Reach, reaches};
+use crate::sim::reach::{Reach, Span, reaches};
 use crate::sim::real::Real;
 use crate::sim::vector::{length, sub};
 use crate::sim::world::World;
@@ -28,12 +28,12 @@ impl<S: Real, const D: usize> World<S, D> {
         if self.model.budget().is_none() || !self.model.pin_motion.iter().any(|(_, track)| !track.knots.is_empty()) {
             return;
         }
-        if self.reaches.0 != Some(self.topology) {
-            self.reaches = (Some(self.topology), self.reaches_of_led_pins().into());
+        if self.spans.0 != Some(self.topology) {
+            self.spans = (Some(self.topology), self.spans_of_led_pins().into());
         }
-        let list = self.reaches.1.clone();
-        let due: BTreeSet<usize> =
-            list.iter().filter(|reach| self.is_beyond(reach, t)).flat_map(|reach| self.between(reach.pins)).collect();
+        let list = self.spans.1.clone();
+        let beyond = list.iter().filter(|span| self.is_beyond(&span.reach, t));
+        let due: BTreeSet<usize> = beyond.flat_map(|span| self.between(span)).collect();
         let (live, own): (Vec<usize>, Vec<usize>) =
             due.into_iter().partition(|&place| self.plan.groups[place].is_live());
         for place in live {
@@ -44,20 +44,32 @@ impl<S: Real, const D: usize> World<S, D> {
         self.go_live(&own, t, Why::Alarm);
     }
 
-    fn reaches_of_led_pins(&self) -> Vec<Reach> {
+    fn spans_of_led_pins(&self) -> Vec<Span> {
         if self.bonds.len() > MOST_BONDS {
             return Vec::new();
         }
+        let is_free = |point: &PointId| self.can_move(point.index());
         // What joins two pins is not between them.
-        let is_free = |bond: &Bond| self.can_move(bond.a.index()) || self.can_move(bond.b.index());
-        let pulls = |bond: &Bond| bond.kind == BondKind::Rigid && bond.limit != Limit::Min && is_free(bond);
+        let pulls = |bond: &Bond| {
+            bond.kind == BondKind::Rigid && bond.limit != Limit::Min && (is_free(&bond.a) || is_free(&bond.b))
+        };
         let list: Vec<Bond> = self.bonds.iter().filter(pulls).collect();
         let mut led: Vec<PointId> = self.model.pin_motion.iter().map(|(pin, _)| *pin).collect();
         led.sort_unstable();
         led.truncate(MOST_WAYS / list.len().max(1));
         let mut held = self.model.pinned.clone();
         held.sort_unstable();
+        let mut hung: Vec<(PointId, PointId)> =
+            list.iter().flat_map(|bond| [(bond.a, bond.b), (bond.b, bond.a)]).filter(|(_, end)| is_free(end)).collect();
+        hung.sort_unstable();
+        let at = |pin: PointId| {
+            let first = hung.partition_point(|entry| entry.0 < pin);
+            hung[first..].iter().take_while(|entry| entry.0 == pin).map(|entry| entry.1).collect()
+        };
         reaches(list.into_iter(), &led, &held)
+            .into_iter()
+            .map(|reach| Span { reach, hung: reach.pins.map(at) })
+            .collect()
     }
 
     /// Whether two pins are further apart at `t` `[s]`, or soon, than what is between them reaches.
@@ -74,15 +86,9 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     /// The groups that hang on both pins.
-    fn between(&self, pins: [PointId; 2]) -> Vec<usize> {
-        let [first, second] = pins.map(|pin| -> BTreeSet<usize> {
-            let ends = |bond: Bond| match pin {
-                _ if bond.a == pin => Some(bond.b),
-                _ if bond.b == pin => Some(bond.a),
-                _ => None,
-            };
-            let place = |end: PointId| self.slot(end.index()).filter(|_| self.can_move(end.index()));
-            self.bonds.iter().filter_map(ends).filter_map(place).map(|[place, _]| place).collect()
+    fn between(&self, span: &Span) -> Vec<usize> {
+        let [first, second] = span.hung.each_ref().map(|points| -> BTreeSet<usize> {
+            points.iter().filter_map(|point| self.slot(point.index())).map(|[place, _]| place).collect()
         });
         first.intersection(&second).copied().collect()
     }

@@ -26,7 +26,7 @@ use super::environment::Environment;
 use super::ledger::Totals;
 use super::model::Model;
 use super::plan::Plan;
-use super::reach::Reach;
+use super::reach::Span;
 use super::real::Real;
 use super::timeline::Timeline;
 use kept::Kept;
@@ -65,8 +65,8 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) grabbed: Vec<PointId>,
     /// Pins that may be met, and the topology that they are of.
     pub(crate) fixtures: (Option<u64>, Arc<[u32]>),
-    /// How far apart rigid bonds let led pins be, and the topology that this is of.
-    pub(crate) reaches: (Option<u64>, Arc<[Reach]>),
+    /// What hangs between pins that are led, and the topology that this is of.
+    pub(crate) spans: (Option<u64>, Arc<[Span]>),
     /// Islands that left the finite numbers.
     pub(crate) frozen: Vec<frozen::Frozen>,
     /// Energy that came and went, where a ledger is kept.

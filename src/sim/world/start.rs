@@ -87,7 +87,7 @@ impl<S: Real, const D: usize> World<S, D> {
             is_fresh: true,
             within: Vec::new(),
             fixtures: (None, Arc::new([])),
-            reaches: (None, Arc::new([])),
+            spans: (None, Arc::new([])),
             grabbed: Vec::new(),
             frozen: Vec::new(),
             ledger: None,
