@@ -55,8 +55,9 @@ const fn kite(share: f64, places: &'static [[f64; 2]; 4]) -> Piece {
     Piece { share, places, links: &[[0, 1], [0, 2], [1, 2], [1, 3], [2, 3]], triangles: &[[0, 2, 1], [2, 3, 1]] }
 }
 
-/// Turns of upper arm, forearm, thigh and shank, each from the piece that it hangs from `[rad]`: a figure that strides.
-const POSES: [[f64; 4]; 2] = [[-0.5, 0.5, 0.7, -0.7], [0.9, 0.9, -0.15, -0.35]];
+/// Turns of upper arm, forearm, thigh and shank, each from the piece that it hangs from `[rad]`: a figure that strides, no limb
+/// across another one or its body.
+const POSES: [[f64; 4]; 2] = [[-0.65, 0.5, 0.7, -0.7], [0.9, 0.9, -0.15, -0.35]];
 
 /// Ranges of the joints `[rad]`, of the angle from the piece above to the one below, anticlockwise: a hanging arm is at 0 of the torso, what is
 /// stretched at pi. Elbows bend forwards and knees backwards only.

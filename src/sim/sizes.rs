@@ -185,7 +185,7 @@ pub const MOST_HANDED_OVER_RIGID: usize = 2_000;
 /// The same where no bond is rigid.
 ///
 /// Trades accuracy for a bounded frame. Measured: by no pair of scenes. Beyond: a frame is long by any method.
-pub const MOST_HANDED_OVER_SOFT: usize = 10_000;
+pub const MOST_HANDED_OVER_SOFT: usize = 40_000;
 
 /// Bonds of a path of rigid bonds from which on the live step solves it as one, in space.
 ///

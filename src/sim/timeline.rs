@@ -16,6 +16,8 @@ pub(crate) struct Timeline {
     substep: f64,
     /// How many substeps it has; `None`: without end.
     count: Option<u64>,
+    /// Length of the last of them, where that is a shorter one `[s]`.
+    rest: Option<f64>,
     /// How many are done.
     done: u64,
     /// How far a command has cut into the substep under way `[s]`.
@@ -43,7 +45,7 @@ impl Timeline {
         knots.sort_by(|a, b| b.total_cmp(a));
         knots.dedup();
         let mut timeline =
-            Timeline { nominal, knots, start: 0.0, substep: nominal, count: None, done: 0, within: None };
+            Timeline { nominal, knots, start: 0.0, substep: nominal, count: None, rest: None, done: 0, within: None };
         timeline.cut();
         timeline
     }
@@ -64,28 +66,29 @@ impl Timeline {
     /// Substeps from now on are `factor` times as long, if so many of those until now make a whole number: between two of them. Returns
     /// whether that is so.
     ///
-    /// They are as long whenever the stretch ends, where that is a whole number of them too; else it is cut anew.
+    /// They are as long whenever the stretch ends: where that is no whole number of them, the last one is shorter.
     pub(crate) fn stretch(&mut self, factor: u32) -> bool {
         let many = u64::from(factor);
         if !self.done.is_multiple_of(many) {
             return false;
         }
         self.start = self.time();
-        self.nominal *= f64::from(factor);
-        match self.count.map(|count| count - self.done) {
-            Some(left) if !left.is_multiple_of(many) => self.cut(),
-            left => {
-                self.count = left.map(|left| left / many);
-                self.substep *= f64::from(factor);
-                self.done = 0;
-            }
+        if let Some(count) = self.count {
+            let (left, last) = (count - self.done, self.rest);
+            let whole = left - u64::from(last.is_some());
+            let over = (whole % many) as f64 * self.substep + last.unwrap_or(0.0);
+            self.rest = (over > 0.0).then_some(over);
+            self.count = Some(whole / many + u64::from(over > 0.0));
         }
+        self.nominal *= f64::from(factor);
+        self.substep *= f64::from(factor);
+        self.done = 0;
         true
     }
 
     /// Cuts the stretch from `start` to the next knot.
     fn cut(&mut self) {
-        self.done = 0;
+        (self.done, self.rest) = (0, None);
         match self.knots.last() {
             Some(&end) => {
                 let length = end - self.start;
@@ -106,7 +109,10 @@ impl Timeline {
     }
 
     fn after(&self, done: u64) -> f64 {
-        self.start + done as f64 * self.substep
+        match (self.rest, self.count) {
+            (Some(rest), Some(count)) if done >= count => self.start + (count - 1) as f64 * self.substep + rest,
+            _ => self.start + done as f64 * self.substep,
+        }
     }
 
     /// Length of the next substep, or of what is left of the one under way `[s]`.
@@ -116,7 +122,10 @@ impl Timeline {
 
     /// What is left of the substep under way for what has come to `from` `[s]`.
     pub(crate) fn left(&self, from: f64) -> f64 {
-        if from == self.after(self.done) { self.substep } else { self.after(self.done + 1) - from }
+        if from != self.after(self.done) {
+            return self.after(self.done + 1) - from;
+        }
+        self.rest.filter(|_| self.count == Some(self.done + 1)).unwrap_or(self.substep)
     }
 
     /// Whether no substep is under way.
@@ -186,7 +195,7 @@ mod tests {
     #[test]
     fn longer_substeps_do_not_depend_on_the_end() {
         let lengths = |end: f64| {
-            let mut timeline = Timeline::new(1.0 / 960.0, [end]);
+            let mut timeline = Timeline::new(1.0 / 1024.0, [end]);
             (0..336).for_each(|_| timeline.advance());
             assert!(timeline.stretch(16), "at the end of a frame");
             (0..30)
@@ -198,14 +207,25 @@ mod tests {
         };
         assert_eq!(lengths(1.5), lengths(20.0));
         assert_eq!(lengths(1.5), lengths(1.0));
+        assert_eq!(lengths(1.5), lengths(1.5 + 3.0 / 1024.0), "no whole number of them is left");
     }
 
     #[test]
-    fn what_is_left_is_cut_anew_where_it_is_no_whole_number() {
-        let mut timeline = Timeline::new(0.125, [0.875]);
+    fn the_last_one_is_shorter_where_it_is_no_whole_number() {
+        let mut timeline = Timeline::new(0.125, [1.375]);
         (0..4).for_each(|_| timeline.advance());
         assert!(timeline.stretch(2));
-        assert_eq!((timeline.time(), timeline.count, timeline.substep()), (0.5, Some(2), 0.1875));
+        let mut steps = Vec::new();
+        let mut walk = |timeline: &mut Timeline, count: usize| {
+            for _ in 0..count {
+                steps.push((timeline.time(), timeline.substep()));
+                timeline.advance();
+            }
+        };
+        walk(&mut timeline, 2);
+        assert!(timeline.stretch(2), "what is left of 0.25 and 0.125 is one of 0.375");
+        walk(&mut timeline, 2);
+        assert_eq!(steps, [(0.5, 0.25), (0.75, 0.25), (1.0, 0.375), (1.375, 0.5)]);
     }
 
     #[test]

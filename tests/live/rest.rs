@@ -55,3 +55,17 @@ fn long_thin_boxes_lie_close_on_each_other() {
     let gap = height(4..8) - height(0..4) - 0.3;
     assert!((0.0..0.06).contains(&gap), "{gap} m");
 }
+
+#[test]
+fn a_ragdoll_that_lies_on_itself_comes_to_rest() {
+    // What led its parts out of each other, against its joints, made it creep over the floor.
+    for angle in [0.3, 2.0] {
+        let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true,
+            "bodies": [{"make": "ragdoll", "origin": [0, 2], "angle": angle, "material": {"mass": 60}}],
+            "bounds": {"min": [-3.5, 0], "max": [3.5, 12], "friction": 0.5}});
+        let (sample, world) = run(&scene, 10.0);
+        assert!(world.warnings().is_empty(), "{:?}", world.warnings());
+        let fastest = super::fastest(&sample);
+        assert_eq!(fastest, 0.0, "that fell at {angle}");
+    }
+}

@@ -5,6 +5,7 @@ use super::body::{Area, Body, Edge, Link};
 use super::bonds::Hold;
 use super::booking::Tally;
 use super::build::Bodies;
+use super::calm::Torn;
 use super::drives::{Muscle, Turn};
 use super::given::Given;
 use super::pair::{OnPlane, Pair, Sides};
@@ -118,6 +119,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) counts: Counts,
     /// What is inside out or crosses.
     pub(super) tangle: Tangle<S>,
+    /// Bodies that led pins may tear at in this step.
+    pub(super) torn: Vec<Torn>,
     /// What moves as one; the frame that each point goes with and its place there, where there is any; which bodies are one frame, and which
     /// points lie within those.
     pub(super) frames: Vec<Frame>,

@@ -155,6 +155,7 @@ impl<S: Real> Live<S> {
             tally: None,
             counts: Counts::default(),
             tangle: self.tangle.of(&bodies),
+            torn: Vec::new(),
             frames: Vec::new(),
             frame_of: Vec::new(),
             is_one: Vec::new(),

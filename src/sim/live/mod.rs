@@ -18,6 +18,7 @@ mod body;
 mod bonds;
 mod booking;
 mod build;
+mod calm;
 mod circle;
 mod cluster;
 mod cross;
@@ -232,6 +233,7 @@ impl<S: Real> Live<S> {
         let own = h / count;
         let outside = Outside { pull, around, settling: &self.settling };
         let moving = guard::energy(cluster, pull.gravity);
+        calm::look(cluster, common);
         tangle::look(cluster, common, h);
         cluster.span = S::from_f64(own);
         detect::look(cluster, common);

@@ -9,6 +9,10 @@ use crate::sim::vector::{add, dot, scale, sub};
 /// what began in them.
 const MENDED: f64 = 0.2;
 
+/// Share of the speed of two bodies at which parts of one body are led out of each other: joints may hold them there, and what leads against joints
+/// creeps over its floor for ever.
+const ITSELF: f64 = 0.1;
+
 /// Share of the speed that came in by which what restitution asks for may be missed.
 pub(super) const BOUNCED: f64 = 1e-3;
 
@@ -171,7 +175,9 @@ impl<S: Real> Pair<S> {
                 let mended = match is_between_skins {
                     true => {
                         [p, a].into_iter().for_each(|i| _ = state.note_within(i, overlap));
-                        (overlap * S::from_f64(MENDED)).min(state.gentle)
+                        let is_itself = state.body_of[p] == state.body_of[a];
+                        let most = if is_itself { state.gentle * S::from_f64(ITSELF) } else { state.gentle };
+                        (overlap * S::from_f64(MENDED)).min(most)
                     }
                     false => state.led_out(p.min(a), overlap),
                 };

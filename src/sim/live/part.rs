@@ -164,17 +164,21 @@ pub(super) fn owes<S: Real>(state: &Cluster<S>) -> bool {
     state.debt > S::HALF * mass * S::from_f64(OWED * OWED)
 }
 
-/// Takes contacts away between bodies that are parted, and of bodies that are mended with themselves.
+/// Takes contacts away between bodies that are parted, and with themselves of bodies that are mended or that led pins tore at.
 pub(super) fn suspend<S: Real>(state: &Cluster<S>, pairs: &mut Vec<Pair<S>>) {
     let Cluster { body_of, tangle, .. } = state;
-    if !tangle.couples.iter().any(Couple::is_parted) && !tangle.knots.iter().any(Knot::is_mended) {
+    let is_any = tangle.couples.iter().any(Couple::is_parted)
+        || tangle.knots.iter().any(Knot::is_mended)
+        || tangle.torn.contains(&true);
+    if !is_any {
         return;
     }
     pairs.retain(|pair| {
         let [a, b] = [pair.p, pair.a].map(|i| body_of[i as usize]);
         let bodies = [a.min(b), a.max(b)];
         if a == b {
-            !tangle.knots.binary_search_by_key(&a, |knot| knot.body).is_ok_and(|k| tangle.knots[k].is_mended())
+            let place = tangle.knots.binary_search_by_key(&a, |knot| knot.body);
+            !tangle.torn[a as usize] && !place.is_ok_and(|k| tangle.knots[k].is_mended())
         } else {
             let place = tangle.couples.binary_search_by_key(&bodies, |couple| couple.bodies);
             !place.is_ok_and(|k| tangle.couples[k].is_parted())

@@ -14,7 +14,7 @@ use crate::sim::kernels::links::MOST_TURN;
 use crate::sim::real::Real;
 use crate::sim::rigid::blueprint::{Blueprint, BodyPlan};
 use crate::sim::rigid::inertia::Inertia;
-use crate::sim::rigid::joints::{Anchor, End, Joints, Stand};
+use crate::sim::rigid::joints::{Anchor, End, Joints, Pull, Rows, Stand};
 use crate::sim::rigid::motion::{Motion, Twist};
 use crate::sim::rigid::place::Place;
 use crate::sim::rigid::shape::Shape;
@@ -25,12 +25,18 @@ const ROUNDS: u32 = 3;
 /// A gap that counts as closed, as a share of where things are `[1]`.
 const CLOSED: f64 = 1e-13;
 
+/// Times as heavy as the lightest of its members the heaviest of a rig may be that goes on with rows of its joints from before: what light ones bear
+/// of a heavy one changes with the least turn.
+const MOST_UNEQUAL: f64 = 50.0;
+
 /// The frames of a body of several, and what joins them.
 #[derive(Clone, Debug)]
 pub(super) struct Rig {
     pub(super) members: Vec<Member>,
     joints: Joints,
     inertias: Vec<Inertia>,
+    /// Rows of its joints do from a place near by.
+    keeps_rows: bool,
     /// Points that do not move by themselves, as joints count them, and those that links are at.
     fixed: Vec<u32>,
     fastened: Vec<u32>,
@@ -55,7 +61,11 @@ impl Rig {
         };
         let inertia = |body: &BodyPlan| Inertia { inverse: [1.0 / body.shape.mass, 1.0 / body.shape.inertia] };
         let is_fastened = |seat: End| plan.links.iter().any(|link| link.ends.contains(&seat));
+        let (least, most) = plan.bodies.iter().fold((f64::INFINITY, 0.0_f64), |(least, most), body| {
+            (least.min(body.shape.mass), most.max(body.shape.mass))
+        });
         Some(Rig {
+            keeps_rows: most <= MOST_UNEQUAL * least,
             members: plan.bodies.iter().map(member).collect(),
             inertias: plan.bodies.iter().map(inertia).collect(),
             fastened: (0..plan.seats.len() as u32).filter(|&point| is_fastened(plan.seats[point as usize])).collect(),
@@ -84,6 +94,9 @@ pub(super) struct Rigged {
     rig: Arc<Rig>,
     base: usize,
     first: usize,
+    /// The joints' rows as they were last worked out, and whether bodies are still where they were then.
+    rows: Option<Rows>,
+    is_there: bool,
 }
 
 impl<S: Real> Cluster<S> {
@@ -101,7 +114,7 @@ impl<S: Real> Cluster<S> {
         for point in pulled.chain(rig.fastened.iter().copied()) {
             self.fasten(base + point as usize);
         }
-        self.rigs.push(Rigged { rig: rig.clone(), base, first });
+        self.rigs.push(Rigged { rig: rig.clone(), base, first, rows: None, is_there: false });
     }
 
     /// All points of frames are where those are, before contacts look at them.
@@ -114,12 +127,19 @@ impl<S: Real> Cluster<S> {
     /// The gaps of all joints are closed.
     pub(super) fn straighten_rigs(&mut self) {
         for k in 0..self.rigs.len() {
-            let rigged = self.rigs[k].clone();
-            self.straighten(&rigged);
+            let (mut rows, rigged) = self.open(k);
+            self.straighten(&rigged, &mut rows);
+            (self.rigs[k].rows, self.rigs[k].is_there) = (rows, false);
         }
     }
 
-    fn straighten(&mut self, rigged: &Rigged) {
+    /// The rows of a rig, which are put back by who takes them, and all else of it.
+    fn open(&mut self, k: usize) -> (Option<Rows>, Rigged) {
+        let rows = self.rigs[k].rows.take();
+        (rows, self.rigs[k].clone())
+    }
+
+    fn straighten(&mut self, rigged: &Rigged, rows: &mut Option<Rows>) {
         let Rigged { rig, base, .. } = rigged;
         let mut motions: Vec<Motion> =
             self.stations(rigged).map(|place| Motion { place, twist: Twist::STILL }).collect();
@@ -133,22 +153,27 @@ impl<S: Real> Cluster<S> {
             most.max(x.abs()).max(y.abs())
         });
         let closed = CLOSED.max(S::EPSILON.to_f64()) * size;
-        let (rounds, pulls) = rig.joints.close(&rig.inertias, (&mut motions, &anchors), (ROUNDS, closed));
-        self.counts.work += u64::from(rounds + 1) * rig.joints.work();
-        if rounds > 0 {
+        let kept = if rig.keeps_rows { Some(&mut *rows) } else { None };
+        let closing = rig.joints.close(&rig.inertias, (&mut motions, &anchors), (ROUNDS, closed), kept);
+        if !rig.keeps_rows {
+            *rows = None;
+        }
+        self.counts.work += u64::from(closing.factored) * rig.joints.work();
+        self.counts.work += u64::from(closing.rounds + 1) * rig.joints.work_of_a_round();
+        if closing.rounds > 0 {
             self.put(rigged, &motions);
-            self.turn_back(rigged, &pulls, &anchors);
+            self.turn_back(rigged, &closing.pulls, &anchors);
         }
     }
 
     /// Notes what joints that pulled so would have changed of velocities by the arms, and bars by the directions, that they had as the substep
     /// began: see [`Turned`](crate::sim::kernels::links::Turned).
-    fn turn_back(&mut self, rigged: &Rigged, pulls: &[[f64; 2]], anchors: &[Anchor]) {
+    fn turn_back(&mut self, rigged: &Rigged, pulls: &[Pull], anchors: &[Anchor]) {
         let begun: Vec<Place> =
             self.stations_at(rigged, |frame| frame.begun(), |state, i| widen(state.start[i])).collect();
         let now: Vec<Place> = self.stations(rigged).collect();
         let rig = &rigged.rig;
-        for (link, &pull) in rig.joints.links().iter().zip(pulls) {
+        for (link, &Pull { push: pull, turns }) in rig.joints.links().iter().zip(pulls) {
             let arm = |places: &[Place], end: End| match end {
                 End::On { body, place } => Some((body as usize, places[body as usize].turned(place))),
                 End::Fixed(_) => None,
@@ -178,12 +203,12 @@ impl<S: Real> Cluster<S> {
                     if length > 0.0 { scale(d, size / length) } else { pull }
                 }
             };
-            for (end, sign) in link.ends.into_iter().zip([1.0, -1.0]) {
-                let (Some((body, old)), Some((_, new))) = (arm(&begun, end), arm(&now, end)) else { continue };
+            for ((end, sign), turn) in link.ends.into_iter().zip([1.0, -1.0]).zip(turns) {
+                let Some((body, old)) = arm(&begun, end) else { continue };
                 let [ease, swing] = rig.inertias[body].inverse;
                 let change = Twist {
                     velocity: scale(sub(other, pull), sign * ease),
-                    spin: sign * swing * (cross(old, other) - cross(new, pull)),
+                    spin: sign * swing * cross(old, other) - turn,
                 };
                 self.turn_member(rigged, body, change);
             }
@@ -245,16 +270,20 @@ impl<S: Real> Cluster<S> {
     pub(super) fn stiffen_rigs(&mut self) -> u64 {
         let mut count = 0;
         for k in 0..self.rigs.len() {
-            let rigged = self.rigs[k].clone();
-            self.stiffen(&rigged);
-            self.counts.work += rigged.rig.joints.work();
+            let (rows, rigged) = self.open(k);
+            let is_known = rigged.is_there && rows.is_some();
+            let rows = self.stiffen(&rigged, rows.filter(|_| is_known));
+            (self.rigs[k].rows, self.rigs[k].is_there) = (Some(rows), true);
+            let joints = &rigged.rig.joints;
+            self.counts.work += joints.work_of_a_round() + if is_known { 0 } else { joints.work() };
             count += rigged.rig.joints.rows() as u64;
         }
         count
     }
 
-    fn stiffen(&mut self, rigged: &Rigged) {
-        let Rigged { rig, base, first } = rigged;
+    /// Returns the rows by which it did so.
+    fn stiffen(&mut self, rigged: &Rigged, rows: Option<Rows>) -> Rows {
+        let Rigged { rig, base, first, .. } = rigged;
         let mut twists = self.twists(rigged);
         let motions: Vec<Motion> =
             self.stations(rigged).zip(&twists).map(|(place, &twist)| Motion { place, twist }).collect();
@@ -264,8 +293,8 @@ impl<S: Real> Cluster<S> {
         };
         let anchors: Vec<Anchor> = rig.fixed.iter().map(anchor).collect();
         let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
-        let joints = rig.joints.factored(&rig.inertias, stand);
-        joints.hold(&mut twists, &joints.leads);
+        let rows = rows.unwrap_or_else(|| rig.joints.rows_at(&rig.inertias, stand));
+        rows.hold(&rig.inertias, &mut twists, &rig.joints.leads(stand));
         let mut frame = *first;
         for (member, twist) in rig.members.iter().zip(twists) {
             match *member {
@@ -276,6 +305,7 @@ impl<S: Real> Cluster<S> {
                 Member::Point(point) => self.velocity[base + point as usize] = convert(twist.velocity),
             }
         }
+        rows
     }
 
     /// What pushes of three points of a rig by their slopes, as large as those, change along all of them when its joints have answered
@@ -296,10 +326,16 @@ impl<S: Real> Cluster<S> {
             twists[member].velocity = add(twists[member].velocity, scale(push, ease));
             twists[member].spin += swing * cross(sub(at, motions[member].place.middle), push);
         }
-        let anchor = |&point: &u32| Anchor { place: widen(self.now[base + point as usize]), velocity: [0.0; 2] };
-        let anchors: Vec<Anchor> = rig.fixed.iter().map(anchor).collect();
-        let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
-        rig.joints.factored(&rig.inertias, stand).hold(&mut twists, &[]);
+        match &rigged.rows {
+            Some(rows) => rows.hold(&rig.inertias, &mut twists, &[]),
+            None => {
+                let anchor =
+                    |&point: &u32| Anchor { place: widen(self.now[base + point as usize]), velocity: [0.0; 2] };
+                let anchors: Vec<Anchor> = rig.fixed.iter().map(anchor).collect();
+                let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
+                rig.joints.rows_at(&rig.inertias, stand).hold(&rig.inertias, &mut twists, &[])
+            }
+        };
         let along = |&(member, at, push): &(usize, [f64; 2], [f64; 2])| {
             dot(push, twists[member].at(sub(at, motions[member].place.middle)))
         };

@@ -2,6 +2,7 @@
 
 use super::areas;
 use super::bonds;
+use super::calm;
 use super::cluster::{Cluster, Common};
 use super::detect;
 use super::drives;
@@ -228,6 +229,7 @@ impl<S: Real> Cluster<S> {
         let own = self.own();
         let is_long = h > SHORT;
         self.follow_rigid();
+        calm::keep(self, common, S::from_f64(h));
         let (gone, way) = (&mut self.gone[..own], &self.way[..own]);
         for i in 0..own {
             gone[i] += dot(way[i], way[i]).sqrt();

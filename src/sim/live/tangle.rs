@@ -64,20 +64,29 @@ pub(super) struct Tangle<S> {
     since: Vec<u8>,
     /// How long each body was mended while something pressed it `[s]`.
     mended: Vec<f64>,
+    /// Bodies that led pins tore at, as long as they hold them: what is in what there comes right by itself, but not against its skins.
+    pub(super) torn: Vec<bool>,
     /// Points of the cluster that are led to their shapes; empty without any.
     pub(super) is_led: Vec<bool>,
 }
 
 impl<S> Default for Tangle<S> {
     fn default() -> Self {
-        Tangle { couples: Vec::new(), knots: Vec::new(), since: Vec::new(), mended: Vec::new(), is_led: Vec::new() }
+        Tangle {
+            couples: Vec::new(),
+            knots: Vec::new(),
+            since: Vec::new(),
+            mended: Vec::new(),
+            torn: Vec::new(),
+            is_led: Vec::new(),
+        }
     }
 }
 
 impl<S: Real> Tangle<S> {
     /// Of so many bodies that nothing is known of.
     pub(super) fn new(count: usize) -> Self {
-        Tangle { since: vec![u8::MAX; count], mended: vec![0.0; count], ..Tangle::default() }
+        Tangle { since: vec![u8::MAX; count], mended: vec![0.0; count], torn: vec![false; count], ..Tangle::default() }
     }
 
     /// What is known of some bodies, numbered among them.
@@ -93,8 +102,14 @@ impl<S: Real> Tangle<S> {
             knots: self.knots.iter().filter_map(knot).collect(),
             since: bodies.iter().map(|&body| self.since[body]).collect(),
             mended: bodies.iter().map(|&body| self.mended[body]).collect(),
+            torn: bodies.iter().map(|&body| self.torn[body]).collect(),
             is_led: Vec::new(),
         }
+    }
+
+    /// Notes of a body whether led pins hold it, and whether its bonds are strained as no motion strains them.
+    pub(super) fn note_torn(&mut self, body: usize, is_led: bool, is_strained: bool) {
+        self.torn[body] = is_led && (is_strained || self.torn[body]);
     }
 
     /// Nothing is.
@@ -105,7 +120,7 @@ impl<S: Real> Tangle<S> {
     /// Takes over what another list knew of bodies that have these numbers here.
     pub(super) fn take_over(&mut self, other: &Self, bodies: &[Option<u32>]) {
         for (k, body) in bodies.iter().enumerate().filter_map(|(k, body)| Some((k, (*body)? as usize))) {
-            (self.since[body], self.mended[body]) = (other.since[k], other.mended[k]);
+            (self.since[body], self.mended[body], self.torn[body]) = (other.since[k], other.mended[k], other.torn[k]);
         }
         let of = |body: u32| bodies[body as usize];
         let couple = |couple: &Couple<S>| {
@@ -136,9 +151,10 @@ impl<S: Real> Tangle<S> {
             self.couples
                 .extend(tangle.couples.iter().map(|couple| Couple { bodies: couple.bodies.map(number), ..*couple }));
             self.knots.extend(tangle.knots.drain(..).map(|knot| Knot { body: number(knot.body), ..knot }));
-            for ((&body, &since), &mended) in bodies.iter().zip(&tangle.since).zip(&tangle.mended) {
-                self.since[body] = since.saturating_add(u8::from(*has_pressed));
-                self.mended[body] = if *has_pressed { mended } else { 0.0 };
+            for (k, &body) in bodies.iter().enumerate() {
+                self.since[body] = tangle.since[k].saturating_add(u8::from(*has_pressed));
+                self.mended[body] = if *has_pressed { tangle.mended[k] } else { 0.0 };
+                self.torn[body] = tangle.torn[k];
             }
         }
         self.sort();

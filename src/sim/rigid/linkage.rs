@@ -91,7 +91,7 @@ impl Linkage {
             return motions;
         }
         let closed = 1e3 * FITS * self.size(&motions);
-        self.joints.close(&self.inertias, (&mut motions, anchors), (ROUNDS, closed));
+        self.joints.close(&self.inertias, (&mut motions, anchors), (ROUNDS, closed), None);
         let mut twists = twists_of(&motions);
         let joints = self.joints.factored(&self.inertias, Stand { motions: &motions, anchors, since: 0.0 });
         joints.hold(&mut twists, &joints.leads);
