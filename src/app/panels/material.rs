@@ -2,8 +2,8 @@
 
 use egui::collapsing_header::CollapsingState;
 use egui::{
-    Align2, Area, Button, Color32, CornerRadius, DragValue, Id, Label, Rect, Response, RichText, ScrollArea, Sense,
-    Slider, Stroke, Ui,
+    Align2, Area, Button, Color32, CornerRadius, DragValue, Id, Label, Pos2, Rect, Response, RichText, ScrollArea,
+    Sense, Slider, Stroke, Ui,
 };
 
 use super::theme::{colors, floating};
@@ -18,6 +18,8 @@ const WIDTH: f32 = 226.0;
 /// What its frame takes beside that, and frame and header above what is scrolled `[points]`.
 const FRAME: f32 = 18.0;
 const HEAD: f32 = 50.0;
+/// Its usual height, before it was shown `[points]`.
+const USUAL: f32 = 430.0;
 /// Width of the names before fields `[points]`.
 const NAMES: f32 = 74.0;
 /// How fast a number changes as it is dragged, as a share of it for each point.
@@ -47,15 +49,50 @@ impl Sink<'_> {
     }
 }
 
-/// Shows it at the right edge, where it always is. Where it would cover the middle of the window it begins folded.
-pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
-    if !context.input(|input| input.pointer.any_down()) {
+/// Where the panel of what is selected stands: it is found once for a selection, and anew when its room at the right edge gets another.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::app) struct MatterAt {
+    /// Beside the tools: at the right edge it would cover what is selected.
+    is_left: bool,
+    /// Where that room ended when it was found `[points]`; `None`: not yet.
+    room: Option<f32>,
+}
+
+impl MatterAt {
+    /// Where it goes, of `sides`: at the right edge, unless it covers what is selected there and not at the left.
+    fn find(&mut self, room: Rect, [right, left]: [Rect; 2], chosen: Option<Rect>) {
+        if self.room != Some(room.right()) {
+            let covers = |side: Rect| chosen.is_some_and(|chosen| side.intersects(chosen));
+            *self = MatterAt { is_left: covers(right) && !covers(left), room: Some(room.right()) };
+        }
+    }
+}
+
+/// Shows it at the right edge of a room, or beside the tools, where it would cover what is selected. Where it would cover the middle of the
+/// window it begins folded.
+pub(super) fn show(
+    context: &egui::Context,
+    (room, beside_tools): (Rect, Pos2),
+    state: &mut PanelState,
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) {
+    let id = Id::unique("matter");
+    let is_down = context.input(|input| input.pointer.any_down());
+    if !is_down {
         state.gesture = None;
+        let known = context.memory(|memory| memory.area_rect(id)).map_or(0.0, |rect| rect.height());
+        let size = egui::vec2(WIDTH + FRAME, known.max(USUAL).min(room.height()));
+        let right = Rect::from_min_size(room.right_top() - egui::vec2(size.x, 0.0), size);
+        state.matter_at.find(room, [right, Rect::from_min_size(beside_tools, size)], facts.chosen_at);
     }
     let mut sink = Sink { gesture: &mut state.gesture, wishes };
-    let corner = room.right_top();
-    let is_open = corner.x - WIDTH - FRAME > context.content_rect().center().x;
-    Area::new(Id::unique("matter")).pivot(Align2::RIGHT_TOP).fixed_pos(corner).show(context, |ui| {
+    let middle = context.content_rect().center().x;
+    let (pivot, corner, is_open) = match state.matter_at.is_left {
+        true => (Align2::LEFT_TOP, beside_tools, beside_tools.x + WIDTH + FRAME < middle),
+        false => (Align2::RIGHT_TOP, room.right_top(), room.right() - WIDTH - FRAME > middle),
+    };
+    Area::new(id).pivot(pivot).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_width(WIDTH);
             let fold =

@@ -89,7 +89,10 @@ pub(super) fn show(
         drives::show(context, shown.response.rect, facts, wishes);
     }
     match facts.tool {
-        Tool::Select => material::show(context, rooms.right, state, facts, wishes),
+        Tool::Select => {
+            let beside_tools = egui::pos2(shown.response.rect.right() + 8.0, rooms.right.top());
+            material::show(context, (rooms.right, beside_tools), state, facts, wishes);
+        }
         Tool::Push => push::show(context, shown.response.rect, facts, wishes),
         Tool::Paint => material::show_brush(context, shown.response.rect, facts, wishes),
         _ => {}
