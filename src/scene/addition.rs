@@ -71,6 +71,13 @@ impl AddKeys {
         Some(Shape { places: model.position, bonds, triangles, pinned, planes, polygons: model.polygons })
     }
 
+    /// The balls and boxes that the keys bring into a world of space; none where they are not in order.
+    pub(crate) fn figures(&self) -> Vec<sim::Figure> {
+        let solids = AddKeys { obstacles: self.obstacles.clone(), ..AddKeys::default() };
+        let model = solids.alone(&Scene { dimensions: Some(3), ..Scene::default() }).to_model::<3>();
+        model.map_or_else(|_| Vec::new(), |model| model.convex.iter().map(|convex| convex.figure).collect())
+    }
+
     /// Makes what the keys say, for a world of `scene` as it is now.
     ///
     /// Errors: as of a scene with these keys; bonds between points that the world will not have.

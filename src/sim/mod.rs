@@ -63,7 +63,7 @@ pub use contact::surface::Plane;
 pub use counters::Counters;
 pub use drive::{AngleDrive, Drive, Held, Key, Keys, Ramp, Signal, Wave};
 pub use dynamics::{Dynamics, ForceView, GrabView, Sample};
-pub(crate) use edit::{blocked, segments_meet};
+pub(crate) use edit::{blocked, segments_meet, segments_pass};
 pub use force::angle::{Angle, Angles};
 pub use force::area::Areas;
 pub use force::mouse::{Cursor, MouseForce, Profile, Region, Track};
