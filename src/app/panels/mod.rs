@@ -191,6 +191,8 @@ pub(super) struct PanelState {
     pub(super) has_room_for_both: bool,
     /// What is plotted; `None`: the panel is closed, and nothing is measured.
     pub(super) plots: Option<Plots>,
+    /// What was, of the same world, when it was closed.
+    pub(super) plots_left: Option<Plots>,
     /// Where their panel lies.
     pub(super) plots_at: PlotsAt,
     pub(super) lessons: Lessons,

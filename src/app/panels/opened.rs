@@ -1,6 +1,7 @@
 //! Panels that stay open beside the world, in the order in which they were opened: Esc closes the last of them.
 
 use super::PanelState;
+use crate::app::plots::Plots;
 
 /// A panel that stays open until it is closed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +32,15 @@ impl PanelState {
         self.opened = list;
     }
 
+    /// Opens the plots, or closes them: opened again, they are of what they were of. The scene plays so many of its seconds a second of wall
+    /// time.
+    pub(in crate::app) fn toggle_plots(&mut self, rate: f64) {
+        match self.plots.take() {
+            Some(plots) => self.plots_left = Some(plots.emptied(rate)),
+            None => self.plots = Some(self.plots_left.take().unwrap_or_else(|| Plots::new(rate))),
+        }
+    }
+
     /// The one that was opened last, of those that are seen.
     pub(in crate::app) fn opened_last(&mut self) -> Option<Opened> {
         self.keep_order();
@@ -41,7 +51,7 @@ impl PanelState {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::plots::Plots;
+    use crate::sim::PointId;
 
     #[test]
     fn the_panel_that_was_opened_last_is_closed_first() {
@@ -59,5 +69,20 @@ mod tests {
         assert_eq!(state.opened_last(), Some(Opened::Settings));
         state.has_settings = false;
         assert_eq!(state.opened_last(), None);
+    }
+
+    #[test]
+    fn plots_that_are_closed_and_opened_again_have_their_probes() {
+        let mut state = PanelState::default();
+        state.toggle_plots(1.0);
+        let probes = |state: &PanelState| state.plots.as_ref().map(Plots::probes);
+        if let Some(plots) = &mut state.plots {
+            plots.toggle(PointId(3), |_| false);
+        }
+        let before = probes(&state);
+        state.toggle_plots(1.0);
+        assert_eq!(probes(&state), None);
+        state.toggle_plots(1.0);
+        assert!(before.is_some_and(|probes| probes[0].is_some()) && probes(&state) == before);
     }
 }

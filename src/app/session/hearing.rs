@@ -67,8 +67,10 @@ impl Session {
             }
             Note::NothingToUndo => self.go_back(),
             Note::NothingToRedo => self.go_on(),
-            Note::Branched => self
-                .say("a new take begins here: the list beside the timeline leads back to what was before".to_owned()),
+            Note::Branched => self.say(
+                "from here on it is a new version: the list beside the timeline leads back to the one before"
+                    .to_owned(),
+            ),
             Note::Added(None) => {
                 self.adding = None;
                 self.say("it is in the scene: Ctrl+Z takes it away again".to_owned());
