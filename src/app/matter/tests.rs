@@ -304,3 +304,40 @@ fn what_is_led_to_another_matter_is_shown_as_it_will_be_undone_as_one_kept_in_fi
     assert_eq!(numbers(&later), numbers(&before), "nothing is on its way any more");
     assert!((heights(&stage)[1] - flat).abs() < 0.01);
 }
+
+#[test]
+fn a_brush_paints_the_numbers_that_are_switched_on_alone_and_as_one_step_of_undo() {
+    use super::{Painted, Switched};
+    let mut stage = stage();
+    let soft = among(3..12);
+    let before = matter(&mut stage, &soft);
+    let all = Painted::default();
+    assert!(!all.is_any() && MatterChange::Painted(all).name() == "brush");
+    let numbers = Painted {
+        stiffness: Switched { is_on: true, value: 77.0 },
+        friction: Switched { is_on: true, value: 0.9 },
+        color: Switched { is_on: true, value: [1, 2, 3] },
+        ..all
+    };
+    assert!(numbers.is_any() && !numbers.all_off().is_any() && numbers.all_off().stiffness.value == 77.0);
+    change(&mut stage, &soft, MatterChange::Painted(numbers));
+    let after = matter(&mut stage, &soft);
+    let expected = Matter {
+        stiffness: Some(super::Span { least: 77.0, most: 77.0 }),
+        friction: Some(super::Span { least: 0.9, most: 0.9 }),
+        color: Coloring::One([1, 2, 3]),
+        ..before.clone()
+    };
+    assert_eq!(after, expected, "mass, damping and all else stay");
+    stage.obey(Order::Undo(None));
+    assert_eq!(matter(&mut stage, &soft), before, "as one");
+    // What is rigid has no stiffness: the rest is painted; nothing but that is refused, with why.
+    let rope = among(0..3);
+    let heavy = Painted { density: Switched { is_on: true, value: 5.0 }, ..numbers };
+    change(&mut stage, &rope, MatterChange::Painted(heavy));
+    assert_eq!(matter(&mut stage, &rope).color, Coloring::One([1, 2, 3]));
+    let stiff = Painted { stiffness: numbers.stiffness, ..all };
+    assert_eq!(MatterChange::Painted(stiff).name(), "stiffness");
+    let why = super::commands(stage.history().world(), &rope, MatterChange::Painted(stiff));
+    assert!(why.is_err_and(|why| why.contains("rigid")));
+}

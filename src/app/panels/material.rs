@@ -1,4 +1,4 @@
-//! What is selected is made of: shown and changed at the right edge; and what the brush paints with, beside the tools.
+//! What is selected is made of: shown and changed at the right edge.
 
 use egui::collapsing_header::CollapsingState;
 use egui::{
@@ -11,10 +11,9 @@ use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
 use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, NEVER, Preset, Span};
-use crate::app::tools::RADII;
 
 /// Width of the panel `[points]`.
-const WIDTH: f32 = 226.0;
+pub(super) const WIDTH: f32 = 226.0;
 /// What its frame takes beside that, and frame and header above what is scrolled `[points]`.
 const FRAME: f32 = 18.0;
 const HEAD: f32 = 50.0;
@@ -117,29 +116,6 @@ pub(super) fn show(
             });
         });
     });
-}
-
-/// What the brush paints with, and how wide it is.
-pub(super) fn show_brush(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
-    let corner = tools.right_top() + egui::vec2(8.0, 0.0);
-    let mut brush = facts.brush;
-    Area::new(Id::unique("brush")).fixed_pos(corner).show(context, |ui| {
-        floating(ui).show(ui, |ui| {
-            ui.set_width(WIDTH);
-            ui.spacing_mut().slider_width = 120.0;
-            ui.label(RichText::new("Material brush").color(colors(ui).text).strong());
-            ui.label(RichText::new("drag over bodies: they become").color(colors(ui).weak));
-            if let (_, Some(preset)) = presets(ui, Some(brush.preset)) {
-                brush.preset = preset;
-            }
-            ui.label(RichText::new(brush.preset.words()).color(colors(ui).weak));
-            let [least, most] = RADII;
-            ui.add(Slider::new(&mut brush.radius, least..=most).max_decimals(0).suffix(" px").text("radius"));
-        });
-    });
-    if brush != facts.brush {
-        wishes.push(Wish::Brush(brush));
-    }
 }
 
 /// A button: its name, what it does, and the action.
@@ -261,7 +237,7 @@ fn parts(matter: &Matter) -> Option<String> {
 }
 
 /// Buttons for matter by name, in their colours. Returns the one that was clicked.
-fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>, Option<Preset>) {
+pub(super) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>, Option<Preset>) {
     let mut clicked = (None, None);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
@@ -349,7 +325,7 @@ fn number(
 }
 
 /// A number with few digits, whatever its size.
-fn short(x: f64) -> String {
+pub(super) fn short(x: f64) -> String {
     match x.abs() {
         0.0 => "0".to_owned(),
         size if size >= 1e6 => format!("{x:.2e}"),

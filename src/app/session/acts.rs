@@ -6,7 +6,6 @@ use super::asking::points_of;
 use super::{Framing, Session};
 use crate::app::action::{Action, Tool};
 use crate::app::count::counted;
-use crate::app::matter::MatterChange;
 use crate::app::opening;
 use crate::app::panels::{Opened, Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
@@ -304,12 +303,12 @@ impl Session {
             self.say(words.clone());
         }
         if let Some(among) = deed.painted.clone() {
-            let preset = self.hand.brush().preset;
-            let change = MatterChange::Preset(preset);
+            let brush = self.hand.brush();
+            let change = brush.change();
             let bonds = among.bonds.as_ref().map_or(0, Vec::len);
             self.say(format!(
                 "{}: {} and {}; Ctrl+Z takes it back",
-                preset.name(),
+                brush.name(),
                 counted(among.points.len(), "point"),
                 counted(bonds, "bond")
             ));
