@@ -46,7 +46,7 @@ pub use command::{
     Weather,
 };
 pub use dress::Group;
-pub use error::{HistoryError, Refusal};
+pub use error::{HistoryError, Refusal, Why};
 pub use lines::Lines;
 pub use log::Log;
 pub use mark::{Difference, Mark, difference, hash_now};

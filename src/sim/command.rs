@@ -374,9 +374,6 @@ impl Default for Applied {
     }
 }
 
-/// Why a grab fails where all that is in reach is a pin, or as taut between pins as rigid bonds are.
-pub const HELD: &str = "what is in reach is held by pins: `unpin` lets one go";
-
 /// A command that cannot be done where it stands: the world is whole, as it was before.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CommandError {
@@ -388,6 +385,9 @@ pub enum CommandError {
         /// The number.
         number: u32,
     },
+    /// A grab of what is a pin, or as taut between pins as rigid bonds are, all of it.
+    #[error("what is in reach is held by pins: `unpin` lets one go")]
+    Held,
     /// A number outside its range, or anything else that the command excludes.
     #[error("{0}")]
     Invalid(String),

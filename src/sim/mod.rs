@@ -51,8 +51,8 @@ pub use bond::{Bond, BondId, BondKind, Limit, PointId};
 pub use bonds::Bonds;
 pub use build::build;
 pub use command::{
-    Addition, AngleChange, Applied, BondChange, BoundsChange, Change, Command, CommandError, HELD, Jam, Kind, Knots,
-    Motion, MouseChange, NoRoom, Obstacle, Reach, SceneChange, Selection, Values,
+    Addition, AngleChange, Applied, BondChange, BoundsChange, Change, Command, CommandError, Jam, Kind, Knots, Motion,
+    MouseChange, NoRoom, Obstacle, Reach, SceneChange, Selection, Values,
 };
 pub use contact::bounds::Bounds;
 pub use contact::convex::{BOX_EDGES, Convex, Figure, Frame};

@@ -6,7 +6,6 @@ use super::Session;
 use crate::app::panels::{Sheet, is_recording};
 use crate::app::player::{News, Note};
 use crate::app::warnings::refused;
-use crate::sim::HELD;
 
 impl Session {
     /// Takes what the player has to tell.
@@ -85,7 +84,7 @@ impl Session {
             Note::Exact => {
                 self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());
             }
-            Note::Refused(why) if why == HELD => self.say(HELD_HERE.to_owned()),
+            Note::Held => self.say(HELD_HERE.to_owned()),
             Note::Refused(why) => {
                 self.import = self.adding.take().or_else(|| self.import.take());
                 self.complain(&refused(&why));
