@@ -166,9 +166,7 @@ impl Session {
             Tool::Build => CursorIcon::Copy,
             Tool::Muscle => CursorIcon::Pointer,
             Tool::Motor => CursorIcon::Alias,
-            Tool::Select if on(|scope, at| scope.nearest(at).is_some() || scope.solid(at).is_some()) => {
-                CursorIcon::Move
-            }
+            Tool::Select if can_look && self.with_scope(|hand, scope| hand.would_move(scope, at)) => CursorIcon::Move,
             Tool::Select => CursorIcon::Default,
         }
     }
