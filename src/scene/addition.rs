@@ -106,10 +106,6 @@ impl AddKeys {
         for (i, motion) in self.pin_motion.iter().enumerate() {
             check::check_pin_motion(motion, D, &|_| true).item(i).at("pin_motion")?;
         }
-        if let Some(i) = self.obstacles.iter().position(|keys| keys.penalty.is_some()) {
-            let message = "is of a scene's own planes: leave it out of what is added";
-            return Err(Fault::unsupported(message).at("penalty").item(i).at("obstacles"));
-        }
         check::check_triangles(&self.triangles, count)?;
         check::check_skins(&self.skins, count)?;
         check::check_forces(&self.forces, count, D)?;
@@ -202,6 +198,7 @@ impl AddKeys {
             normal: embed(plane.normal),
             restitution: plane.restitution,
             friction: plane.friction,
+            penalty: plane.penalty,
         });
         let polygons = model.polygons.iter().cloned().map(sim::Obstacle::Polygon);
         let mut others = polygons.chain(model.convex.iter().copied().map(sim::Obstacle::Convex));

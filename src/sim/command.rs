@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use super::bond::{Bond, BondId, Limit, PointId};
 use super::contact::convex::Convex;
+use super::contact::penalty::Penalty;
 use super::contact::polygon::Polygon;
 use super::contact::skin::{Contact, SkinMaterial};
 use super::drive::{AngleDrive, Drive, Key};
@@ -133,6 +134,8 @@ pub enum Obstacle {
         restitution: f64,
         /// Friction `[1]`, >= 0.
         friction: f64,
+        /// A force by depth in place of contact.
+        penalty: Option<Penalty>,
     },
     /// A polygon, in the plane.
     Polygon(Polygon),
@@ -221,6 +224,8 @@ pub enum Change {
         restitution: Option<f64>,
         /// Friction `[1]`, >= 0.
         friction: Option<f64>,
+        /// Of planes: a force by depth in place of contact, `Some(None)`: contact again.
+        penalty: Option<Option<Penalty>>,
     },
     /// Numbers of constant forces.
     Forces {

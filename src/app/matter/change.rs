@@ -5,9 +5,9 @@ use super::extent::{areas, rest_length};
 use super::facts::NEVER;
 use super::painted::Painted;
 use super::preset::{Preset, Stuff};
-use crate::history::{Do, OneOrEach, SetKeys};
+use crate::history::{Do, OneOrEach, PenaltyOrNone, SetKeys};
 use crate::picture::{Coat, Tint};
-use crate::scene::{AddKeys, KindName, SkinKeys};
+use crate::scene::{AddKeys, KindName, PenaltyKeys, SkinKeys};
 use crate::sim::{Bond, BondKind, Dynamics, Limit, PointId};
 
 /// Stiffness of springs that were rigid before, over the mass of their body `[1/s^2]`, and damping over stiffness `[s]`.
@@ -34,6 +34,8 @@ pub enum MatterChange {
     Friction(f64),
     /// Of skins and obstacles `[1]`, to 1.
     Restitution(f64),
+    /// Of planes: a depth pushes out by so much `[N/m]` and `[N s/m]` in place of contact; `None`: contact.
+    Penalty(Option<[f64; 2]>),
     /// What it is filled in, or its picture is tinted by.
     Color([u8; 3]),
     /// How wide bonds are drawn `[m]`; 0: as is usual.
@@ -61,6 +63,7 @@ impl MatterChange {
             MatterChange::Bending(_) => "bending",
             MatterChange::Friction(_) => "friction",
             MatterChange::Restitution(_) => "restitution",
+            MatterChange::Penalty(_) => "soft ground",
             MatterChange::Color(_) => "colour",
             MatterChange::Width(_) => "width",
             MatterChange::Visible(true) => "show",
@@ -110,6 +113,12 @@ pub(in crate::app) fn commands(
         }
         MatterChange::Restitution(restitution) => {
             surfaces(world, (&points, among), SetKeys { restitution: Some(restitution), ..SetKeys::default() })
+        }
+        MatterChange::Penalty(penalty) => {
+            let keys = |[stiffness, damping]: [f64; 2]| PenaltyKeys { stiffness, damping: Some(damping) };
+            let penalty = penalty.map_or(PenaltyOrNone::None(()), |numbers| PenaltyOrNone::This(keys(numbers)));
+            let obstacles = Some(among.obstacles.clone());
+            vec![set(SetKeys { obstacles, penalty: Some(penalty), ..SetKeys::default() })]
         }
         MatterChange::Color(_) | MatterChange::Width(_) | MatterChange::Visible(_) if points.is_empty() => Vec::new(),
         MatterChange::Color(color) => vec![coated(&points, Coat::of_color(color))],

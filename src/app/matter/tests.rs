@@ -341,3 +341,48 @@ fn a_brush_paints_the_numbers_that_are_switched_on_alone_and_as_one_step_of_undo
     let why = super::commands(stage.history().world(), &rope, MatterChange::Painted(stiff));
     assert!(why.is_err_and(|why| why.contains("rigid")));
 }
+
+#[test]
+fn ground_is_made_soft_while_it_runs_and_hard_again_by_undo() {
+    let text = r#"{"wobble": 1, "gravity": [0, -9.81], "points": {"position": [[0, 0.5]]}, "drag_rate": 1,
+        "obstacles": [{"plane": {"point": [0, 0], "normal": [0, 1]}}, {"box": {"min": [5, 0], "max": [6, 1]}}]}"#;
+    let mut stage = stage_of(text);
+    let ground = Among { obstacles: vec![0], ..Among::default() };
+    assert_eq!(matter(&mut stage, &ground).penalty, Some(None));
+    let low = |stage: &Stage| stage.history().world().positions().get(1);
+    (0..120).for_each(|_| _ = stage.obey(Order::Step(None)));
+    assert!(low(&stage).abs() < 1e-3, "it lies on the ground: {}", low(&stage));
+    change(&mut stage, &ground, MatterChange::Penalty(Some([200.0, 20.0])));
+    assert_eq!(matter(&mut stage, &ground).penalty, Some(Some([200.0, 20.0])));
+    (0..600).for_each(|_| _ = stage.obey(Order::Step(None)));
+    let deep = 9.81 / 200.0;
+    assert!((low(&stage) + deep).abs() < 0.1 * deep, "{} m, as deep as its weight says", low(&stage));
+    // What is written is read again, and undone as one.
+    let recording = stage.history().recording();
+    let mut bytes = Vec::new();
+    recording.write_json(&mut bytes).unwrap();
+    let again = crate::history::Log::of_text(&String::from_utf8(bytes).unwrap(), "x.json").unwrap();
+    assert_eq!(again.commands().unwrap(), recording.commands);
+    stage.obey(Order::Undo(None));
+    assert_eq!(matter(&mut stage, &ground).penalty, Some(None));
+    // Boxes have none, and where bodies meet there is none: that is said.
+    let other = Among { obstacles: vec![1], ..Among::default() };
+    assert_eq!(matter(&mut stage, &other).penalty, None);
+    let refused = |stage: &mut Stage, among: &Among| {
+        let change = MatterChange::Penalty(Some([200.0, 20.0]));
+        match stage.obey(Order::Change { among: among.clone(), change, goes_on: false }) {
+            Some(Note::Refused(why)) => why,
+            other => format!("{other:?}"),
+        }
+    };
+    assert!(refused(&mut stage, &other).contains("is no plane"));
+    let mut meets = stage_of(
+        r#"{"wobble": 1, "contact": true, "points": {"position": [[0, 0.5]]},
+        "obstacles": [{"plane": {"point": [0, 0], "normal": [0, 1]}}]}"#,
+    );
+    assert!(refused(&mut meets, &ground).contains("contact"));
+}
+
+fn stage_of(text: &str) -> Stage {
+    Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap()
+}

@@ -25,6 +25,8 @@ const NAMES: f32 = 74.0;
 const SPEED: f64 = 0.01;
 /// Where a drag of a number that is 0 begins.
 const FIRST: f64 = 0.01;
+/// What soft ground pushes with at first `[N/m]`, `[N s/m]`.
+const PUSHES: [f64; 2] = [1000.0, 10.0];
 /// What bonds break at when they are first to break `[1]`.
 const BREAKS: f64 = 0.5;
 
@@ -201,6 +203,7 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
     share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
     share(ui, "restitution", 1.0, matter.restitution, sink, MatterChange::Restitution);
+    penalty(ui, matter, sink);
     if matter.points > 0 && matter.friction.is_none() && facts.dimensions == 2 {
         ui.label(RichText::new("bodies pass through each other: G, to let them meet").color(colors(ui).weak));
     }
@@ -379,6 +382,23 @@ fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
             sink.set(&by, MatterChange::Breaks(percent / 100.0));
         }
     });
+}
+
+/// Whether planes push out what has got into them, in place of contact, and how.
+fn penalty(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+    let Some(now) = matter.penalty else { return };
+    row(ui, "", |ui, _| {
+        let mut is_soft = now.is_some();
+        let words = "what gets into it is pushed out, the harder the deeper it is, in place of contact";
+        let by = ui.checkbox(&mut is_soft, "soft ground").on_hover_text(words);
+        if by.changed() {
+            sink.set(&by, MatterChange::Penalty(is_soft.then_some(PUSHES)));
+        }
+    });
+    let Some([stiffness, damping]) = now else { return };
+    let one = |x: f64| Some(Span { least: x, most: x });
+    number(ui, ("push", " N/m"), one(stiffness), sink, |x| Some(MatterChange::Penalty(Some([x, damping]))));
+    number(ui, ("damping", " N s/m"), one(damping), sink, |x| Some(MatterChange::Penalty(Some([stiffness, x]))));
 }
 
 /// Whether it is drawn.
