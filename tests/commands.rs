@@ -638,7 +638,13 @@ fn a_body_that_an_obstacle_is_put_onto_is_moved_out_as_a_whole() {
     let mut model = boxes(2);
     model.gravity = [0.0; 2];
     model.velocity.fill([0.0; 2]);
-    let floor = Obstacle::Plane { point: [0.0, 1.6, 0.0], normal: [0.0, 1.0, 0.0], restitution: 0.0, friction: 0.0 };
+    let floor = Obstacle::Plane {
+        point: [0.0, 1.6, 0.0],
+        normal: [0.0, 1.0, 0.0],
+        restitution: 0.0,
+        friction: 0.0,
+        penalty: None,
+    };
     let walls = BoundsChange { min: [-10.0, 1.6, 0.0], max: [100.0, 20.0, 0.0], restitution: 0.0, friction: 0.0 };
     let bounds = Change::Scene(Box::new(SceneChange { bounds: Some(Some(walls)), ..SceneChange::default() }));
     let put: [Command; 2] =

@@ -297,7 +297,7 @@ fn groups_are_the_historys_own_and_undone_like_the_rest() {
     assert_eq!(history.groups()[0].points, [PointId(1), PointId(2)]);
     history.undo().unwrap();
     assert!(history.groups().is_empty());
-    assert!(history.give(vec![group(&[99])], Some("Group")).unwrap_err().reason.contains("no point 99"));
+    assert!(history.give(vec![group(&[99])], Some("Group")).unwrap_err().reason.to_string().contains("no point 99"));
 }
 
 #[test]

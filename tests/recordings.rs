@@ -296,7 +296,13 @@ fn saved(world: &dyn Dynamics) -> wobble::sim::Saved<2> {
 #[test]
 fn numbers_of_a_state_that_do_not_fit_what_has_them_are_refused() {
     let mut world = Scene::load("rim").unwrap().world(None).unwrap();
-    let floor = Obstacle::Plane { point: [0.0, -4.0, 0.0], normal: [0.0, 1.0, 0.0], restitution: 0.0, friction: 0.0 };
+    let floor = Obstacle::Plane {
+        point: [0.0, -4.0, 0.0],
+        normal: [0.0, 1.0, 0.0],
+        restitution: 0.0,
+        friction: 0.0,
+        penalty: None,
+    };
     let more =
         |floor: &Obstacle| Act::Add(Box::new(Addition { obstacles: vec![floor.clone()], ..Addition::default() }));
     world.apply(&more(&floor)).unwrap();

@@ -6,7 +6,6 @@ use super::action::{Action, Tool};
 use super::matter::Among;
 use super::panels::{self, Facts, Met, PanelState, Setting, Settings, Sheet, Wish, parameters, theme};
 use super::player::{Note, Order, Shown, Stage};
-use super::plots::Plots;
 use super::tools::PushWay;
 use crate::history::{History, HistoryError};
 use crate::lessons::lessons;
@@ -76,8 +75,8 @@ impl Rehearsal {
             Action::FindSetting => (self.state.has_settings, self.state.finds_setting) = (true, true),
             Action::Lessons => self.state.lessons.is_open = !self.state.lessons.is_open,
             Action::Plots => {
-                let plots = self.state.plots.take();
-                self.state.plots = plots.is_none().then(|| Plots::new(self.history().scene().rate()));
+                let rate = self.history().scene().rate();
+                self.state.toggle_plots(rate);
             }
             Action::Palette => self.palette = self.palette.other(),
             _ => {}

@@ -65,7 +65,7 @@ impl Companion {
             // A state goes on by the method that it was kept with.
             let method = MethodKeys { precision: None, tolerance: None, ..scene.method.clone() };
             let act = Do::Set(Box::new(SetKeys { method: Some(method), ..SetKeys::default() }));
-            frame.apply(&act, &scene).map_err(refused)?;
+            frame.apply(&act, &scene).map_err(|why| refused(why.to_string()))?;
         }
         let mut keyframes = Keyframes::new();
         keyframes.bound(MOST_BYTES, frame.world.time());

@@ -1,7 +1,8 @@
 //! Commands as files have them.
 
 use crate::scene::{
-    AddKeys, AreaKeys, BoundsKeys, DriveKeys, KindName, LimitName, Meeting, MethodKeys, Vector, WindKeys, object,
+    AddKeys, AreaKeys, BoundsKeys, DriveKeys, KindName, LimitName, Meeting, MethodKeys, PenaltyKeys, Vector, WindKeys,
+    object,
 };
 use crate::sim::{Cursor, Key, MouseChange, PointId, Reach};
 
@@ -168,6 +169,8 @@ object! {
             restitution: f64,
             /// Of obstacles, or of the skins of points `[1]`, >= 0.
             friction: f64,
+            /// Of planes among obstacles: a force by depth in place of contact, or contact again.
+            penalty: PenaltyOrNone,
             /// Of the skins of points `[m]`, >= 0.
             radius: f64,
             /// Of constant forces `[N]`.
@@ -286,6 +289,16 @@ pub enum RangeOrNone {
 pub enum DriveOrNone {
     /// So.
     This(DriveKeys),
+    /// No more.
+    None(()),
+}
+
+/// A force by depth, or none any more.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged, expecting = "a penalty: an object with the key `stiffness`, or null")]
+pub enum PenaltyOrNone {
+    /// So.
+    This(PenaltyKeys),
     /// No more.
     None(()),
 }

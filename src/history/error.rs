@@ -2,6 +2,7 @@
 
 use crate::scene::SceneError;
 use crate::scene::record::RecordError;
+use crate::sim::CommandError;
 
 /// A command that cannot be done where it stands; the world before it is whole.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -12,7 +13,24 @@ pub struct Refusal {
     /// Its time `[s]`.
     pub at: f64,
     /// Why, and what to do.
-    pub reason: String,
+    pub reason: Why,
+}
+
+/// Why a command cannot be done.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Why {
+    /// The world refuses it.
+    #[error(transparent)]
+    World(#[from] CommandError),
+    /// What it says cannot be, in words: as of a file.
+    #[error("{0}")]
+    Words(String),
+}
+
+impl From<String> for Why {
+    fn from(words: String) -> Self {
+        Why::Words(words)
+    }
 }
 
 /// A history that cannot begin or go on as its file says.

@@ -4,6 +4,7 @@ use super::command::{Do, Entry, SetKeys};
 use super::dress::Dress;
 use super::eased::{self, Eased};
 use super::effort::Effort;
+use super::error::Why;
 use super::resolve::{Resolved, resolve};
 use crate::scene::Scene;
 use crate::sim::{Applied, Command, Dynamics};
@@ -55,7 +56,7 @@ impl Frame {
     /// Does a command; one of the log is not counted yet.
     ///
     /// Errors: in words, why it cannot be done; the world is as it was.
-    pub(super) fn apply(&mut self, act: &Do, scene: &Scene) -> Result<Applied, String> {
+    pub(super) fn apply(&mut self, act: &Do, scene: &Scene) -> Result<Applied, Why> {
         let Do::Set(keys) = act else { return self.apply_now(act, scene) };
         if keys.over.is_some() {
             return self.ease(keys, scene);
@@ -66,7 +67,7 @@ impl Frame {
     }
 
     /// Sends numbers on their way.
-    fn ease(&mut self, keys: &SetKeys, scene: &Scene) -> Result<Applied, String> {
+    fn ease(&mut self, keys: &SetKeys, scene: &Scene) -> Result<Applied, Why> {
         let parted = eased::part(keys, &*self.world)?;
         // What could not be done at once cannot be done later.
         let at_once = Do::Set(Box::new(SetKeys { over: None, ..keys.clone() }));
@@ -111,12 +112,12 @@ impl Frame {
         Some(ahead.world)
     }
 
-    fn apply_now(&mut self, act: &Do, scene: &Scene) -> Result<Applied, String> {
+    fn apply_now(&mut self, act: &Do, scene: &Scene) -> Result<Applied, Why> {
         match resolve(act, scene, &*self.world)? {
-            Resolved::Engine(command) => self.world.apply(&command).map_err(|error| error.to_string()),
+            Resolved::Engine(command) => Ok(self.world.apply(&command)?),
             Resolved::Made(made) => {
                 let command = Command::Add(Box::new(made.addition));
-                let applied = self.world.apply(&command).map_err(|error| error.to_string())?;
+                let applied = self.world.apply(&command)?;
                 self.dress.wear(made.skins);
                 self.dress.tint((made.tints, made.names), &made.coats);
                 Ok(Applied { is_something: applied.is_something || !made.coats.is_empty(), ..applied })
@@ -133,7 +134,7 @@ impl Frame {
     /// Does the next command of the log.
     ///
     /// Errors: in words, why it cannot be done; it is passed over.
-    pub(super) fn follow(&mut self, entry: &Entry, scene: &Scene) -> Result<Applied, String> {
+    pub(super) fn follow(&mut self, entry: &Entry, scene: &Scene) -> Result<Applied, Why> {
         self.place += 1;
         self.apply(&entry.act, scene)
     }

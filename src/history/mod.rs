@@ -42,11 +42,11 @@ pub use autosave::{Autosave, EVERY, Left};
 pub use beside::{Companion, distances};
 pub use branch::BranchView;
 pub use command::{
-    AreasOrNone, DeleteKeys, Do, DriveOrNone, Entry, Factors, MoveKeys, OneOrEach, SetKeys, VectorOrEach, Walls,
-    Weather,
+    AreasOrNone, DeleteKeys, Do, DriveOrNone, Entry, Factors, MoveKeys, OneOrEach, PenaltyOrNone, SetKeys,
+    VectorOrEach, Walls, Weather,
 };
 pub use dress::Group;
-pub use error::{HistoryError, Refusal};
+pub use error::{HistoryError, Refusal, Why};
 pub use lines::Lines;
 pub use log::Log;
 pub use mark::{Difference, Mark, difference, hash_now};

@@ -1,8 +1,8 @@
 //! From commands as files have them to those of the engine.
 
 use super::command::{
-    AreasOrNone, DeleteKeys, Do, DriveOrNone, Factors, MoveKeys, OneOrEach, RangeOrNone, SetKeys, VectorOrEach, Walls,
-    Weather,
+    AreasOrNone, DeleteKeys, Do, DriveOrNone, Factors, MoveKeys, OneOrEach, PenaltyOrNone, RangeOrNone, SetKeys,
+    VectorOrEach, Walls, Weather,
 };
 use crate::scene::{DriveKeys, KindName, LimitName, Made, Meeting, MethodKeys, Scene, Vector};
 use crate::sim::{
@@ -119,7 +119,7 @@ const OF_BONDS: [&str; 11] = [
     "phase",
 ];
 const OF_ANGLES: [&str; 5] = ["rest", "stiffness", "damping", "range", "drive"];
-const OF_OBSTACLES: [&str; 2] = ["restitution", "friction"];
+const OF_OBSTACLES: [&str; 3] = ["restitution", "friction", "penalty"];
 const OF_FORCES: [&str; 2] = ["force", "torque"];
 const OF_SCENE: [&str; 7] = ["gravity", "drag_rate", "wind", "bounds", "contact", "areas", "method"];
 
@@ -169,6 +169,10 @@ fn change(keys: &SetKeys, scene: &Scene) -> Result<Change, String> {
             obstacles: keys.obstacles.clone().unwrap_or_default(),
             restitution: keys.restitution,
             friction: keys.friction,
+            penalty: keys.penalty.as_ref().map(|penalty| match penalty {
+                PenaltyOrNone::This(keys) => Some((*keys).into()),
+                PenaltyOrNone::None(()) => None,
+            }),
         },
         "forces" => Change::Forces {
             forces: keys.forces.clone().unwrap_or_default(),

@@ -71,6 +71,13 @@ impl AddKeys {
         Some(Shape { places: model.position, bonds, triangles, pinned, planes, polygons: model.polygons })
     }
 
+    /// The balls and boxes that the keys bring into a world of space; none where they are not in order.
+    pub(crate) fn figures(&self) -> Vec<sim::Figure> {
+        let solids = AddKeys { obstacles: self.obstacles.clone(), ..AddKeys::default() };
+        let model = solids.alone(&Scene { dimensions: Some(3), ..Scene::default() }).to_model::<3>();
+        model.map_or_else(|_| Vec::new(), |model| model.convex.iter().map(|convex| convex.figure).collect())
+    }
+
     /// Makes what the keys say, for a world of `scene` as it is now.
     ///
     /// Errors: as of a scene with these keys; bonds between points that the world will not have.
@@ -98,10 +105,6 @@ impl AddKeys {
         pinned.extend(self.points.iter().flat_map(|points| &points.pinned).map(|&point| PointId(point)));
         for (i, motion) in self.pin_motion.iter().enumerate() {
             check::check_pin_motion(motion, D, &|_| true).item(i).at("pin_motion")?;
-        }
-        if let Some(i) = self.obstacles.iter().position(|keys| keys.penalty.is_some()) {
-            let message = "is of a scene's own planes: leave it out of what is added";
-            return Err(Fault::unsupported(message).at("penalty").item(i).at("obstacles"));
         }
         check::check_triangles(&self.triangles, count)?;
         check::check_skins(&self.skins, count)?;
@@ -195,6 +198,7 @@ impl AddKeys {
             normal: embed(plane.normal),
             restitution: plane.restitution,
             friction: plane.friction,
+            penalty: plane.penalty,
         });
         let polygons = model.polygons.iter().cloned().map(sim::Obstacle::Polygon);
         let mut others = polygons.chain(model.convex.iter().copied().map(sim::Obstacle::Convex));

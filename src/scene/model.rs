@@ -319,9 +319,7 @@ fn planes<const D: usize>(scene: &Scene) -> Vec<Plane<D>> {
             normal: truncate(plane.normal.embed()),
             restitution: keys.restitution.unwrap_or(0.0),
             friction: keys.friction.unwrap_or(0.0),
-            penalty: keys
-                .penalty
-                .map(|keys| Penalty { stiffness: keys.stiffness, damping: keys.damping.unwrap_or(0.0) }),
+            penalty: keys.penalty.map(Penalty::from),
         })
     };
     scene.obstacles.iter().filter_map(of).collect()

@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use super::bond::{Bond, BondId, Limit, PointId};
 use super::contact::convex::Convex;
+use super::contact::penalty::Penalty;
 use super::contact::polygon::Polygon;
 use super::contact::skin::{Contact, SkinMaterial};
 use super::drive::{AngleDrive, Drive, Key};
@@ -133,6 +134,8 @@ pub enum Obstacle {
         restitution: f64,
         /// Friction `[1]`, >= 0.
         friction: f64,
+        /// A force by depth in place of contact.
+        penalty: Option<Penalty>,
     },
     /// A polygon, in the plane.
     Polygon(Polygon),
@@ -221,6 +224,8 @@ pub enum Change {
         restitution: Option<f64>,
         /// Friction `[1]`, >= 0.
         friction: Option<f64>,
+        /// Of planes: a force by depth in place of contact, `Some(None)`: contact again.
+        penalty: Option<Option<Penalty>>,
     },
     /// Numbers of constant forces.
     Forces {
@@ -374,9 +379,6 @@ impl Default for Applied {
     }
 }
 
-/// Why a grab fails where all that is in reach is a pin, or as taut between pins as rigid bonds are.
-pub const HELD: &str = "what is in reach is held by pins: `unpin` lets one go";
-
 /// A command that cannot be done where it stands: the world is whole, as it was before.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CommandError {
@@ -388,6 +390,9 @@ pub enum CommandError {
         /// The number.
         number: u32,
     },
+    /// A grab of what is a pin, or as taut between pins as rigid bonds are, all of it.
+    #[error("what is in reach is held by pins: `unpin` lets one go")]
+    Held,
     /// A number outside its range, or anything else that the command excludes.
     #[error("{0}")]
     Invalid(String),

@@ -51,8 +51,8 @@ pub use bond::{Bond, BondId, BondKind, Limit, PointId};
 pub use bonds::Bonds;
 pub use build::build;
 pub use command::{
-    Addition, AngleChange, Applied, BondChange, BoundsChange, Change, Command, CommandError, HELD, Jam, Kind, Knots,
-    Motion, MouseChange, NoRoom, Obstacle, Reach, SceneChange, Selection, Values,
+    Addition, AngleChange, Applied, BondChange, BoundsChange, Change, Command, CommandError, Jam, Kind, Knots, Motion,
+    MouseChange, NoRoom, Obstacle, Reach, SceneChange, Selection, Values,
 };
 pub use contact::bounds::Bounds;
 pub use contact::convex::{BOX_EDGES, Convex, Figure, Frame};
@@ -63,7 +63,7 @@ pub use contact::surface::Plane;
 pub use counters::Counters;
 pub use drive::{AngleDrive, Drive, Held, Key, Keys, Ramp, Signal, Wave};
 pub use dynamics::{Dynamics, ForceView, GrabView, Sample};
-pub(crate) use edit::{blocked, segments_meet};
+pub(crate) use edit::{blocked, segments_meet, segments_pass};
 pub use force::angle::{Angle, Angles};
 pub use force::area::Areas;
 pub use force::mouse::{Cursor, MouseForce, Profile, Region, Track};

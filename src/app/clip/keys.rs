@@ -1,7 +1,8 @@
 //! Bonds, angles and obstacles of a world as keys.
 
 use crate::scene::{
-    AngleKeys, BondKeys, BoxKeys, CircleKeys, KindName, LimitName, ObstacleKeys, PlaneKeys, RotationKeys, Row, Vector,
+    AngleKeys, BondKeys, BoxKeys, CircleKeys, KindName, LimitName, ObstacleKeys, PenaltyKeys, PlaneKeys, RotationKeys,
+    Row, Vector,
 };
 use crate::sim::{Angle, Bond, BondKind, Convex, Figure, Limit, Obstacle, PointId};
 
@@ -48,9 +49,10 @@ pub(super) fn angle_keys(angle: &Angle, place: impl Fn(PointId) -> Option<u32>) 
 pub(super) fn solid(obstacle: &Obstacle, dimensions: usize) -> ObstacleKeys {
     let vector = |x: [f64; 3]| Vector::new(x, dimensions);
     let (keys, restitution, friction) = match obstacle {
-        Obstacle::Plane { point, normal, restitution, friction } => {
+        Obstacle::Plane { point, normal, restitution, friction, penalty } => {
             let plane = Some(PlaneKeys { point: vector(*point), normal: vector(*normal) });
-            (ObstacleKeys { plane, ..ObstacleKeys::default() }, restitution, friction)
+            let penalty = penalty.map(PenaltyKeys::from);
+            (ObstacleKeys { plane, penalty, ..ObstacleKeys::default() }, restitution, friction)
         }
         Obstacle::Polygon(polygon) => {
             let corners = |corners: &Vec<[f64; 2]>| corners.iter().map(|&corner| Vector::Plane(corner)).collect();

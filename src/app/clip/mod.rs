@@ -5,6 +5,7 @@ mod keys;
 mod led;
 mod raster;
 mod room;
+mod space;
 #[cfg(test)]
 mod tests;
 

@@ -3,19 +3,16 @@
 use glam::{DVec2, DVec3};
 
 use super::raster::Raster;
-use super::{Clip, Wish};
+use super::{Clip, Wish, space};
 use crate::history::History;
-use crate::scene::Vector;
 use crate::sim::Dynamics;
 
 /// Cells along the longer side of what is looked at.
 const CELLS: f64 = 400.0;
 /// Cells that are kept free about a copy, beside what skins need.
 const APART: f64 = 1.0;
-/// In space a copy is tried so many times as far as it is large, to each side.
-const STEPS: i32 = 8;
 /// Said of a copy that is put where another body is: nothing is free.
-const IN_ANOTHER: &str = "there is no free room in view: it lies in another body";
+pub(super) const IN_ANOTHER: &str = "there is no free room in view: it lies in another body";
 /// Said of a copy that is put beside what it is of: there is room for it, but not in view.
 const OUT_OF_VIEW: &str = "there is no free room in view: it lies beside it, partly out of view (F shows all)";
 /// Said where it would lie in obstacles or beyond walls wherever it is put.
@@ -39,7 +36,7 @@ pub(super) fn place(clip: &Clip, history: &History, wish: &Wish) -> Result<Place
         // A plane has no end, so it lies in everything.
         _ if is_endless => Ok(Place { by: wish.by, lies_in: None }),
         2 => in_plane(clip, history.world(), wish),
-        _ => Ok(in_space(clip, history.world(), wish)),
+        _ => Ok(space::place(clip, history.world(), wish)),
     }
 }
 
@@ -192,77 +189,9 @@ impl Wish {
     }
 
     /// Whether a place in space is seen beside panels.
-    fn sees(&self, at: DVec3) -> bool {
+    pub(super) fn sees(&self, at: DVec3) -> bool {
         let [low, high] = self.free;
         let is_in = |pixel: [f64; 2]| (0..2).all(|k| (low[k]..=high[k]).contains(&pixel[k]));
         self.camera.screen_from_world(at).is_some_and(is_in)
     }
-}
-
-/// In space what each thing takes is the box around it.
-fn in_space(clip: &Clip, world: &dyn Dynamics, wish: &Wish) -> Place {
-    let Some(around) = hull(places(clip).into_iter()) else { return Place { by: wish.by, lies_in: None } };
-    let wanted = DVec3::from(wish.by);
-    let size = around[1] - around[0];
-    let step = 1.05 * size.max(DVec3::splat(0.2 * size.max_element().max(1e-6)));
-    let things = boxes(world);
-    let bounds = world.bounds().map(|corners| corners.map(DVec3::from));
-    let planes: Vec<[DVec3; 2]> = world.planes().into_iter().map(|plane| plane.map(DVec3::from)).collect();
-    let is_free = |by: DVec3| {
-        let [low, high] = around.map(|corner| corner + by);
-        let is_in = bounds.is_none_or(|[least, most]| low.cmpge(least).all() && high.cmple(most).all());
-        let corner = |normal: DVec3| DVec3::select(normal.cmplt(DVec3::ZERO), high, low);
-        let is_before = planes.iter().all(|[point, normal]| (corner(*normal) - *point).dot(*normal) >= 0.0);
-        let meets = |[from, to]: &[DVec3; 2]| low.cmple(*to).all() && high.cmpge(*from).all();
-        is_in && is_before && !things.iter().any(meets)
-    };
-    let along = -STEPS..=STEPS;
-    let all = along.clone().flat_map(|i| along.clone().flat_map(move |j| (-STEPS..=STEPS).map(move |k| [i, j, k])));
-    let mut ways: Vec<DVec3> = all.map(|of| step * DVec3::from(of.map(f64::from))).collect();
-    ways.sort_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
-    let middle = 0.5 * (around[0] + around[1]);
-    let found = ways.into_iter().map(|way| wanted + way).find(|&by| wish.sees(middle + by) && is_free(by));
-    let lies_in = found.is_none().then_some(IN_ANOTHER);
-    Place { by: found.unwrap_or(wanted).to_array(), lies_in }
-}
-
-fn hull(places: impl Iterator<Item = DVec3>) -> Option<[DVec3; 2]> {
-    places.filter(|at| at.is_finite()).fold(None, |around: Option<[DVec3; 2]>, at| {
-        Some(around.map_or([at; 2], |[low, high]| [low.min(at), high.max(at)]))
-    })
-}
-
-/// Points of a copy, and the ends of its balls and boxes `[m]`.
-fn places(clip: &Clip) -> Vec<DVec3> {
-    let points = clip.keys.points.iter().flat_map(|points| &points.position).map(|at| DVec3::from(at.embed()));
-    let solids = clip.keys.obstacles.iter().flat_map(|obstacle| {
-        let ball = obstacle.circle.iter().flat_map(|circle| {
-            let (center, radius) = (DVec3::from(circle.center.embed()), DVec3::splat(circle.radius));
-            [center - radius, center + radius]
-        });
-        let ends = |min: &Vector, max: &Vector| {
-            let [min, max] = [min, max].map(|end| DVec3::from(end.embed()));
-            // However it is turned.
-            let (middle, reach) = (0.5 * (min + max), DVec3::splat(0.5 * min.distance(max)));
-            [middle - reach, middle + reach]
-        };
-        ball.chain(obstacle.r#box.iter().flat_map(move |solid| ends(&solid.min, &solid.max))).collect::<Vec<_>>()
-    });
-    points.chain(solids).collect()
-}
-
-/// The box around each body of a world in space, and around each ball and box.
-fn boxes(world: &dyn Dynamics) -> Vec<[DVec3; 2]> {
-    let count = world.point_count();
-    let mut sets = crate::sim::sets::Sets::new(count);
-    world.bonds().ends().iter().for_each(|[a, b]| sets.join(a.0, b.0));
-    let x = world.positions();
-    let mut around: Vec<Option<[DVec3; 2]>> = vec![None; count];
-    for point in (0..count).filter(|&point| world.gone().binary_search(&crate::sim::PointId(point as u32)).is_err()) {
-        let at = DVec3::from([0, 1, 2].map(|axis| x.get(3 * point + axis)));
-        let own = &mut around[sets.find(point as u32) as usize];
-        *own = hull(own.iter().flatten().copied().chain([at]));
-    }
-    let solids = world.convex().iter().map(|convex| convex.figure.extent().map(DVec3::from));
-    around.into_iter().flatten().chain(solids).collect()
 }

@@ -139,16 +139,50 @@ fn a_copy_in_space_stands_beside_all_others() {
     let camera =
         Camera::new(Pose::Orbit { target: glam::DVec3::ZERO, distance: 12.0, yaw: 0.3, pitch: 0.3 }, [1200, 800]);
     let wish = || Wish { camera, ..wish([0.0; 3], true) };
-    let mut all = vec![[glam::DVec3::ZERO, glam::DVec3::ONE]];
+    let bonds = [[0, 1], [1, 2], [2, 3], [3, 0]];
+    let places = |stage: &Stage, first: u32| -> Vec<glam::DVec3> {
+        let x = stage.history().world().positions();
+        let at = |k: u32| glam::DVec3::from([0, 1, 2].map(|axis| x.get(3 * (first + k) as usize + axis)));
+        bonds.iter().flat_map(|&[a, b]| (0..20).map(move |k| at(a).lerp(at(b), f64::from(k) / 20.0))).collect()
+    };
+    let mut all = places(&stage, 0);
     for _ in 0..6 {
         let (came, said) = put(&mut stage, &points(0..4), wish()).unwrap();
         assert_eq!(said, None);
+        let own = places(&stage, came.points[0].0);
+        let apart = own.iter().flat_map(|a| all.iter().map(move |b| a.distance(*b))).fold(f64::INFINITY, f64::min);
+        assert!(apart > 0.04, "{apart} m from the others");
+        all.extend(own);
+    }
+}
+
+#[test]
+fn in_space_room_is_judged_by_shapes_and_not_by_the_boxes_around_them() {
+    // A sheet aslant across its box, a ball in a corner of that, and a small body.
+    let text = r#"{"wobble": 1, "dimensions": 3, "bodies": [{"make": "cloth", "columns": 11, "rows": 11, "spacing": 0.2,
+        "u": [0.7071067811865476, 0.7071067811865476, 0], "v": [0, 0, 1], "origin": [-0.7, -0.7, -1]}],
+        "points": {"position": [[3,0,0],[3.2,0,0],[3,0.2,0]]}, "bonds": [{"a":0,"b":1},{"a":1,"b":2},{"a":2,"b":0}],
+        "obstacles": [{"circle": {"center": [0.5, -0.5, 0], "radius": 0.15}}]}"#;
+    let camera =
+        Camera::new(Pose::Orbit { target: glam::DVec3::ZERO, distance: 12.0, yaw: 0.3, pitch: 0.3 }, [1200, 800]);
+    let mut stage = stage(text);
+    let place = |stage: &Stage, point: u32| {
         let x = stage.history().world().positions();
-        let first = 3 * came.points[0].index();
-        let low = glam::DVec3::new(x.get(first), x.get(first + 1), x.get(first + 2));
-        let is_apart = |[from, to]: &[glam::DVec3; 2]| low.cmpgt(*to).any() || (low + 1.0).cmplt(*from).any();
-        assert!(all.iter().all(is_apart), "{low} in {all:?}");
-        all.push([low, low + 1.0]);
+        glam::DVec3::from([0, 1, 2].map(|axis| x.get(3 * point as usize + axis)))
+    };
+    for (to, is_free, why) in [
+        ([-0.4, 0.4, 0.0], true, "in the box around the sheet, beside it"),
+        ([-0.1, -0.1, 0.05], false, "across the sheet"),
+        ([0.45, -0.5, 0.0], false, "in the ball"),
+        ([0.5, -0.1, 0.5], true, "in the box, over the ball"),
+    ] {
+        let by = (glam::DVec3::from(to) - glam::DVec3::new(3.0, 0.0, 0.0)).to_array();
+        let (came, said) = put(&mut stage, &points(0..3), Wish { camera, ..wish(by, true) }).unwrap();
+        assert_eq!(said, None, "{why}");
+        let off = place(&stage, came.points[0].0).distance(glam::DVec3::from(to));
+        assert_eq!(off < 1e-9, is_free, "{why}: {off} m off");
+        assert!(off < 1.0, "{why}: the nearest room is near");
+        stage.obey(Order::Undo(None));
     }
 }
 

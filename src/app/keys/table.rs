@@ -129,7 +129,7 @@ pub static TABLE: &[Binding] = &[
     ),
     binding(
         "Esc",
-        "end what is under way, close what is open; it never leaves",
+        "end what is under way, close what was opened last; it never leaves",
         &[(Named(NamedKey::Escape), Action::Cancel)],
     ),
     binding("Ctrl+Q", "leave", &[(Ctrl("q"), Action::Quit)]),

@@ -3,10 +3,11 @@
 use super::Among;
 use super::extent::{areas, rest_length};
 use super::facts::NEVER;
+use super::painted::Painted;
 use super::preset::{Preset, Stuff};
-use crate::history::{Do, OneOrEach, SetKeys};
+use crate::history::{Do, OneOrEach, PenaltyOrNone, SetKeys};
 use crate::picture::{Coat, Tint};
-use crate::scene::{AddKeys, KindName, SkinKeys};
+use crate::scene::{AddKeys, KindName, PenaltyKeys, SkinKeys};
 use crate::sim::{Bond, BondKind, Dynamics, Limit, PointId};
 
 /// Stiffness of springs that were rigid before, over the mass of their body `[1/s^2]`, and damping over stiffness `[s]`.
@@ -19,6 +20,8 @@ const THICKNESS: f64 = 0.15;
 pub enum MatterChange {
     /// All of it together weighs so much `[kg]`, shared as before.
     Mass(f64),
+    /// Of what has an area `[kg/m^2]`: each point weighs its share.
+    Density(f64),
     /// Of springs `[N/m]`.
     Stiffness(f64),
     /// Of springs `[N s/m]`.
@@ -31,6 +34,8 @@ pub enum MatterChange {
     Friction(f64),
     /// Of skins and obstacles `[1]`, to 1.
     Restitution(f64),
+    /// Of planes: a depth pushes out by so much `[N/m]` and `[N s/m]` in place of contact; `None`: contact.
+    Penalty(Option<[f64; 2]>),
     /// What it is filled in, or its picture is tinted by.
     Color([u8; 3]),
     /// How wide bonds are drawn `[m]`; 0: as is usual.
@@ -43,19 +48,22 @@ pub enum MatterChange {
     Springy,
     /// All of it, by name.
     Preset(Preset),
+    /// Those numbers that are switched on.
+    Painted(Painted),
 }
 
 impl MatterChange {
     /// What it is called when it is undone.
     pub(in crate::app) fn name(self) -> &'static str {
         match self {
-            MatterChange::Mass(_) => "mass",
+            MatterChange::Mass(_) | MatterChange::Density(_) => "mass",
             MatterChange::Stiffness(_) => "stiffness",
             MatterChange::Damping(_) => "damping",
             MatterChange::Breaks(_) => "break strain",
             MatterChange::Bending(_) => "bending",
             MatterChange::Friction(_) => "friction",
             MatterChange::Restitution(_) => "restitution",
+            MatterChange::Penalty(_) => "soft ground",
             MatterChange::Color(_) => "colour",
             MatterChange::Width(_) => "width",
             MatterChange::Visible(true) => "show",
@@ -63,6 +71,7 @@ impl MatterChange {
             MatterChange::Rigid => "rigid",
             MatterChange::Springy => "springy",
             MatterChange::Preset(preset) => preset.name(),
+            MatterChange::Painted(numbers) => numbers.name(),
         }
     }
 }
@@ -85,6 +94,10 @@ pub(in crate::app) fn commands(
     let one = |x: f64| Some(OneOrEach::One(x));
     let all = match change {
         MatterChange::Mass(mass) => masses(world, &points, mass).map(set).into_iter().collect(),
+        MatterChange::Density(density) => {
+            let mass = Some(OneOrEach::Each(weights(world, &points, density)));
+            vec![set(SetKeys { points: Some(point_numbers(&points)), mass, ..SetKeys::default() })]
+        }
         MatterChange::Stiffness(stiffness) => of_springs(SetKeys { stiffness: one(stiffness), ..SetKeys::default() })?,
         MatterChange::Damping(damping) => of_springs(SetKeys { damping: one(damping), ..SetKeys::default() })?,
         MatterChange::Breaks(strain) => {
@@ -101,6 +114,12 @@ pub(in crate::app) fn commands(
         MatterChange::Restitution(restitution) => {
             surfaces(world, (&points, among), SetKeys { restitution: Some(restitution), ..SetKeys::default() })
         }
+        MatterChange::Penalty(penalty) => {
+            let keys = |[stiffness, damping]: [f64; 2]| PenaltyKeys { stiffness, damping: Some(damping) };
+            let penalty = penalty.map_or(PenaltyOrNone::None(()), |numbers| PenaltyOrNone::This(keys(numbers)));
+            let obstacles = Some(among.obstacles.clone());
+            vec![set(SetKeys { obstacles, penalty: Some(penalty), ..SetKeys::default() })]
+        }
         MatterChange::Color(_) | MatterChange::Width(_) | MatterChange::Visible(_) if points.is_empty() => Vec::new(),
         MatterChange::Color(color) => vec![coated(&points, Coat::of_color(color))],
         MatterChange::Width(width) => vec![coated(&points, Coat { width: Some(width), ..Coat::default() })],
@@ -116,6 +135,7 @@ pub(in crate::app) fn commands(
             springy(world, rigid, mass, SPRINGY).map(set).into_iter().collect()
         }
         MatterChange::Preset(preset) => of_preset(world, (&points, among), preset),
+        MatterChange::Painted(numbers) => painted(world, among, numbers)?,
     };
     let names_nothing = |act: &Do| {
         let Do::Set(keys) = act else { return false };
@@ -124,6 +144,23 @@ pub(in crate::app) fn commands(
     };
     let all: Vec<Do> = all.into_iter().filter(|act| !names_nothing(act)).collect();
     if all.is_empty() { Err("nothing of what is selected can be changed so") } else { Ok(all) }
+}
+
+/// Each number that is switched on, of what has it.
+///
+/// Errors: nothing has any of them; why the first of them has nowhere to go.
+fn painted(world: &dyn Dynamics, among: &Among, numbers: Painted) -> Result<Vec<Do>, &'static str> {
+    let (mut all, mut fault) = (Vec::new(), None);
+    for change in numbers.changes() {
+        match commands(world, among, change) {
+            Ok(acts) => all.extend(acts),
+            Err(why) => fault = fault.or(Some(why)),
+        }
+    }
+    match fault.filter(|_| all.is_empty()) {
+        Some(why) => Err(why),
+        None => Ok(all),
+    }
 }
 
 fn numbers(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<u32> {

@@ -72,6 +72,9 @@ pub struct Matter {
     /// Of skins, where bodies meet, and of obstacles `[1]`.
     pub(in crate::app) friction: Option<Span>,
     pub(in crate::app) restitution: Option<Span>,
+    /// Of nothing but planes: by how much a depth pushes out `[N/m]` and `[N s/m]` in place of contact, as of the first of them, or
+    /// `Some(None)`: it is contact.
+    pub(in crate::app) penalty: Option<Option<[f64; 2]>>,
     pub(in crate::app) color: Coloring,
     /// How wide its bonds are drawn `[m]`; 0: as is usual.
     pub(in crate::app) width: Option<Span>,
@@ -88,12 +91,10 @@ impl Matter {
     ) -> Option<Self> {
         let points = among.points_of(world);
         let bonds = among.bonds_of(world);
-        let solids: Vec<[f64; 2]> = world
-            .obstacles()
-            .iter()
-            .filter(|(number, _)| among.obstacles.contains(number))
-            .map(|(_, obstacle)| surface(obstacle))
-            .collect();
+        let obstacles = world.obstacles();
+        let meant = || obstacles.iter().filter(|(number, _)| among.obstacles.contains(number)).map(|(_, one)| one);
+        let solids: Vec<[f64; 2]> = meant().map(surface).collect();
+        let penalties: Option<Vec<Option<[f64; 2]>>> = meant().map(penalty).collect();
         if points.is_empty() && solids.is_empty() {
             return None;
         }
@@ -138,6 +139,7 @@ impl Matter {
             bending: Span::of(among.bends_of(world).iter().map(|angle| angle.stiffness)),
             friction: Span::of(surfaces().map(|surface| surface[0])),
             restitution: Span::of(surfaces().map(|surface| surface[1])),
+            penalty: penalties.and_then(|list| list.first().copied()).filter(|_| points.is_empty()),
             color: coloring(tints, &points),
             width: Span::of(bonds.iter().map(|(_, bond)| tint(bond.a).map_or(0.0, |tint| tint.width))),
             hidden: points.iter().filter(|point| Tint::hides(tints, point.0)).count(),
@@ -204,6 +206,12 @@ fn coloring(tints: &[Tint], points: &[PointId]) -> Coloring {
         true => first.map_or(Coloring::Palette, Coloring::One),
         false => Coloring::Mixed,
     }
+}
+
+/// What a depth in a plane is pushed out by, if it is; `None` of what is no plane.
+fn penalty(obstacle: &Obstacle) -> Option<Option<[f64; 2]>> {
+    let Obstacle::Plane { penalty, .. } = obstacle else { return None };
+    Some(penalty.map(|penalty| [penalty.stiffness, penalty.damping]))
 }
 
 /// Friction and restitution of an obstacle.

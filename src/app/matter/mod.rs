@@ -4,6 +4,7 @@ mod change;
 mod extent;
 mod facts;
 mod led;
+mod painted;
 mod preset;
 #[cfg(test)]
 mod tests;
@@ -11,6 +12,7 @@ mod tests;
 pub(super) use change::{MatterChange, commands};
 pub(super) use facts::{Coloring, Matter, NEVER, Span};
 pub(super) use led::led;
+pub(super) use painted::{Painted, Switched};
 pub(super) use preset::Preset;
 
 use crate::sim::{Angle, Bond, Dynamics, PointId};

@@ -304,3 +304,85 @@ fn what_is_led_to_another_matter_is_shown_as_it_will_be_undone_as_one_kept_in_fi
     assert_eq!(numbers(&later), numbers(&before), "nothing is on its way any more");
     assert!((heights(&stage)[1] - flat).abs() < 0.01);
 }
+
+#[test]
+fn a_brush_paints_the_numbers_that_are_switched_on_alone_and_as_one_step_of_undo() {
+    use super::{Painted, Switched};
+    let mut stage = stage();
+    let soft = among(3..12);
+    let before = matter(&mut stage, &soft);
+    let all = Painted::default();
+    assert!(!all.is_any() && MatterChange::Painted(all).name() == "brush");
+    let numbers = Painted {
+        stiffness: Switched { is_on: true, value: 77.0 },
+        friction: Switched { is_on: true, value: 0.9 },
+        color: Switched { is_on: true, value: [1, 2, 3] },
+        ..all
+    };
+    assert!(numbers.is_any() && !numbers.all_off().is_any() && numbers.all_off().stiffness.value == 77.0);
+    change(&mut stage, &soft, MatterChange::Painted(numbers));
+    let after = matter(&mut stage, &soft);
+    let expected = Matter {
+        stiffness: Some(super::Span { least: 77.0, most: 77.0 }),
+        friction: Some(super::Span { least: 0.9, most: 0.9 }),
+        color: Coloring::One([1, 2, 3]),
+        ..before.clone()
+    };
+    assert_eq!(after, expected, "mass, damping and all else stay");
+    stage.obey(Order::Undo(None));
+    assert_eq!(matter(&mut stage, &soft), before, "as one");
+    // What is rigid has no stiffness: the rest is painted; nothing but that is refused, with why.
+    let rope = among(0..3);
+    let heavy = Painted { density: Switched { is_on: true, value: 5.0 }, ..numbers };
+    change(&mut stage, &rope, MatterChange::Painted(heavy));
+    assert_eq!(matter(&mut stage, &rope).color, Coloring::One([1, 2, 3]));
+    let stiff = Painted { stiffness: numbers.stiffness, ..all };
+    assert_eq!(MatterChange::Painted(stiff).name(), "stiffness");
+    let why = super::commands(stage.history().world(), &rope, MatterChange::Painted(stiff));
+    assert!(why.is_err_and(|why| why.contains("rigid")));
+}
+
+#[test]
+fn ground_is_made_soft_while_it_runs_and_hard_again_by_undo() {
+    let text = r#"{"wobble": 1, "gravity": [0, -9.81], "points": {"position": [[0, 0.5]]}, "drag_rate": 1,
+        "obstacles": [{"plane": {"point": [0, 0], "normal": [0, 1]}}, {"box": {"min": [5, 0], "max": [6, 1]}}]}"#;
+    let mut stage = stage_of(text);
+    let ground = Among { obstacles: vec![0], ..Among::default() };
+    assert_eq!(matter(&mut stage, &ground).penalty, Some(None));
+    let low = |stage: &Stage| stage.history().world().positions().get(1);
+    (0..120).for_each(|_| _ = stage.obey(Order::Step(None)));
+    assert!(low(&stage).abs() < 1e-3, "it lies on the ground: {}", low(&stage));
+    change(&mut stage, &ground, MatterChange::Penalty(Some([200.0, 20.0])));
+    assert_eq!(matter(&mut stage, &ground).penalty, Some(Some([200.0, 20.0])));
+    (0..600).for_each(|_| _ = stage.obey(Order::Step(None)));
+    let deep = 9.81 / 200.0;
+    assert!((low(&stage) + deep).abs() < 0.1 * deep, "{} m, as deep as its weight says", low(&stage));
+    // What is written is read again, and undone as one.
+    let recording = stage.history().recording();
+    let mut bytes = Vec::new();
+    recording.write_json(&mut bytes).unwrap();
+    let again = crate::history::Log::of_text(&String::from_utf8(bytes).unwrap(), "x.json").unwrap();
+    assert_eq!(again.commands().unwrap(), recording.commands);
+    stage.obey(Order::Undo(None));
+    assert_eq!(matter(&mut stage, &ground).penalty, Some(None));
+    // Boxes have none, and where bodies meet there is none: that is said.
+    let other = Among { obstacles: vec![1], ..Among::default() };
+    assert_eq!(matter(&mut stage, &other).penalty, None);
+    let refused = |stage: &mut Stage, among: &Among| {
+        let change = MatterChange::Penalty(Some([200.0, 20.0]));
+        match stage.obey(Order::Change { among: among.clone(), change, goes_on: false }) {
+            Some(Note::Refused(why)) => why,
+            other => format!("{other:?}"),
+        }
+    };
+    assert!(refused(&mut stage, &other).contains("is no plane"));
+    let mut meets = stage_of(
+        r#"{"wobble": 1, "contact": true, "points": {"position": [[0, 0.5]]},
+        "obstacles": [{"plane": {"point": [0, 0], "normal": [0, 1]}}]}"#,
+    );
+    assert!(refused(&mut meets, &ground).contains("contact"));
+}
+
+fn stage_of(text: &str) -> Stage {
+    Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap()
+}

@@ -30,8 +30,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
             state.chosen = 0;
         }
         let is_moved = choose(ui, state, found.len(), columns);
-        if field.lost_focus()
-            && ui.input(|input| input.key_pressed(Key::Enter))
+        if sheet::entered(ui, &field)
             && let Some(chosen) = found.get(state.chosen)
         {
             wishes.push(Wish::OpenScene(chosen.name));

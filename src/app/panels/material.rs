@@ -1,9 +1,9 @@
-//! What is selected is made of: shown and changed at the right edge; and what the brush paints with, beside the tools.
+//! What is selected is made of: shown and changed at the right edge.
 
 use egui::collapsing_header::CollapsingState;
 use egui::{
-    Align2, Area, Button, Color32, CornerRadius, DragValue, Id, Label, Rect, Response, RichText, ScrollArea, Sense,
-    Slider, Stroke, Ui,
+    Align2, Area, Button, Color32, CornerRadius, DragValue, Id, Label, Pos2, Rect, Response, RichText, ScrollArea,
+    Sense, Slider, Stroke, Ui,
 };
 
 use super::theme::{colors, floating};
@@ -11,19 +11,22 @@ use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
 use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, NEVER, Preset, Span};
-use crate::app::tools::RADII;
 
 /// Width of the panel `[points]`.
-const WIDTH: f32 = 226.0;
+pub(super) const WIDTH: f32 = 226.0;
 /// What its frame takes beside that, and frame and header above what is scrolled `[points]`.
 const FRAME: f32 = 18.0;
 const HEAD: f32 = 50.0;
+/// Its usual height, before it was shown `[points]`.
+const USUAL: f32 = 430.0;
 /// Width of the names before fields `[points]`.
 const NAMES: f32 = 74.0;
 /// How fast a number changes as it is dragged, as a share of it for each point.
 const SPEED: f64 = 0.01;
 /// Where a drag of a number that is 0 begins.
 const FIRST: f64 = 0.01;
+/// What soft ground pushes with at first `[N/m]`, `[N s/m]`.
+const PUSHES: [f64; 2] = [1000.0, 10.0];
 /// What bonds break at when they are first to break `[1]`.
 const BREAKS: f64 = 0.5;
 
@@ -47,15 +50,50 @@ impl Sink<'_> {
     }
 }
 
-/// Shows it at the right edge, where it always is. Where it would cover the middle of the window it begins folded.
-pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
-    if !context.input(|input| input.pointer.any_down()) {
+/// Where the panel of what is selected stands: it is found once for a selection, and anew when its room at the right edge gets another.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::app) struct MatterAt {
+    /// Beside the tools: at the right edge it would cover what is selected.
+    is_left: bool,
+    /// Where that room ended when it was found `[points]`; `None`: not yet.
+    room: Option<f32>,
+}
+
+impl MatterAt {
+    /// Where it goes, of `sides`: at the right edge, unless it covers what is selected there and not at the left.
+    fn find(&mut self, room: Rect, [right, left]: [Rect; 2], chosen: Option<Rect>) {
+        if self.room != Some(room.right()) {
+            let covers = |side: Rect| chosen.is_some_and(|chosen| side.intersects(chosen));
+            *self = MatterAt { is_left: covers(right) && !covers(left), room: Some(room.right()) };
+        }
+    }
+}
+
+/// Shows it at the right edge of a room, or beside the tools, where it would cover what is selected. Where it would cover the middle of the
+/// window it begins folded.
+pub(super) fn show(
+    context: &egui::Context,
+    (room, beside_tools): (Rect, Pos2),
+    state: &mut PanelState,
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) {
+    let id = Id::unique("matter");
+    let is_down = context.input(|input| input.pointer.any_down());
+    if !is_down {
         state.gesture = None;
+        let known = context.memory(|memory| memory.area_rect(id)).map_or(0.0, |rect| rect.height());
+        let size = egui::vec2(WIDTH + FRAME, known.max(USUAL).min(room.height()));
+        let right = Rect::from_min_size(room.right_top() - egui::vec2(size.x, 0.0), size);
+        state.matter_at.find(room, [right, Rect::from_min_size(beside_tools, size)], facts.chosen_at);
     }
     let mut sink = Sink { gesture: &mut state.gesture, wishes };
-    let corner = room.right_top();
-    let is_open = corner.x - WIDTH - FRAME > context.content_rect().center().x;
-    Area::new(Id::unique("matter")).pivot(Align2::RIGHT_TOP).fixed_pos(corner).show(context, |ui| {
+    let middle = context.content_rect().center().x;
+    let (pivot, corner, is_open) = match state.matter_at.is_left {
+        true => (Align2::LEFT_TOP, beside_tools, beside_tools.x + WIDTH + FRAME < middle),
+        false => (Align2::RIGHT_TOP, room.right_top(), room.right() - WIDTH - FRAME > middle),
+    };
+    Area::new(id).pivot(pivot).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_width(WIDTH);
             let fold =
@@ -80,29 +118,6 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
             });
         });
     });
-}
-
-/// What the brush paints with, and how wide it is.
-pub(super) fn show_brush(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
-    let corner = tools.right_top() + egui::vec2(8.0, 0.0);
-    let mut brush = facts.brush;
-    Area::new(Id::unique("brush")).fixed_pos(corner).show(context, |ui| {
-        floating(ui).show(ui, |ui| {
-            ui.set_width(WIDTH);
-            ui.spacing_mut().slider_width = 120.0;
-            ui.label(RichText::new("Material brush").color(colors(ui).text).strong());
-            ui.label(RichText::new("drag over bodies: they become").color(colors(ui).weak));
-            if let (_, Some(preset)) = presets(ui, Some(brush.preset)) {
-                brush.preset = preset;
-            }
-            ui.label(RichText::new(brush.preset.words()).color(colors(ui).weak));
-            let [least, most] = RADII;
-            ui.add(Slider::new(&mut brush.radius, least..=most).max_decimals(0).suffix(" px").text("radius"));
-        });
-    });
-    if brush != facts.brush {
-        wishes.push(Wish::Brush(brush));
-    }
 }
 
 /// A button: its name, what it does, and the action.
@@ -188,6 +203,7 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
     share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
     share(ui, "restitution", 1.0, matter.restitution, sink, MatterChange::Restitution);
+    penalty(ui, matter, sink);
     if matter.points > 0 && matter.friction.is_none() && facts.dimensions == 2 {
         ui.label(RichText::new("bodies pass through each other: G, to let them meet").color(colors(ui).weak));
     }
@@ -224,7 +240,7 @@ fn parts(matter: &Matter) -> Option<String> {
 }
 
 /// Buttons for matter by name, in their colours. Returns the one that was clicked.
-fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>, Option<Preset>) {
+pub(super) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>, Option<Preset>) {
     let mut clicked = (None, None);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
@@ -312,7 +328,7 @@ fn number(
 }
 
 /// A number with few digits, whatever its size.
-fn short(x: f64) -> String {
+pub(super) fn short(x: f64) -> String {
     match x.abs() {
         0.0 => "0".to_owned(),
         size if size >= 1e6 => format!("{x:.2e}"),
@@ -366,6 +382,23 @@ fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
             sink.set(&by, MatterChange::Breaks(percent / 100.0));
         }
     });
+}
+
+/// Whether planes push out what has got into them, in place of contact, and how.
+fn penalty(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+    let Some(now) = matter.penalty else { return };
+    row(ui, "", |ui, _| {
+        let mut is_soft = now.is_some();
+        let words = "what gets into it is pushed out, the harder the deeper it is, in place of contact";
+        let by = ui.checkbox(&mut is_soft, "soft ground").on_hover_text(words);
+        if by.changed() {
+            sink.set(&by, MatterChange::Penalty(is_soft.then_some(PUSHES)));
+        }
+    });
+    let Some([stiffness, damping]) = now else { return };
+    let one = |x: f64| Some(Span { least: x, most: x });
+    number(ui, ("push", " N/m"), one(stiffness), sink, |x| Some(MatterChange::Penalty(Some([x, damping]))));
+    number(ui, ("damping", " N s/m"), one(damping), sink, |x| Some(MatterChange::Penalty(Some([stiffness, x]))));
 }
 
 /// Whether it is drawn.

@@ -47,7 +47,7 @@ impl Screen {
         let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
         let mut output = self.context.run_ui(input, |ui| {
             let room = ui.available_rect_before_wrap();
-            material::show(ui.ctx(), room, &mut self.state, &self.facts, &mut wishes);
+            material::show(ui.ctx(), (room, Pos2::new(80.0, 60.0)), &mut self.state, &self.facts, &mut wishes);
         });
         output.textures_delta.clear();
         let mut texts = Vec::new();
@@ -205,4 +205,20 @@ fn a_colour_is_clicked_on_or_dragged_to() {
         })
         .collect();
     assert!(goes_on.len() >= 3 && !goes_on[0] && goes_on[1..].iter().all(|goes_on| *goes_on), "{all:?}");
+}
+
+#[test]
+fn the_panel_goes_to_the_other_side_where_it_would_cover_what_is_selected() {
+    let mut screen = Screen::new(Some(matter()));
+    let at_right = screen.place("Copy");
+    assert!(at_right.x > 900.0, "{at_right}");
+    // Another selection, which lies there.
+    screen.facts.chosen_at = Some(Rect::from_center_size(at_right, vec2(60.0, 60.0)));
+    assert_eq!(screen.place("Copy"), at_right, "it stays while that is selected, wherever it goes");
+    screen.state.matter_at = Default::default();
+    let at_left = screen.place("Copy");
+    assert!(at_left.x < 400.0, "{at_left}");
+    screen.facts.chosen_at = Some(Rect::from_min_max(Pos2::ZERO, Pos2::new(1280.0, 800.0)));
+    screen.state.matter_at = Default::default();
+    assert_eq!(screen.place("Copy"), at_right, "what lies everywhere is covered anyway");
 }

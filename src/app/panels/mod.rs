@@ -5,6 +5,7 @@ mod asking;
 mod beside;
 #[cfg(test)]
 mod beside_tests;
+mod brush;
 mod color;
 #[cfg(test)]
 mod column_tests;
@@ -27,6 +28,7 @@ mod material_tests;
 mod moving;
 mod notes;
 mod open_from;
+mod opened;
 mod palette;
 mod parameters;
 mod places;
@@ -66,8 +68,10 @@ pub(super) use beside::{Misfits, Neighbor, solvers};
 pub(super) use gallery::{THUMBNAIL, names as found_scenes, search_id};
 use icons::Icon;
 pub(super) use lessons::{At, Lessons, Met};
+pub(super) use material::MatterAt;
 pub(super) use notes::Notes;
 pub(super) use open_from::{OpenFrom, meant};
+pub(super) use opened::Opened;
 pub(super) use parameters::all as parameters;
 use places::Places;
 pub(super) use places::{Laid, covered, kept_in};
@@ -180,10 +184,16 @@ pub(super) struct PanelState {
     pub(super) sheet: Option<Sheet>,
     pub(super) hides_panels: bool,
     pub(super) has_settings: bool,
+    /// Panels that stay open, the one that was opened last at the end.
+    pub(super) opened: Vec<Opened>,
+    /// Where the panel of what is selected stands.
+    pub(super) matter_at: MatterAt,
     /// Settings and lessons have room beside each other.
     pub(super) has_room_for_both: bool,
     /// What is plotted; `None`: the panel is closed, and nothing is measured.
     pub(super) plots: Option<Plots>,
+    /// What was, of the same world, when it was closed.
+    pub(super) plots_left: Option<Plots>,
     /// Where their panel lies.
     pub(super) plots_at: PlotsAt,
     pub(super) lessons: Lessons,
@@ -240,6 +250,8 @@ pub(super) struct Facts {
     pub(super) draws_lasso: bool,
     /// What is selected is made of.
     pub(super) matter: Option<Arc<Matter>>,
+    /// Where that is seen `[points]`.
+    pub(super) chosen_at: Option<egui::Rect>,
     /// Some of it is in a group.
     pub(super) is_grouped: bool,
     /// The colour that its first body is filled with; `None` where it is not.
@@ -287,6 +299,7 @@ pub(super) struct Facts {
 /// Shows the panels; returns what was asked for, and what they leave to the world.
 pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> (Vec<Wish>, Laid) {
     let mut wishes = Vec::new();
+    state.keep_order();
     if !state.hides_panels {
         transport::show(ui, &mut state.lessons.left, facts, &mut wishes);
     }

@@ -8,6 +8,8 @@ use super::theme::colors;
 use super::{PanelState, Wish, sheet};
 use crate::app::fetch::ENDINGS;
 
+/// Said where the field is empty.
+const NO_NAME: &str = "write a name first, or choose one from the list";
 /// So many files are listed at most.
 const MOST: usize = 200;
 /// Height of the list `[points]`.
@@ -53,6 +55,7 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         if field.response.changed() {
             state.open_from.fault = None;
         }
+        let is_entered = sheet::entered(ui, &field.response);
         let names = names(&mut state.open_from, &state.path);
         if completes && let Some(more) = completed(&state.path, &names) {
             state.path = more;
@@ -65,10 +68,10 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         ui.add(Label::new(RichText::new(fault).color(colors(ui).away)).wrap());
         ui.horizontal(|ui| {
             let open = Button::new(RichText::new("Open").color(colors(ui).on_accent)).fill(colors(ui).accent);
-            let is_entered = field.response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-            let has_name = !state.path.trim().is_empty();
-            if (ui.add_enabled(has_name, open).clicked() || is_entered) && has_name {
-                wishes.push(Wish::OpenFile(state.path.trim().to_owned()));
+            match ui.add(open).clicked() || is_entered {
+                true if state.path.trim().is_empty() => state.open_from.fault = Some(NO_NAME.to_owned()),
+                true => wishes.push(Wish::OpenFile(state.path.trim().to_owned())),
+                false => {}
             }
             if ui.button("Cancel").clicked() {
                 state.sheet = None;

@@ -5,7 +5,7 @@ use egui::{Align2, Area, Id, RectAlign, Tooltip};
 use super::icons::{self, Icon};
 use super::places::ToolRooms;
 use super::theme::floating;
-use super::{Facts, PanelState, Wish, described, drives, material, primitives, push};
+use super::{Facts, PanelState, Wish, brush, described, drives, material, primitives, push};
 use crate::app::action::{Action, Tool};
 use crate::app::tools::PushWay;
 
@@ -25,7 +25,10 @@ fn words(tool: Tool) -> (Icon, &'static str) {
         Tool::Select => (Icon::Select, "select, move, turn and scale bodies and obstacles; what they are made of"),
         Tool::Build => (Icon::Build, "build: drag a body or an obstacle out"),
         Tool::Muscle => (Icon::Muscle, "make a bond a muscle: it gets longer and shorter"),
-        Tool::Paint => (Icon::Brush, "a brush that makes bodies of jelly, rubber, cloth, wood or steel"),
+        Tool::Paint => (
+            Icon::Brush,
+            "a brush that makes bodies of jelly, rubber, cloth, wood or steel, or gives them single numbers",
+        ),
         Tool::Push => (Icon::Push, "a force that stays: drag an arrow from a body"),
         Tool::Motor => (Icon::Motor, "hinge a body to another or to the ground, with a motor"),
     }
@@ -89,9 +92,12 @@ pub(super) fn show(
         drives::show(context, shown.response.rect, facts, wishes);
     }
     match facts.tool {
-        Tool::Select => material::show(context, rooms.right, state, facts, wishes),
+        Tool::Select => {
+            let beside_tools = egui::pos2(shown.response.rect.right() + 8.0, rooms.right.top());
+            material::show(context, (rooms.right, beside_tools), state, facts, wishes);
+        }
         Tool::Push => push::show(context, shown.response.rect, facts, wishes),
-        Tool::Paint => material::show_brush(context, shown.response.rect, facts, wishes),
+        Tool::Paint => brush::show(context, shown.response.rect, facts, wishes),
         _ => {}
     }
 }

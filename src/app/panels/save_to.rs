@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Button, Key, Label, RichText, Role, TextEdit, WidgetInfo};
+use egui::{Button, Label, RichText, Role, TextEdit, WidgetInfo};
 
 use super::open_from::meant;
 use super::theme::colors;
@@ -38,17 +38,19 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         if field.changed() {
             state.save_to.begin();
         }
+        let is_entered = sheet::entered(ui, &field);
         // Its line is there before it is, so that the buttons stay where they are.
         let fault = state.save_to.fault.as_deref().unwrap_or(" ");
         ui.add(Label::new(RichText::new(fault).color(colors(ui).away)).wrap());
         ui.horizontal(|ui| {
             let words = if state.save_to.asked.is_some() { "Replace it" } else { "Save" };
             let save = Button::new(RichText::new(words).color(colors(ui).on_accent)).fill(colors(ui).accent);
-            let is_meant = field.lost_focus() || ui.memory(|memory| memory.focused().is_none());
-            let is_entered = is_meant && ui.input(|input| input.key_pressed(Key::Enter));
-            let has_name = !state.path.trim().is_empty() && state.save_to.written.is_none();
-            if (ui.add_enabled(has_name, save).clicked() || is_entered) && has_name {
-                ask(state, wishes);
+            let is_free = state.save_to.written.is_none();
+            let is_clicked = ui.add_enabled(is_free, save).clicked();
+            match (is_clicked || is_entered) && is_free {
+                true if state.path.trim().is_empty() => state.save_to.complain(NO_NAME),
+                true => ask(state, wishes),
+                false => {}
             }
             if ui.button("Browse").on_hover_text("the system's dialog for files, if it has one").clicked() {
                 wishes.push(Wish::BrowseToSave);
@@ -64,6 +66,8 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
     }
 }
 
+/// Said where the field is empty.
+const NO_NAME: &str = "write a name for the file first";
 /// What can be saved.
 const ALL: &str = "all that was done (a recording)";
 const MOMENT: &str = "this moment as a scene";

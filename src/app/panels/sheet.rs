@@ -1,6 +1,6 @@
 //! The frame of a sheet: what lies over the world until it is closed.
 
-use egui::{Align2, Context, Id, Ui, Window};
+use egui::{Align2, Context, Id, Key, Response, Ui, Window};
 
 /// The bar below is so high `[points]`: sheets lie above it.
 const BAR: f32 = 44.0;
@@ -16,4 +16,86 @@ pub(in crate::app) fn show(context: &Context, id: &str, title: impl Into<String>
         .anchor(Align2::CENTER_CENTER, [0.0, -0.5 * BAR])
         .show(context, add);
     stays
+}
+
+/// Whether Enter was pressed in the field that a sheet is about. It has the focus as long as nothing else has: a click beside it loses no key.
+pub(super) fn entered(ui: &Ui, field: &Response) -> bool {
+    let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    if ui.memory(|memory| memory.focused().is_none()) {
+        field.request_focus();
+    }
+    is_entered
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use egui::{Event, Modifiers, Pos2, Rect, vec2};
+
+    use super::super::pointer::click;
+    use super::super::{Facts, PanelState, Sheet, Wish, gallery, open_from, save_to};
+    use super::*;
+
+    fn key(key: Key) -> Event {
+        Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers: Modifiers::NONE }
+    }
+
+    fn frame(context: &Context, state: &mut PanelState, events: Vec<Event>) -> Vec<Wish> {
+        let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0)));
+        let mut wishes = Vec::new();
+        let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
+        let mut output = context.run_ui(input, |ui| {
+            let room = ui.available_rect_before_wrap();
+            match state.sheet {
+                Some(Sheet::SaveTo) => save_to::show(ui.ctx(), state, &mut wishes),
+                Some(Sheet::OpenFrom) => open_from::show(ui.ctx(), state, &mut wishes),
+                Some(Sheet::Gallery) => gallery::show(ui.ctx(), room, state, &Facts::default(), &mut wishes),
+                _ => {}
+            }
+        });
+        output.textures_delta.clear();
+        wishes
+    }
+
+    /// With a sheet open; then a click beside its field, and what is typed.
+    fn clicked_beside(sheet: Sheet, path: &str) -> (Context, PanelState) {
+        let context = Context::default();
+        let mut state =
+            PanelState { sheet: Some(sheet), is_fresh: true, path: path.to_owned(), ..PanelState::default() };
+        (0..3).for_each(|_| _ = frame(&context, &mut state, Vec::new()));
+        for events in click(Pos2::new(1200.0, 690.0)) {
+            frame(&context, &mut state, events);
+        }
+        (context, state)
+    }
+
+    #[test]
+    fn a_click_beside_the_field_of_a_sheet_loses_no_key() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("mine.json");
+        let (context, mut state) = clicked_beside(Sheet::SaveTo, &path.display().to_string());
+        assert!(context.text_edit_focused());
+        assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), [Wish::SaveTo(path)]);
+        let (context, mut state) = clicked_beside(Sheet::OpenFrom, "here.json");
+        assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), [Wish::OpenFile("here.json".to_owned())]);
+        let (context, mut state) = clicked_beside(Sheet::Gallery, "");
+        frame(&context, &mut state, vec![Event::Text("no such scene".to_owned())]);
+        assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), []);
+        for letter in 0..13 {
+            assert!(context.text_edit_focused(), "{letter}");
+            frame(&context, &mut state, vec![key(Key::Backspace)]);
+        }
+        frame(&context, &mut state, vec![Event::Text("rope".to_owned())]);
+        assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), [Wish::OpenScene("rope")]);
+    }
+
+    #[test]
+    fn a_file_without_a_name_is_asked_for_one() {
+        for sheet in [Sheet::SaveTo, Sheet::OpenFrom] {
+            let (context, mut state) = clicked_beside(sheet, " ");
+            assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), []);
+            let said = [state.save_to != save_to::SaveTo::default(), state.open_from.fault.is_some()];
+            assert_eq!(said, [sheet == Sheet::SaveTo, sheet == Sheet::OpenFrom]);
+        }
+    }
 }

@@ -97,7 +97,7 @@ fn way_back(ui: &mut egui::Ui, left: &mut Option<At>, wishes: &mut Vec<Wish>) {
 fn branches(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let list = &facts.figures.branches;
     let Some(present) = list.iter().position(|branch| branch.is_present).filter(|_| list.len() > 1) else { return };
-    let shown = format!("take {} of {}", present + 1, list.len());
+    let shown = format!("version {} of {}", present + 1, list.len());
     let menu = egui::ComboBox::from_id_salt("branches").selected_text(shown).width(104.0).show_ui(ui, |ui| {
         for (place, branch) in list.iter().enumerate() {
             if ui.selectable_label(branch.is_present, words(place, branch)).clicked() && !branch.is_present {
@@ -105,8 +105,10 @@ fn branches(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             }
         }
     });
-    menu.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "takes"));
-    menu.response.on_hover_text("you went back and did something else: choose which take to go on with");
+    menu.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "versions"));
+    menu.response.on_hover_text(
+        "you went back in time and did something else: both versions are kept, choose which to go on with",
+    );
 }
 
 /// What a branch is called: its last edit, and from when to when it is its own.

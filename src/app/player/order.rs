@@ -6,9 +6,9 @@ use super::beside::Companions;
 use super::watch::{Measured, Probes};
 use crate::app::matter::{Among, MatterChange};
 use crate::app::tools::{HaulWay, PinWay};
-use crate::history::{Do, History};
+use crate::history::{Do, History, Refusal, Why};
 use crate::scene::{AddKeys, BudgetKeys, MethodKeys, SolverName, ViewKeys};
-use crate::sim::Cursor;
+use crate::sim::{CommandError, Cursor};
 
 /// Works out what comes into a running world, or why it cannot, in words.
 pub(super) type Adder = Box<dyn FnOnce(&History) -> Result<Coming, String> + Send>;
@@ -167,6 +167,8 @@ pub enum Note {
     Exact,
     /// A command could not be done where it stood.
     Refused(String),
+    /// Nothing could be grabbed: pins hold all that was in reach.
+    Held,
     /// An edit was done, and this should be known of it.
     Warned(Vec<String>),
     /// A file was written.
@@ -175,6 +177,15 @@ pub enum Note {
     NotWritten(String),
     /// What would outlive a killed program, or what it is recorded to, could not be written; it is tried again.
     NotKept(String),
+}
+
+impl From<Refusal> for Note {
+    fn from(refusal: Refusal) -> Self {
+        match refusal.reason {
+            Why::World(CommandError::Held) => Note::Held,
+            why => Note::Refused(why.to_string()),
+        }
+    }
 }
 
 /// A number of the method, or a switch; `None`: as the rules choose.

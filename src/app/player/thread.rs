@@ -132,7 +132,7 @@ pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wa
             desk.keeper().hear(&order);
             let told = notes.len();
             let Some(next) = seat.obey(order, desk, &mut notes) else { return wake() };
-            if notes[told..].iter().any(|note| matches!(note, Note::Refused(_))) {
+            if notes[told..].iter().any(|note| matches!(note, Note::Refused(_) | Note::Held)) {
                 desk.lock().refused.push(serial);
             }
             seat = next;

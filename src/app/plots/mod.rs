@@ -157,6 +157,11 @@ impl Plots {
         (self.series, self.probes) = (Series::new(REACH * rate), [None; 2]);
     }
 
+    /// The same points and bonds are probed and the same of them is plotted, but nothing was measured yet.
+    pub(super) fn emptied(self, rate: f64) -> Self {
+        Plots { series: Series::new(REACH * rate), ..self }
+    }
+
     pub(super) fn series(&self) -> &Series {
         &self.series
     }

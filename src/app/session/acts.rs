@@ -6,9 +6,8 @@ use super::asking::points_of;
 use super::{Framing, Session};
 use crate::app::action::{Action, Tool};
 use crate::app::count::counted;
-use crate::app::matter::MatterChange;
 use crate::app::opening;
-use crate::app::panels::{Setting, Sheet, Wish, search_id};
+use crate::app::panels::{Opened, Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
 use crate::app::tools::{Deed, PushWay, strength};
@@ -192,8 +191,25 @@ impl Session {
         }
         let is_closed =
             self.panels.notes.complaint.take().is_some() || self.loading.take().is_some() || self.stop_opening();
-        if !is_closed {
-            self.put_away();
+        if is_closed {
+            return;
+        }
+        if self.import.is_some() {
+            return self.put_away();
+        }
+        // In a field of a panel Esc ends what is written.
+        if !self.is_writing() {
+            self.close_panel();
+        }
+    }
+
+    /// Closes the panel that was opened last.
+    fn close_panel(&mut self) {
+        match self.panels.opened_last() {
+            Some(Opened::Settings) => self.panels.has_settings = false,
+            Some(Opened::Plots) => self.toggle_plots(),
+            Some(Opened::Lessons) => self.toggle_lessons(),
+            None => {}
         }
     }
 
@@ -287,12 +303,12 @@ impl Session {
             self.say(words.clone());
         }
         if let Some(among) = deed.painted.clone() {
-            let preset = self.hand.brush().preset;
-            let change = MatterChange::Preset(preset);
+            let brush = self.hand.brush();
+            let change = brush.change();
             let bonds = among.bonds.as_ref().map_or(0, Vec::len);
             self.say(format!(
                 "{}: {} and {}; Ctrl+Z takes it back",
-                preset.name(),
+                brush.name(),
                 counted(among.points.len(), "point"),
                 counted(bonds, "bond")
             ));

@@ -144,6 +144,7 @@ impl Session {
             brush: self.hand.brush(),
             draws_lasso: self.hand.draws_lasso(),
             matter: self.shown().matter.clone().filter(|_| !self.inspected.is_empty()),
+            chosen_at: self.selection_seen(),
             is_grouped: self.is_grouped(),
             drawn_color: body_color(&self.shown().view(), &self.look, &self.inspected.points),
             hidden: self.hidden_count(),

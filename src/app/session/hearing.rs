@@ -6,7 +6,6 @@ use super::Session;
 use crate::app::panels::{Sheet, is_recording};
 use crate::app::player::{News, Note};
 use crate::app::warnings::refused;
-use crate::sim::HELD;
 
 impl Session {
     /// Takes what the player has to tell.
@@ -67,8 +66,10 @@ impl Session {
             }
             Note::NothingToUndo => self.go_back(),
             Note::NothingToRedo => self.go_on(),
-            Note::Branched => self
-                .say("a new take begins here: the list beside the timeline leads back to what was before".to_owned()),
+            Note::Branched => self.say(
+                "from here on it is a new version: the list beside the timeline leads back to the one before"
+                    .to_owned(),
+            ),
             Note::Added(None) => {
                 self.adding = None;
                 self.say("it is in the scene: Ctrl+Z takes it away again".to_owned());
@@ -83,7 +84,7 @@ impl Session {
             Note::Exact => {
                 self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());
             }
-            Note::Refused(why) if why == HELD => self.say(HELD_HERE.to_owned()),
+            Note::Held => self.say(HELD_HERE.to_owned()),
             Note::Refused(why) => {
                 self.import = self.adding.take().or_else(|| self.import.take());
                 self.complain(&refused(&why));

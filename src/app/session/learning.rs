@@ -23,7 +23,7 @@ impl Session {
     /// A scene is there that no step asked for: a lesson whose scene it is not closes, and one that was left comes back with its own.
     pub(super) fn leave_lesson(&mut self) {
         match self.panels.lessons.meet(&self.scene) {
-            Met::Left { had_plots } if had_plots && self.panels.plots.is_some() => self.toggle_plots(),
+            Met::Left { had_plots } if had_plots && self.panels.plots.is_some() => self.forget_plots(),
             Met::Back(at) => self.lay_out(at),
             Met::Left { .. } | Met::Nothing => {}
         }
@@ -45,7 +45,7 @@ impl Session {
                 self.plot_as(plot);
             }
             // What an earlier step opened would lie over this one's scene.
-            None if std::mem::take(&mut self.panels.lessons.plots) && had => self.toggle_plots(),
+            None if std::mem::take(&mut self.panels.lessons.plots) && had => self.forget_plots(),
             None => {}
         }
     }

@@ -13,26 +13,30 @@ use crate::lessons::Plot;
 use crate::sim::BondKind;
 
 impl Session {
-    /// Opens the panel, or closes it: then nothing is measured any more, and nothing is left of what was.
+    /// Opens the panel, or closes it: then nothing is measured any more; what is probed is known when it is opened again.
     pub(super) fn toggle_plots(&mut self) {
         self.panels.plots_at.begin();
-        self.panels.plots = match self.panels.plots.take() {
-            Some(_) => None,
-            None => Some(Plots::new(self.scene.rate())),
-        };
+        self.panels.toggle_plots(self.scene.rate());
         self.watch();
+    }
+
+    /// Closes the panel for good: what it was of is of another scene, or of another step of a lesson.
+    pub(super) fn forget_plots(&mut self) {
+        self.toggle_plots();
+        self.panels.plots_left = None;
     }
 
     /// Opens the panel on what a lesson asks for.
     pub(super) fn plot_as(&mut self, plot: &Plot) {
         self.panels.plots_at.begin();
-        self.panels.plots = Some(Plots::of(self.scene.rate(), plot));
+        (self.panels.plots, self.panels.plots_left) = (Some(Plots::of(self.scene.rate(), plot)), None);
         self.watch();
     }
 
     /// Another world is shown: what was plotted is of the last one, and what was plotted of its probes goes with it.
     pub(super) fn plot_anew(&mut self) {
         self.panels.plots_at.begin();
+        self.panels.plots_left = None;
         self.panels.plots.take_if(|plots| plots.probes().iter().any(Option::is_some));
         if let Some(plots) = &mut self.panels.plots {
             plots.begin(self.scene.rate());

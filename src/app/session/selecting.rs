@@ -1,10 +1,12 @@
 //! What is done with what is selected: groups, its matter.
 
+use glam::{DVec2, DVec3};
 use winit::window::CursorIcon;
 
 use super::Session;
 use crate::app::action::Tool;
 use crate::app::matter::{Among, MatterChange};
+use crate::app::panels::MatterAt;
 use crate::app::player::Order;
 use crate::app::tools::{Chosen, Handle, Held, Scope, hidden_bodies};
 use crate::history::{Do, Group};
@@ -15,6 +17,8 @@ const HIDDEN: &str = "hidden: the tool that selects (6) shows its outline; Ctrl+
 /// Said where nothing is selected.
 const NOTHING: &str = "select something first: the tool for that is 6";
 
+/// So many points of a selection are looked at, where it is asked where that is seen.
+const MOST_SEEN: usize = 2_000;
 /// What the pointer is on is looked for among so many points: more would take longer than a frame.
 const MOST_HOVERED: usize = 100_000;
 
@@ -75,7 +79,29 @@ impl Session {
             let Chosen { points, obstacles } = chosen;
             self.player.ask(Order::Inspect(Among { points, obstacles, bonds: None }));
             self.panels_dirty = true;
+            self.panels.matter_at = MatterAt::default();
         }
+    }
+
+    /// Where what is selected is seen `[points]`: the box around its points, some of many, and its obstacles.
+    pub(super) fn selection_seen(&self) -> Option<egui::Rect> {
+        if self.inspected.is_empty() {
+            return None;
+        }
+        let (shown, chosen) = (self.shown(), &self.inspected);
+        let step = chosen.points.len() / MOST_SEEN + 1;
+        let points = chosen.points.iter().step_by(step).map(|point| DVec3::from(shown.place(point.index())));
+        let scenery = &shown.scenery;
+        let is_chosen = |number: &&u32| chosen.obstacles.contains(number);
+        let flat = scenery.polygons.iter().zip(&scenery.solid_numbers).filter(|(_, number)| is_chosen(number));
+        let corners = flat.flat_map(|(polygon, _)| &polygon.loops).flatten().map(|&x| DVec2::from(x).extend(0.0));
+        let solid = scenery.convex.iter().zip(&scenery.solid_numbers).filter(|(_, number)| is_chosen(number));
+        let ends = solid.flat_map(|(convex, _)| convex.figure.extent()).map(DVec3::from);
+        let scale = f64::from(self.egui.egui_ctx().pixels_per_point());
+        let seen = points.chain(corners).chain(ends).filter_map(|place| self.camera.screen_from_world(place));
+        let seen = seen.map(|[x, y]| egui::Pos2::new((x / scale) as f32, (y / scale) as f32));
+        let around = seen.fold(egui::Rect::NOTHING, |around, at| around.union(egui::Rect::from_min_max(at, at)));
+        around.is_finite().then_some(around)
     }
 
     /// What is selected gets another matter.
@@ -120,7 +146,7 @@ impl Session {
     }
 
     /// How the pointer looks over the world with a tool.
-    fn icon_of(&mut self, tool: Tool, at: glam::DVec2) -> CursorIcon {
+    fn icon_of(&mut self, tool: Tool, at: DVec2) -> CursorIcon {
         match self.hand.holds() {
             Some(Held::Grip) => return CursorIcon::Grabbing,
             Some(Held::Move) => return CursorIcon::Move,
@@ -128,7 +154,7 @@ impl Session {
         }
         let can_look = self.shown().point_count() <= MOST_HOVERED;
         let is_plane = self.scene.dimensions() == 2;
-        let mut on = |what: fn(Scope<'_>, glam::DVec2) -> bool| can_look && self.with_scope(|_, scope| what(scope, at));
+        let mut on = |what: fn(Scope<'_>, DVec2) -> bool| can_look && self.with_scope(|_, scope| what(scope, at));
         match tool {
             Tool::Hand if on(|scope, at| scope.nearest(at).is_some() || scope.block(at).is_some()) => CursorIcon::Grab,
             Tool::Hand if on(|scope, at| scope.solid(at).is_some()) => CursorIcon::NotAllowed,
@@ -140,9 +166,7 @@ impl Session {
             Tool::Build => CursorIcon::Copy,
             Tool::Muscle => CursorIcon::Pointer,
             Tool::Motor => CursorIcon::Alias,
-            Tool::Select if on(|scope, at| scope.nearest(at).is_some() || scope.solid(at).is_some()) => {
-                CursorIcon::Move
-            }
+            Tool::Select if can_look && self.with_scope(|hand, scope| hand.would_move(scope, at)) => CursorIcon::Move,
             Tool::Select => CursorIcon::Default,
         }
     }

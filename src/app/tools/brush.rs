@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_segment};
-use crate::app::matter::{Among, Preset};
+use crate::app::matter::{Among, MatterChange, Painted, Preset};
 use crate::sim::PointId;
 
 /// Radii that the brush may have `[logical px]`.
@@ -17,6 +17,8 @@ const STEP: f64 = 0.5;
 pub(super) const NOTHING: &str = "the brush gives bodies another matter: drag it over one";
 /// The same over an obstacle.
 pub(super) const SOLID: &str = "an obstacle is of no matter: select it (6) to change its friction";
+/// The brush itself, where it paints no colour.
+const NO_COLOR: [u8; 3] = [200, 208, 220];
 /// Bonds under the brush that are drawn at most.
 const MOST: usize = 4000;
 
@@ -24,13 +26,15 @@ const MOST: usize = 4000;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::app) struct Brush {
     pub(in crate::app) preset: Preset,
+    /// In place of that, where any is switched on.
+    pub(in crate::app) numbers: Painted,
     /// `[logical px]`
     pub(in crate::app) radius: f64,
 }
 
 impl Default for Brush {
     fn default() -> Self {
-        Brush { preset: Preset::Rubber, radius: 24.0 }
+        Brush { preset: Preset::Rubber, numbers: Painted::default(), radius: 24.0 }
     }
 }
 
@@ -43,6 +47,28 @@ pub(super) struct Stroke {
 }
 
 impl Brush {
+    /// What becomes of what it goes over.
+    pub(in crate::app) fn change(self) -> MatterChange {
+        if self.numbers.is_any() { MatterChange::Painted(self.numbers) } else { MatterChange::Preset(self.preset) }
+    }
+
+    /// What that is called.
+    pub(in crate::app) fn name(self) -> String {
+        match self.numbers.changes() {
+            changes if changes.is_empty() => self.preset.name().to_owned(),
+            changes => changes.into_iter().map(MatterChange::name).collect::<Vec<_>>().join(", "),
+        }
+    }
+
+    /// The colour of what it is about to paint: of numbers without one grey.
+    pub(super) fn color(self) -> [u8; 3] {
+        match self.change() {
+            MatterChange::Painted(Painted { color, .. }) if color.is_on => color.value,
+            MatterChange::Painted(_) => NO_COLOR,
+            _ => self.preset.color(),
+        }
+    }
+
     /// A stroke begins at a pixel.
     pub(super) fn begin(self, scope: Scope<'_>, at: DVec2) -> Stroke {
         let mut stroke = Stroke { last: at, ..Stroke::default() };
@@ -78,7 +104,7 @@ impl Brush {
 
     /// The brush where it is.
     pub(super) fn marks(self, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
-        vec![Mark::Ring(Role::Paint(self.preset.color()), at, self.radius * scope.scale)]
+        vec![Mark::Ring(Role::Paint(self.color()), at, self.radius * scope.scale)]
     }
 }
 

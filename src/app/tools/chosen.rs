@@ -132,6 +132,17 @@ impl Chosen {
         bodies.into_iter().chain(solids).collect()
     }
 
+    /// Which way the first of its planes has its free side, where it is nothing but planes.
+    fn free_side(&self, scope: Scope<'_>) -> Option<DVec3> {
+        let scenery = &scope.shown.scenery;
+        let is_plane = |number: &u32| scenery.plane_numbers.contains(number);
+        if !self.points.is_empty() || !self.obstacles.iter().all(is_plane) {
+            return None;
+        }
+        let first = scenery.plane_numbers.iter().position(|number| self.obstacles.contains(number))?;
+        DVec3::from(scenery.planes.get(first)?[1]).try_normalize()
+    }
+
     /// The box around it in the plane `[m]`: its lower and its upper corner; around nothing but planes, which have no end, the place of the
     /// first that is nearest to the middle of the picture.
     pub(super) fn extent(&self, scope: Scope<'_>) -> Option<[DVec2; 2]> {
@@ -150,10 +161,14 @@ impl Chosen {
         })
     }
 
-    /// From where it is to a place beside it `[m]`, to the right as far as it is wide and a little more.
+    /// From where it is to a place beside it `[m]`, to the right as far as it is wide and a little more; of a plane off itself, towards its
+    /// free side: along itself it would lie in itself.
     pub(in crate::app) fn beside(&self, scope: Scope<'_>) -> [f64; 3] {
         // A single point is as wide as a finger.
         let finger = 24.0 * scope.scale / scope.camera.pixels_per_metre();
+        if let Some(normal) = self.free_side(scope) {
+            return (FINGERS * finger * normal).to_array();
+        }
         let width = match scope.camera.pose {
             Pose::Plane { .. } => self.extent(scope).map_or(0.0, |[low, high]| high.x - low.x),
             Pose::Orbit { .. } => width_in_space(self, scope),
@@ -161,6 +176,9 @@ impl Chosen {
         [1.1 * width.max(finger), 0.0, 0.0]
     }
 }
+
+/// A copy of a plane is so many fingers off it.
+const FINGERS: f64 = 1.5;
 
 fn width_in_space(chosen: &Chosen, scope: Scope<'_>) -> f64 {
     let points = chosen.points.iter().map(|point| [scope.shown.place(point.index())[0]; 2]);

@@ -76,7 +76,7 @@ impl Hand {
         marks.splice(0..0, push::arrows(scope, pull));
         marks.extend(pull.zip(at).into_iter().flat_map(|(pull, at)| pull.marks(scope, at)));
         if let Doing::Painting(stroke) = &self.doing {
-            marks.extend(stroke.marks(scope, self.brush.preset.color()));
+            marks.extend(stroke.marks(scope, self.brush.color()));
         }
         if self.tool() == Tool::Select {
             marks.splice(0..0, hidden::outlines(scope));

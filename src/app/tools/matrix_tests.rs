@@ -340,7 +340,7 @@ impl Bench {
         }
         let before = self.state();
         match self.stage.obey(order) {
-            Some(Note::Refused(_)) => return Ok(Comes::Words),
+            Some(Note::Refused(_) | Note::Held) => return Ok(Comes::Words),
             None | Some(Note::Added(None)) => {}
             Some(other) => return Err(format!("{other:?}")),
         }

@@ -13,6 +13,7 @@ mod drawing;
 mod drives;
 #[cfg(test)]
 mod drives_tests;
+mod enclosed;
 mod erase;
 mod facing;
 mod fastened;

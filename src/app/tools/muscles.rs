@@ -226,9 +226,9 @@ impl MuscleChoice {
         let bond = scope.shown.scenery.bonds.get(place);
         let (role, words) = match no_muscle(&bond) {
             Some(why) => (Role::Away, why),
-            None if self.takes_away(&bond) => (Role::Away, "no muscle any more"),
-            None if bond.drive.is_some() => (Role::Come, "this muscle instead; drag over more"),
-            None => (Role::Come, "a muscle; drag over more"),
+            None if self.takes_away(&bond) => (Role::Away, "a muscle: a click takes it away"),
+            None if bond.drive.is_some() => (Role::Come, "another muscle: a click makes it as in the panel"),
+            None => (Role::Come, "no muscle yet: a click makes it one, a drag more of them"),
         };
         let line = scope.pixel(a).zip(scope.pixel(b)).map(|(a, b)| Mark::Line(role, a, b, 4.0 * scope.scale));
         line.into_iter().chain([Mark::Words(beside(scope, at), words.to_owned())]).collect()
@@ -254,8 +254,8 @@ impl MuscleChoice {
         let way = corners.windows(2).map(|side| Mark::Line(Role::Hold, side[0], side[1], 1.5 * scope.scale));
         let words = match (changes.len(), takes_away) {
             (0, _) => why.unwrap_or("drag over bonds").to_owned(),
-            (1, true) => "no muscle any more".to_owned(),
-            (count, true) => format!("{} away", counted(count, "muscle")),
+            (1, true) => "let go: the muscle goes".to_owned(),
+            (count, true) => format!("let go: {} go", counted(count, "muscle")),
             (count, false) if runs => {
                 let metres = self.length * length / scope.camera.pixels_per_metre();
                 format!("{}: a wave of {} m runs along them", counted(count, "muscle"), short(metres))

@@ -89,7 +89,7 @@ fn a_stroke_makes_muscles_of_all_bonds_that_it_crosses_or_lies_along_in_one_step
     let (_, more) = drag(&seen, &[[-0.5, 0.5], [0.5, 0.5], [0.5, 1.3]]);
     assert_eq!((bonds(&more).len(), more.edit), (1, Some("muscle")));
     let (marks, away) = drag(&seen, &[[-0.5, 0.4], [9.5, 0.6]]);
-    assert!(marks.iter().any(|mark| matches!(mark, Mark::Words(_, words) if words == "10 muscles away")));
+    assert!(marks.iter().any(|mark| matches!(mark, Mark::Words(_, words) if words == "let go: 10 muscles go")));
     let [Do::Set(keys)] = &away.commands[..] else { panic!("{away:?}") };
     assert!(keys.drive == Some(DriveOrNone::None(())) && away.edit == Some("muscles away"));
     given(&mut stage, &mut seen, away);

@@ -51,7 +51,7 @@ impl Hand {
                     self.doing = Doing::Forcing(pull);
                     Deed::default()
                 }
-                Err(why) => Deed::words(why.to_owned()),
+                Err(why) => Deed::words(why.words().to_owned()),
             },
             Tool::Select => {
                 self.begin_to_select(scope, at);

@@ -31,13 +31,35 @@ const HEAD: f64 = 11.0;
 const MOST: usize = 400;
 const MOST_WORDS: usize = 40;
 
-/// Said where nothing is pushed.
-const OF_THE_PLANE: &str = "torques are of the plane: in space a drag is a force";
-const NO_BODY: &str = "no body lies here that could be pushed";
-const SOLID: &str = "an obstacle stands: no force moves it";
-const PINNED: &str = "a pin stands: no force moves it";
-const ALONE: &str = "a single point does not turn: choose a body of more points";
+/// Said of a click where an arrow is drawn.
 const CLICKED: &str = "drag an arrow out: its length is the force";
+
+/// Why no arrow begins somewhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NoPush {
+    OfThePlane,
+    NoBody,
+    Solid,
+    Pinned,
+    Alone,
+}
+
+impl NoPush {
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            NoPush::OfThePlane => "torques are of the plane: in space a drag is a force",
+            NoPush::NoBody => "no body lies here that could be pushed",
+            NoPush::Solid => "an obstacle stands: no force moves it",
+            NoPush::Pinned => "a pin stands: no force moves it",
+            NoPush::Alone => "a single point does not turn: choose a body of more points",
+        }
+    }
+
+    /// Whether it is said before a press: beside bodies it would be in the way.
+    fn is_said_before(self) -> bool {
+        matches!(self, NoPush::OfThePlane | NoPush::Pinned | NoPush::Alone)
+    }
+}
 
 /// What a drag makes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -201,28 +223,28 @@ fn seen_along(scope: Scope<'_>, view: &ForceView) -> Option<DVec2> {
 impl PushWay {
     /// An arrow is taken, or one begins on the body that lies under the pixel.
     ///
-    /// Errors: in words, why there is none.
-    pub(super) fn press(self, scope: Scope<'_>, at: DVec2) -> Result<Pull, &'static str> {
+    /// Errors: why there is none.
+    pub(super) fn press(self, scope: Scope<'_>, at: DVec2) -> Result<Pull, NoPush> {
         if scope.shown.dimensions != 2 && self == PushWay::Turn {
-            return Err(OF_THE_PLANE);
+            return Err(NoPush::OfThePlane);
         }
         if let Some((number, arrow)) = arrow_at(scope, at) {
             return Ok(Pull { pressed: at, arrow, number: Some(number) });
         }
         let Some(hit) = scope.nearest(at) else {
-            return Err(if scope.solid(at).is_some() { SOLID } else { NO_BODY });
+            return Err(if scope.solid(at).is_some() { NoPush::Solid } else { NoPush::NoBody });
         };
         let points = match self {
             PushWay::Point => vec![hit.point],
             PushWay::Body | PushWay::Turn | PushWay::Wind => scope.body(hit.point),
         };
         match () {
-            () if points.iter().all(|point| scope.is_pinned(*point)) => return Err(PINNED),
-            () if self == PushWay::Turn && points.len() < 2 => return Err(ALONE),
+            () if points.iter().all(|point| scope.is_pinned(*point)) => return Err(NoPush::Pinned),
+            () if self == PushWay::Turn && points.len() < 2 => return Err(NoPush::Alone),
             () => {}
         }
         let form = if self == PushWay::Turn { Form::Round(0.0) } else { Form::Straight(DVec2::ZERO) };
-        let arrow = Arrow::new(scope, &points, form).ok_or(NO_BODY)?;
+        let arrow = Arrow::new(scope, &points, form).ok_or(NoPush::NoBody)?;
         Ok(Pull { pressed: at, arrow, number: None })
     }
 
@@ -243,7 +265,7 @@ impl PushWay {
                 };
                 vec![Mark::Ring(Role::Come, arrow.from, 7.0 * scope.scale), words(said)]
             }
-            Err(why) if why == OF_THE_PLANE || why == PINNED => vec![words(why)],
+            Err(why) if why.is_said_before() => vec![words(why.words())],
             Err(_) => Vec::new(),
         }
     }

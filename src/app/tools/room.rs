@@ -3,9 +3,10 @@
 
 use glam::{DVec2, DVec3};
 
+use super::enclosed::Cover;
 use super::marks::{self, Mark, Role};
 use super::pick::{Scope, is_inside};
-use crate::scene::{AddKeys, Shape};
+use crate::scene::{AddKeys, Vector};
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::contact::surface::Plane;
 use crate::sim::plan::{Cleared, clear};
@@ -17,6 +18,10 @@ use crate::sim::{Bond, Bonds, Bounds, Model, PointId, Polygon, blocked};
 const SWALLOWED: &str = "a body would be inside it as a whole: move the body first";
 /// Said where a body finds no way out of obstacles.
 const NO_ROOM: &str = "no room here: it would be stuck in the obstacle";
+/// Said of a body that is drawn around an obstacle.
+const BESIDE: &str = "put beside the obstacle: a body has none within itself";
+/// Said of one that finds no place beside it.
+const AROUND: &str = "no room here: an obstacle would be within it";
 /// Said of an obstacle that is put onto what pins hold.
 const HELD: &str = "it lies on what pins hold: neither gives way";
 /// Said of an obstacle that is put between pins.
@@ -31,6 +36,8 @@ const LEAST: f64 = 1.0;
 pub(super) struct Outcome {
     /// How far what comes is put out of obstacles `[m]`.
     pub(super) way: DVec2,
+    /// How far of that the world does not put it: the tool does.
+    own: DVec2,
     /// Bodies that an obstacle puts beside itself, and how far `[m]`.
     pub(super) moved: Vec<(Vec<PointId>, DVec2)>,
     /// Why it cannot be there.
@@ -71,18 +78,30 @@ impl Walls {
 /// What becomes of what keys would bring.
 pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
     let first = scope.shown.point_count() as u32;
-    let Some(Shape { places, bonds, pinned, planes, polygons, .. }) = keys.shape(first) else {
-        return Outcome::default();
-    };
-    if !planes.is_empty() || !polygons.is_empty() {
-        return under(scope, (&planes, polygons), &[], |point| here(scope, point));
+    let Some(shape) = keys.shape(first) else { return Outcome::default() };
+    if !shape.planes.is_empty() || !shape.polygons.is_empty() {
+        return under(scope, (&shape.planes, shape.polygons), &[], |point| here(scope, point));
     }
-    let bonds: Bonds = bonds.into_iter().map(|[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).collect();
-    let cleared = scope.shown.scenery.walls().clear(&places, &bonds, &pinned);
+    let bonds: Bonds = shape.bonds.iter().map(|&[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).collect();
+    let cleared = scope.shown.scenery.walls().clear(&shape.places, &bonds, &shape.pinned);
     let least = LEAST * scope.scale / scope.camera.pixels_per_metre();
     let way = cleared.moves.first().map_or(DVec2::ZERO, |(_, way)| DVec2::from(*way));
-    let way = if way.length() > least { way } else { DVec2::ZERO };
     let is_stuck = !cleared.stuck.is_empty();
+    let solids = &scope.shown.scenery.polygons;
+    let cover = Cover::of(&shape).filter(|cover| !is_stuck && cover.has_any(solids, way));
+    if let Some(cover) = cover {
+        let is_free = |by: DVec2| {
+            let places: Vec<[f64; 2]> = shape.places.iter().map(|&at| (DVec2::from(at) + by).to_array()).collect();
+            let cleared = scope.shown.scenery.walls().clear(&places, &bonds, &shape.pinned);
+            cleared.moves.is_empty() && cleared.stuck.is_empty()
+        };
+        return match cover.way_off(solids, way, is_free) {
+            Some(way) => Outcome { way, own: way, said: Some(BESIDE), ..Outcome::default() },
+            None => Outcome { refused: Some(AROUND), ..Outcome::default() },
+        };
+    }
+    let way = if way.length() > least { way } else { DVec2::ZERO };
+    let pinned = &shape.pinned;
     let refused = (is_stuck && pinned.is_empty()).then_some(NO_ROOM);
     Outcome { way, refused, said: (is_stuck && refused.is_none()).then_some(STAYS), ..Outcome::default() }
 }
@@ -156,6 +175,14 @@ pub(super) fn here(scope: Scope<'_>, point: PointId) -> DVec2 {
 }
 
 impl Outcome {
+    /// What comes is put as far as the world does not put it.
+    pub(super) fn put(&self, keys: &mut AddKeys) {
+        for origin in keys.bodies.iter_mut().filter(|_| self.own != DVec2::ZERO).map(|body| &mut body.origin) {
+            let [x, y, _] = origin.map_or([0.0; 3], |at| at.embed());
+            *origin = Some(Vector::Plane((DVec2::new(x, y) + self.own).to_array()));
+        }
+    }
+
     /// Lines of what comes, where it will be; red where it cannot.
     pub(super) fn lines(&self, scope: Scope<'_>, mark: Mark) -> Mark {
         let by = scope.camera.pixels_per_metre() * DVec2::new(self.way.x, -self.way.y);

@@ -24,9 +24,7 @@ impl Hand {
             return;
         }
         let is_free = self.alt || self.draws_lasso;
-        let is_meant = |under: &Chosen| !self.alt && (!under.is_ground(scope) || self.chosen.has(under));
-        let under = Chosen::at(scope, at).filter(is_meant);
-        let Some(under) = under else {
+        let Some(under) = self.meant(scope, at) else {
             self.doing = Doing::Marking(Region::begin(at, is_free));
             return;
         };
@@ -39,6 +37,17 @@ impl Hand {
             self.chosen = under.clone();
         }
         self.doing = Doing::Moving(scope.hold(at), under);
+    }
+
+    /// What a press on a pixel takes hold of: of planes of space only what is selected, for a drag over others draws a region.
+    fn meant(&self, scope: Scope<'_>, at: DVec2) -> Option<Chosen> {
+        let is_meant = |under: &Chosen| !self.alt && (!under.is_ground(scope) || self.chosen.has(under));
+        Chosen::at(scope, at).filter(is_meant)
+    }
+
+    /// Whether a drag from a pixel would move something.
+    pub(in crate::app) fn would_move(&self, scope: Scope<'_>, at: DVec2) -> bool {
+        self.meant(scope, at).is_some()
     }
 
     /// What is selected was dragged, or what lies under the pixel clicked: that alone is selected then.

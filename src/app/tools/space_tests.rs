@@ -209,6 +209,25 @@ fn a_plane_is_outlined_selected_moved_and_deleted_by_its_front_and_a_drag_over_i
 }
 
 #[test]
+fn the_pointer_says_what_a_drag_moves_and_a_copy_of_a_plane_is_off_it_on_its_free_side() {
+    let text = r#"{"wobble": 1, "dimensions": 3, "gravity": [0, 0, 0],
+        "obstacles": [{"plane": {"point": [0, 0, 0], "normal": [0, 2, 0]}}, {"circle": {"center": [0, 1, 0], "radius": 0.4}}],
+        "view": {"target": [0, 0, 0], "distance": 9, "yaw": 0, "pitch": 0.5}}"#;
+    let mut room = Room::of(text, Tool::Select);
+    let pixel = |room: &Room, place: DVec3| DVec2::from(room.camera.screen_from_world(place).unwrap());
+    let (on_floor, on_ball) = (pixel(&room, DVec3::new(2.0, 0.0, 1.0)), pixel(&room, DVec3::new(0.0, 1.0, 0.0)));
+    let would = |room: &mut Room, at: DVec2| room.with(|hand, scope| hand.would_move(scope, at));
+    assert!(would(&mut room, on_ball) && !would(&mut room, on_floor), "a drag over the floor draws a region");
+    let floor = super::Chosen { obstacles: vec![0], ..super::Chosen::default() };
+    let both = super::Chosen { obstacles: vec![0, 1], ..super::Chosen::default() };
+    let by = room.with(|_, scope| [floor.beside(scope), both.beside(scope)].map(DVec3::from));
+    assert!(by[0].y > 0.05 && by[0].x == 0.0 && by[0].z == 0.0, "{by:?}");
+    assert!(by[1].x > 0.8 && by[1].y == 0.0, "beside the ball: {by:?}");
+    room.hand.select(floor);
+    assert!(would(&mut room, on_floor), "what is selected is moved");
+}
+
+#[test]
 fn the_end_of_a_rope_is_tied_to_what_is_as_deep_as_it_is_and_not_to_what_is_seen_behind_it() {
     let tied = |depth: f64| {
         let text = format!(

@@ -2,6 +2,7 @@
 
 use super::macros::{names, object};
 use super::vector::{Row, Vector};
+use crate::sim::Penalty;
 
 names! {
     /// Shape of the region that the mouse force acts in.
@@ -132,6 +133,18 @@ object! {
             /// Force over speed along the normal, while it is behind the surface `[N s/m]`, >= 0: 0 if not said.
             damping: f64,
         }
+    }
+}
+
+impl From<PenaltyKeys> for Penalty {
+    fn from(keys: PenaltyKeys) -> Self {
+        Penalty { stiffness: keys.stiffness, damping: keys.damping.unwrap_or(0.0) }
+    }
+}
+
+impl From<Penalty> for PenaltyKeys {
+    fn from(Penalty { stiffness, damping }: Penalty) -> Self {
+        PenaltyKeys { stiffness, damping: (damping > 0.0).then_some(damping) }
     }
 }
 

@@ -242,14 +242,14 @@ impl<S: Real, const D: usize> World<S, D> {
     fn add_obstacles(&self, model: &mut Model<D>, obstacles: &[Obstacle]) -> Result<(), CommandError> {
         for obstacle in obstacles {
             match obstacle {
-                &Obstacle::Plane { point, normal, restitution, friction } => {
+                &Obstacle::Plane { point, normal, restitution, friction, penalty } => {
                     check_surface(restitution, friction)?;
                     model.planes.push(Plane {
                         point: truncate(point),
                         normal: truncate(normal),
                         restitution,
                         friction,
-                        penalty: None,
+                        penalty,
                     });
                 }
                 Obstacle::Polygon(polygon) => {

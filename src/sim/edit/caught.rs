@@ -64,7 +64,8 @@ impl<const D: usize> Crowd<D> {
     /// Whether bonds or triangles are pressed together to less than [`CRUSHED`] of what they are at rest, and were larger before.
     pub(super) fn is_crushed(&self, body: &Hanging, before: &[Before<D>]) -> bool {
         let was = |i: usize| was(before, i).map(|was| was.x);
-        let has_limbs = !body.triangles.is_empty();
+        // Limbs are of the plane: in space what has triangles is a sheet, which folds.
+        let has_limbs = D == 2 && !body.triangles.is_empty();
         body.bonds.iter().zip(&body.rests).any(|(&ends, &(rest, is_held))| {
             let now = length(sub(self.x[ends[1]], self.x[ends[0]]));
             let [Some(a), Some(b)] = ends.map(was) else { return false };

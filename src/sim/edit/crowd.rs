@@ -136,6 +136,11 @@ impl<const D: usize> Crowd<D> {
                 continue;
             }
             let Some(touch) = part.touch(self.x[i], depth) else { continue };
+            // In space a sheet goes around what pushes it: along the way of that it would be pressed together within itself.
+            if D == 3 && self.goes_aside(i, &touch, depth, part) {
+                self.hurry(i, &touch);
+                continue;
+            }
             let way = part.way(self.x[i]);
             let [mut short, mut far] = [0.0, 1.0];
             for _ in 0..HALVINGS {
@@ -168,6 +173,16 @@ impl<const D: usize> Crowd<D> {
                 return;
             }
         }
+    }
+
+    /// A point goes the shortest way out of what pushes it, if there is room.
+    fn goes_aside(&mut self, i: usize, touch: &Touch<D>, was: f64, part: &Part<'_, D>) -> bool {
+        let to = add(self.x[i], scale(touch.normal, touch.depth + part.after.slack()));
+        let has_room = part.is_free(to, was) && part.has_room(self.x[i], to);
+        if has_room {
+            (self.x[i], self.is_changed[i]) = (to, true);
+        }
+        has_room
     }
 
     /// A point goes so far `[m]`, if there is room.

@@ -2,7 +2,7 @@
 
 use super::{Applied, CommandError, done, invalid};
 use crate::sim::bond::PointId;
-use crate::sim::command::{HELD, Reach};
+use crate::sim::command::Reach;
 use crate::sim::dynamics::GrabView;
 use crate::sim::environment::Lead;
 use crate::sim::group::grab::Grabbed;
@@ -35,7 +35,7 @@ impl<S: Real, const D: usize> World<S, D> {
         points.sort_unstable();
         points.dedup();
         if points.is_empty() {
-            return Err(invalid(HELD));
+            return Err(CommandError::Held);
         }
         self.release();
         if D == 3 {

@@ -17,6 +17,8 @@ mod grab;
 mod overlap;
 mod pins;
 mod push;
+#[cfg(test)]
+mod push_tests;
 mod recompile;
 mod round;
 mod segments;
@@ -32,7 +34,7 @@ use super::force::mouse::Cursor;
 use super::real::Real;
 use super::world::World;
 pub(crate) use round::blocked;
-pub(crate) use segments::segments_meet;
+pub(crate) use segments::{segments_meet, segments_pass};
 
 /// A command that was done, and changed something or had nothing to do.
 fn done(is_something: bool) -> Applied {

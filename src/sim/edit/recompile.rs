@@ -428,7 +428,8 @@ impl<S: Real, const D: usize> World<S, D> {
             mouse: self.model.mouse.clone(),
             bounds: self.model.bounds,
             duration: None,
-            planes: Vec::new(),
+            // What pushes by depth is felt by groups; all else that is solid is the world's.
+            planes: self.model.planes.iter().filter(|plane| plane.penalty.is_some()).copied().collect(),
             polygons: Vec::new(),
             convex: self.model.convex.clone(),
             obstacle_numbers: Default::default(),

@@ -28,7 +28,7 @@ pub(crate) fn segments_meet(first @ [a, b]: Segment, second @ [c, d]: Segment) -
 }
 
 /// Whether two segments pass through each other, each from one side of the other to its other side: not where they only touch.
-pub(super) fn segments_pass(first @ [a, b]: Segment, second @ [c, d]: Segment) -> bool {
+pub(crate) fn segments_pass(first @ [a, b]: Segment, second @ [c, d]: Segment) -> bool {
     side(first, c) * side(first, d) < 0.0 && side(second, a) * side(second, b) < 0.0
 }
 

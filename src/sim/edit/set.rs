@@ -9,6 +9,7 @@ use crate::sim::bond::{Bond, BondId, BondKind, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::command::{AngleChange, BondChange, Change, Kind, MouseChange, SceneChange, Values};
 use crate::sim::contact::bounds::Bounds;
+use crate::sim::contact::penalty::Penalty;
 use crate::sim::contact::skin::SkinMaterial;
 use crate::sim::force::mouse::{MouseForce, Profile, Region, Track};
 use crate::sim::force::wind::Wind;
@@ -32,8 +33,8 @@ impl<S: Real, const D: usize> World<S, D> {
             }
             Change::Bonds { bonds, to } => self.set_bonds(bonds, to),
             Change::Angles { angles, to } => self.set_angles(angles, to),
-            Change::Obstacles { obstacles, restitution, friction } => {
-                self.set_obstacles(obstacles, (*restitution, *friction))
+            Change::Obstacles { obstacles, restitution, friction, penalty } => {
+                self.set_obstacles(obstacles, (*restitution, *friction), *penalty)
             }
             Change::Forces { forces, force, torque } => self.set_forces(forces, (*force, *torque)),
             Change::Scene(change) => self.set_scene(change),
@@ -151,15 +152,22 @@ impl<S: Real, const D: usize> World<S, D> {
         &mut self,
         obstacles: &[u32],
         (restitution, friction): (Option<f64>, Option<f64>),
+        penalty: Option<Option<Penalty>>,
     ) -> Result<Applied, CommandError> {
         self.check_obstacles(obstacles)?;
         check_surface(restitution.unwrap_or(0.0), friction.unwrap_or(0.0))?;
-        if obstacles.is_empty() || (restitution.is_none() && friction.is_none()) {
+        if obstacles.is_empty() || (restitution.is_none() && friction.is_none() && penalty.is_none()) {
             return Ok(done(false));
+        }
+        if let Some(penalty) = penalty {
+            self.check_penalty(obstacles, penalty)?;
         }
         let detached = self.detach(&[], true);
         let model = Arc::make_mut(&mut self.model);
         let [planes, others] = &self.numbers.obstacles;
+        for (plane, _) in model.planes.iter_mut().zip(planes).filter(|(_, number)| obstacles.contains(number)) {
+            plane.penalty = penalty.unwrap_or(plane.penalty);
+        }
         let planes = model.planes.iter_mut().zip(planes).map(|(on, n)| (&mut on.restitution, &mut on.friction, n));
         let polygons = model.polygons.iter_mut().zip(others).map(|(on, n)| (&mut on.restitution, &mut on.friction, n));
         let convex = model.convex.iter_mut().zip(others).map(|(on, n)| (&mut on.restitution, &mut on.friction, n));
@@ -171,6 +179,19 @@ impl<S: Real, const D: usize> World<S, D> {
         self.obstacles = Self::obstacles_of(&self.model)?;
         self.attach(detached);
         Ok(done(true))
+    }
+
+    /// Errors: some of these obstacles are no planes; the scene, its method or the numbers allow no such penalty.
+    fn check_penalty(&self, obstacles: &[u32], penalty: Option<Penalty>) -> Result<(), CommandError> {
+        let planes = &self.numbers.obstacles[0];
+        if let Some(other) = obstacles.iter().find(|number| !planes.contains(number)) {
+            return Err(invalid(format!("obstacle {other} is no plane: a penalty is of planes alone")));
+        }
+        let mut model = Model::clone(&self.model);
+        for (plane, _) in model.planes.iter_mut().zip(planes).filter(|(_, number)| obstacles.contains(number)) {
+            plane.penalty = penalty;
+        }
+        model.check_surroundings().map_err(|error| invalid(error.to_string()))
     }
 
     fn set_scene(&mut self, change: &SceneChange) -> Result<Applied, CommandError> {

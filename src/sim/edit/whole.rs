@@ -17,7 +17,7 @@ impl<const D: usize> Crowd<D> {
         touches
     }
 
-    /// A body of one piece: where it is pushed it goes and turns as its mass says, and gets the speeds.
+    /// A body of one piece: where it is pushed it goes and, in the plane, turns as its mass says, and gets the speeds.
     pub(super) fn push_whole(&mut self, body: &Hanging, before: &[Before<D>], part: &Part<'_, D>) {
         let touches = self.touches(body, before, part);
         if touches.is_empty() {
@@ -42,7 +42,13 @@ impl<const D: usize> Crowd<D> {
             let way = part.way(inert.middle);
             before.iter().for_each(|was| self.x[was.i] = add(was.x, way));
         }
-        if before.iter().any(|was| !part.has_room(was.x, self.x[was.i])) {
+        let lacks_room = |x: &[[f64; D]]| before.iter().any(|was| !part.has_room(was.x, x[was.i]));
+        if D == 3 && lacks_room(&self.x) {
+            // Straight on, where there is none aside.
+            let way = part.way(inert.middle);
+            before.iter().for_each(|was| self.x[was.i] = add(was.x, way));
+        }
+        if lacks_room(&self.x) {
             before.iter().for_each(|was| self.x[was.i] = was.x);
         }
         let (mut velocity, mut spin) = (inert.velocity, inert.spin);
@@ -95,8 +101,12 @@ pub(super) struct Inert<const D: usize> {
 }
 
 impl<const D: usize> Inert<D> {
-    /// The arm of a blow there `[m]`, and what one of 1 kg m/s makes its place faster by `[1/kg]`.
+    /// The arm of a blow there `[m]`, and what one of 1 kg m/s makes its place faster by `[1/kg]`. In space it does not turn: a turn about z
+    /// alone would lead it into the floor.
     fn at(&self, touch: &Touch<D>) -> (f64, f64) {
+        if D != 2 {
+            return (0.0, 1.0 / self.mass);
+        }
         let from = sub(touch.at, self.middle);
         let arm = from[0] * touch.normal[1] - from[1] * touch.normal[0];
         (arm, 1.0 / self.mass + arm * arm / self.inertia)

@@ -197,6 +197,7 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
             normal: embed(plane.normal),
             restitution: plane.restitution,
             friction: plane.friction,
+            penalty: plane.penalty,
         });
         let polygons = self.model.polygons.iter().cloned().map(Obstacle::Polygon);
         let convex = self.model.convex.iter().copied().map(Obstacle::Convex);

@@ -118,6 +118,7 @@ fn panel(
     let shown = area.show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_width(width);
+            let mut entered: Option<Response> = None;
             ui.horizontal(|ui| {
                 ui.label(RichText::new("Settings").color(colors(ui).text).strong());
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -133,10 +134,14 @@ fn panel(
                     if is_wanted {
                         field.request_focus();
                     }
-                    field.on_hover_text(described("search the settings", Action::FindSetting));
+                    let field = field.on_hover_text(described("search the settings", Action::FindSetting));
+                    let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter));
+                    entered = is_entered.then_some(field);
                 });
             });
             let found = sections::found(facts, search);
+            // What finds nothing is written anew.
+            entered.iter().filter(|_| found.is_empty()).for_each(Response::request_focus);
             let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
             scroll.auto_shrink([true, !is_fixed]).show(ui, |ui| {
                 all(ui, facts, &found, &mut sink);

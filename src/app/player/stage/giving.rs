@@ -44,7 +44,7 @@ impl Stage {
             self.base = self.history.base_strength();
         }
         match given {
-            Err(refusal) => Err(Note::Refused(refusal.reason)),
+            Err(refusal) => Err(refusal.into()),
             Ok(applied) => Ok((applied, why.map(|why| Note::Added(Some(why))))),
         }
     }
@@ -61,7 +61,7 @@ impl Stage {
             return (self.history.give(commands, edit), why);
         }
         match self.history.give(meeting.into_iter().chain(commands.iter().cloned()).collect(), edit) {
-            Err(refusal) => (self.history.give(commands, edit), Some(refusal.reason)),
+            Err(refusal) => (self.history.give(commands, edit), Some(refusal.reason.to_string())),
             given => (given, why),
         }
     }
@@ -120,7 +120,7 @@ impl Stage {
         if given.is_ok() && changes {
             self.base = self.history.base_strength();
         }
-        given.map(|applied| (applied, None)).map_err(|refusal| Note::Refused(refusal.reason))
+        given.map(|applied| (applied, None)).map_err(Note::from)
     }
 
     /// Others stand beside the world from now on.
@@ -154,7 +154,7 @@ impl Stage {
         let (given, why) = self.give_met(meeting, commands, Some(name), why);
         self.pace.settle(&self.history);
         match (given, came) {
-            (Err(refusal), _) => Note::Refused(refusal.reason),
+            (Err(refusal), _) => refusal.into(),
             (Ok(_), Some((came, said))) => Note::Came(came, said, why),
             (Ok(_), None) => Note::Added(why),
         }

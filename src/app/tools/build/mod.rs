@@ -119,7 +119,9 @@ impl Maker {
                 if let Some(why) = outcome.refused {
                     return Deed::words(why.to_owned());
                 }
+                let mut keys = keys;
                 let knots = if self.is_free { Vec::new() } else { knot::knots(scope, &keys, outcome.way) };
+                outcome.put(&mut keys);
                 let commands = knot::tied(scope, keys, &knots);
                 let mut deed = Deed { commands, edit: Some(self.primitive.name()), ..Deed::default() };
                 let meets = scope.shown.settings.contact.flatten().is_some();

@@ -682,3 +682,53 @@ fn a_disc_that_is_put_on_level_ground_rolls_to_no_side() {
         assert!(far < 0.02 * radius, "radius {radius}: {far} m in 4 s");
     }
 }
+
+/// A peg in the middle, and a plank beside it that is thinner than the cells of a body.
+const PEGS: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": true, "view": {"center": [0, 0], "height": 8},
+    "obstacles": [{"circle": {"center": [0, 0], "radius": 0.1}}, {"box": {"min": [2, -0.02], "max": [3, 0.02]}}]}"#;
+
+#[test]
+fn a_body_that_is_drawn_around_an_obstacle_goes_beside_it() {
+    let seen = shown(Scene::parse(PEGS, "x.json").unwrap());
+    let is_clear = |[low, high]: [DVec2; 2], is_round: bool| {
+        let is_off = |[from, to]: [[f64; 2]; 2]| {
+            low.cmpge(DVec2::from(to) - 1e-2).any() || high.cmple(DVec2::from(from) + 1e-2).any()
+        };
+        // A disc has sides, which are nearer to its middle than its rim.
+        let is_round_off = (0.5 * (low + high)).length() > 0.1 + 0.98 * 0.5 * (high.y - low.y);
+        (if is_round { is_round_off } else { is_off([[-0.1; 2], [0.1; 2]]) }) && is_off([[2.0, -0.02], [3.0, 0.02]])
+    };
+    for (primitive, from, to, moves) in [
+        (Primitive::Box, [-1.1, 0.9], [0.9, -1.1], true),
+        (Primitive::Disc, [0.1, 0.1], [0.9, 0.1], true),
+        (Primitive::Box, [1.8, 0.5], [3.2, -0.5], true),
+        (Primitive::Box, [-1.0, 1.301], [1.0, 0.101], false),
+        // What has a hole may be about it.
+        (Primitive::Rim, [0.0, 0.0], [0.9, 0.0], false),
+    ] {
+        let mut hand = hand(primitive);
+        hand.press(scope(&seen), at(&seen, from[0], from[1]));
+        let marks = hand.marks(scope(&seen), Some(at(&seen, to[0], to[1])));
+        let deed = hand.release(scope(&seen), at(&seen, to[0], to[1]));
+        let said = deed.words.clone().unwrap_or_default();
+        assert_eq!(said.contains("beside the obstacle"), moves, "{primitive:?} {from:?}: {said}");
+        assert_eq!(drawn(&marks).1.contains("beside the obstacle"), moves, "{primitive:?}: it is said before");
+        let history = history(&seen, &[deed]);
+        let there = extent(history.world(), 0);
+        let is_round = primitive == Primitive::Disc;
+        assert_eq!(is_clear(there, is_round), primitive != Primitive::Rim, "{primitive:?}: {there:?}");
+        let middle = 0.5 * (there[0] + there[1]);
+        assert!(middle.length() < 3.5, "it is near to where it was drawn: {middle}");
+        if !moves {
+            continue;
+        }
+        // The outline is where it comes to be.
+        let top = at(&seen, middle.x, there[1].y).y;
+        let is_there = |mark: &Mark| match mark {
+            Mark::Line(_, a, b, _) => (a.y - top).abs() < 2.0 || (b.y - top).abs() < 2.0,
+            Mark::Ring(_, middle, radius) => (middle.y - radius - top).abs() < 8.0,
+            _ => false,
+        };
+        assert!(marks.iter().any(is_there), "{primitive:?}: {marks:?}");
+    }
+}

@@ -1,0 +1,145 @@
+//! What the brush paints with, beside the tools: a matter by name, or those numbers that are switched on.
+
+use egui::{Area, DragValue, Id, Rect, RichText, Slider, Ui};
+
+use super::material::{WIDTH, presets, short};
+use super::theme::{colors, floating};
+use super::{Facts, Wish};
+use crate::app::matter::{Painted, Switched};
+use crate::app::tools::{Brush, RADII};
+
+/// How fast a number changes as it is dragged, as a share of it for each point, and the number that a drag from 0 goes by.
+const SPEED: f64 = 0.01;
+const LEAST: f64 = 0.1;
+/// Width of the check boxes with their names `[points]`.
+const NAMES: f32 = 98.0;
+
+pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+    let corner = tools.right_top() + egui::vec2(8.0, 0.0);
+    let mut brush = facts.brush;
+    Area::new(Id::unique("brush")).fixed_pos(corner).show(context, |ui| {
+        floating(ui).show(ui, |ui| {
+            ui.set_width(WIDTH);
+            ui.spacing_mut().slider_width = 120.0;
+            ui.label(RichText::new("Material brush").color(colors(ui).text).strong());
+            all(ui, &mut brush);
+        });
+    });
+    if brush != facts.brush {
+        wishes.push(Wish::Brush(brush));
+    }
+}
+
+fn all(ui: &mut Ui, brush: &mut Brush) {
+    let is_named = !brush.numbers.is_any();
+    ui.label(RichText::new("drag over bodies: they become").color(colors(ui).weak));
+    if let (_, Some(preset)) = presets(ui, Some(brush.preset).filter(|_| is_named)) {
+        (brush.preset, brush.numbers) = (preset, brush.numbers.all_off());
+    }
+    let words = if is_named { brush.preset.words() } else { "what is switched on below, all else stays" };
+    ui.label(RichText::new(words).color(colors(ui).weak));
+    ui.separator();
+    ui.label(RichText::new("or get single numbers").color(colors(ui).weak));
+    let Painted { density, stiffness, damping, breaks, friction, restitution, color } = &mut brush.numbers;
+    number(ui, ("mass", " kg/m²"), density, 1e-3..=1e6);
+    number(ui, ("stiffness", " N/m"), stiffness, 0.0..=1e9);
+    number(ui, ("damping", " N s/m"), damping, 0.0..=1e9);
+    let mut percent = Switched { is_on: breaks.is_on, value: 100.0 * breaks.value };
+    number(ui, ("tears at", " %"), &mut percent, 0.1..=1000.0);
+    if percent.value != 100.0 * breaks.value {
+        breaks.value = 0.01 * percent.value;
+    }
+    breaks.is_on = percent.is_on;
+    number(ui, ("friction", ""), friction, 0.0..=10.0);
+    number(ui, ("restitution", ""), restitution, 0.0..=1.0);
+    ui.horizontal(|ui| {
+        let label = switch(ui, "colour", &mut color.is_on);
+        let words = "bodies are filled in it; a picture is tinted by it";
+        if let Some((_, chosen)) = super::color::button(ui, color.value, label, words) {
+            *color = Switched { is_on: true, value: chosen };
+        }
+    });
+    ui.separator();
+    let [least, most] = RADII;
+    ui.add(Slider::new(&mut brush.radius, least..=most).max_decimals(0).suffix(" px").text("radius"));
+}
+
+/// A number that is switched on by its check box, or by being changed.
+fn number(ui: &mut Ui, (name, unit): (&str, &str), of: &mut Switched<f64>, range: std::ops::RangeInclusive<f64>) {
+    ui.horizontal(|ui| {
+        let label = switch(ui, name, &mut of.is_on);
+        let speed = SPEED * of.value.max(LEAST);
+        let field = DragValue::new(&mut of.value).speed(speed).range(range);
+        let field = field.custom_formatter(|x, _| short(x)).suffix(unit).update_while_editing(false);
+        of.is_on |= ui.add(field).labelled_by(label).changed();
+    });
+}
+
+/// A check box with its name: all are as wide, so that fields stand below each other.
+fn switch(ui: &mut Ui, name: &str, is_on: &mut bool) -> Id {
+    let size = egui::vec2(NAMES, ui.spacing().interact_size.y);
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    let switch = ui.allocate_ui_with_layout(size, layout, |ui| {
+        ui.set_min_size(size);
+        ui.checkbox(is_on, name).id
+    });
+    switch.inner
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use egui::{Event, Pos2, Shape, vec2};
+
+    use super::super::pointer::click;
+    use super::*;
+    use crate::app::matter::Preset;
+
+    struct Screen {
+        context: egui::Context,
+        facts: Facts,
+    }
+
+    impl Screen {
+        /// A frame with events; what the brush is asked to be, it is. Returns what is written where.
+        fn frame(&mut self, events: Vec<Event>) -> Vec<(String, Pos2)> {
+            let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0)));
+            let mut wishes = Vec::new();
+            let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
+            let tools = Rect::from_min_size(Pos2::new(10.0, 80.0), vec2(50.0, 400.0));
+            let mut output = self.context.run_ui(input, |ui| show(ui.ctx(), tools, &self.facts, &mut wishes));
+            output.textures_delta.clear();
+            if let Some(Wish::Brush(brush)) = wishes.pop() {
+                self.facts.brush = brush;
+            }
+            let text = |shape: &Shape| match shape {
+                Shape::Text(text) => Some((text.galley.text().to_owned(), text.pos + 0.5 * text.galley.size())),
+                _ => None,
+            };
+            output.shapes.iter().filter_map(|clipped| text(&clipped.shape)).collect()
+        }
+
+        fn click(&mut self, text: &str) {
+            let at = self.frame(Vec::new()).into_iter().find(|(other, _)| other == text).unwrap().1;
+            click(at).into_iter().for_each(|events| _ = self.frame(events));
+            self.frame(Vec::new());
+        }
+    }
+
+    #[test]
+    fn numbers_are_switched_on_one_by_one_and_a_matter_by_name_switches_them_off() {
+        let mut screen = Screen { context: egui::Context::default(), facts: Facts::default() };
+        (0..2).for_each(|_| _ = screen.frame(Vec::new()));
+        assert_eq!(screen.facts.brush.name(), "Rubber");
+        screen.click("stiffness");
+        screen.click("friction");
+        assert_eq!(screen.facts.brush.name(), "stiffness, friction");
+        let numbers = screen.facts.brush.numbers;
+        assert!(numbers.stiffness.is_on && numbers.friction.is_on && !numbers.density.is_on && !numbers.color.is_on);
+        screen.click("stiffness");
+        assert_eq!(screen.facts.brush.name(), "friction");
+        screen.click("Steel");
+        assert_eq!((screen.facts.brush.name().as_str(), screen.facts.brush.preset), ("Steel", Preset::Steel));
+        assert!(!screen.facts.brush.numbers.is_any());
+    }
+}

@@ -1,0 +1,102 @@
+//! Obstacles that a body which is drawn would have within itself: there is no room for them, so it goes beside them.
+
+use std::f64::consts::TAU;
+
+use glam::DVec2;
+
+use crate::scene::Shape;
+use crate::sim::{Polygon, segments_pass};
+
+/// Directions in which a way is looked for, and steps along each, as far as the body and the obstacles are long together.
+const DIRECTIONS: u32 = 24;
+const STEPS: u32 = 32;
+/// Halvings of the last step to where the way ends.
+const HALVINGS: u32 = 10;
+
+/// What a body covers.
+pub(super) struct Cover {
+    triangles: Vec<[DVec2; 3]>,
+    around: [DVec2; 2],
+}
+
+impl Cover {
+    /// Of what comes; `None`: it covers nothing.
+    pub(super) fn of(shape: &Shape) -> Option<Self> {
+        let at = |corner: u32| shape.places.get(corner as usize).copied().map(DVec2::from);
+        let triangles: Vec<[DVec2; 3]> =
+            shape.triangles.iter().filter_map(|&[a, b, c]| Some([at(a)?, at(b)?, at(c)?])).collect();
+        let around = hull(triangles.iter().flatten().copied())?;
+        Some(Cover { triangles, around })
+    }
+
+    /// The obstacles of which something lies within it once it is `by` `[m]` further: what only touches it does not.
+    fn encloses<'a>(&'a self, polygons: &'a [Polygon], by: DVec2) -> impl Iterator<Item = &'a Polygon> {
+        polygons.iter().filter(move |polygon| {
+            let corners = polygon.loops.iter().flatten().map(|&corner| DVec2::from(corner) - by);
+            hull(corners).is_some_and(|there| meet(there, self.around)) && self.has(polygon, by)
+        })
+    }
+
+    fn has(&self, polygon: &Polygon, by: DVec2) -> bool {
+        let sides = polygon.loops.iter().flat_map(|corners| corners.iter().zip(corners.iter().cycle().skip(1)));
+        let mut sides = sides.map(|(&from, &to)| [from, to].map(|end| DVec2::from(end) - by));
+        sides.any(|[from, to]| {
+            let side = [from.min(to), from.max(to)];
+            meet(side, self.around)
+                && self.triangles.iter().any(|corners @ &[a, b, c]| {
+                    let around = [a.min(b).min(c), a.max(b).max(c)];
+                    let crosses =
+                        |[p, q]: [DVec2; 2]| segments_pass([from, to].map(Into::into), [p, q].map(Into::into));
+                    meet(side, around)
+                        && (is_within(corners, from) || [[a, b], [b, c], [c, a]].into_iter().any(crosses))
+                })
+        })
+    }
+
+    /// Whether it has some of them within itself.
+    pub(super) fn has_any(&self, polygons: &[Polygon], by: DVec2) -> bool {
+        self.encloses(polygons, by).next().is_some()
+    }
+
+    /// The shortest way on that is found from `from` `[m]` to where it has none of them within itself, and `is_free`.
+    pub(super) fn way_off(&self, polygons: &[Polygon], from: DVec2, is_free: impl Fn(DVec2) -> bool) -> Option<DVec2> {
+        let within = self.encloses(polygons, from).flat_map(|polygon| polygon.loops.iter().flatten());
+        let [low, high] = hull(within.map(|&corner| DVec2::from(corner)))?;
+        let step = (low.distance(high) + self.around[0].distance(self.around[1])) / f64::from(STEPS);
+        let has_room = |by: DVec2| !self.has_any(polygons, by) && is_free(by);
+        // Upwards first: of two ways that are equally long that one is taken.
+        let direction = |k: u32| DVec2::Y.rotate(DVec2::from_angle(TAU * f64::from(k) / f64::from(DIRECTIONS)));
+        for k in 1..=STEPS {
+            for direction in (0..DIRECTIONS).map(direction) {
+                let along = |far: f64| from + step * far * direction;
+                if !has_room(along(f64::from(k))) {
+                    continue;
+                }
+                let [mut short, mut far] = [f64::from(k - 1), f64::from(k)];
+                for _ in 0..HALVINGS {
+                    let middle = 0.5 * (short + far);
+                    *(if has_room(along(middle)) { &mut far } else { &mut short }) = middle;
+                }
+                return Some(along(far));
+            }
+        }
+        None
+    }
+}
+
+/// Whether a place lies in a triangle, and not on its sides.
+fn is_within(&[a, b, c]: &[DVec2; 3], at: DVec2) -> bool {
+    let least = 1e-9 * (b - a).perp_dot(c - a).abs();
+    let sides = [(b - a).perp_dot(at - a), (c - b).perp_dot(at - b), (a - c).perp_dot(at - c)];
+    sides.iter().all(|side| *side > least) || sides.iter().all(|side| *side < -least)
+}
+
+fn hull(places: impl Iterator<Item = DVec2>) -> Option<[DVec2; 2]> {
+    places.fold(None, |around: Option<[DVec2; 2]>, at| {
+        Some(around.map_or([at; 2], |[low, high]| [low.min(at), high.max(at)]))
+    })
+}
+
+fn meet([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+    a.cmplt(d).all() && c.cmplt(b).all()
+}
