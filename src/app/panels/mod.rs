@@ -71,7 +71,7 @@ pub(super) use open_from::{OpenFrom, meant};
 pub(super) use parameters::all as parameters;
 use places::Places;
 pub(super) use places::{Laid, covered, kept_in};
-pub(super) use plots::{PlotsAt, figure};
+pub(super) use plots::{PlotsAt, figure, lie as plots_lie};
 pub(super) use presses::listen;
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
 pub(super) use settings::{Setting, Settings};
@@ -344,7 +344,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     } else if has_settings {
         settings::show(&context, places.beside(settings::WIDTH), state, facts, &mut wishes);
     }
-    let (mut plotted, mut strip) = (None, None);
+    let (mut plotted, mut strip, mut column) = (None, None, None);
     if let Some(plots) = state.plots.as_mut().filter(|_| has_panels && !are_stacked) {
         if stands_upright {
             places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes).top();
@@ -360,6 +360,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     }
     if has_panels {
         let rooms = places.of_tools(plotted, all_edge);
+        column = (facts.tool == Tool::Select).then(|| rooms.right.right() - material::WHOLE - places::APART);
         palette::show(&context, &rooms, state, facts, &mut wishes);
     }
     held::show(&context, places.low(), facts);
@@ -388,7 +389,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         false => room,
     });
     let is_shared = !facts.neighbors.is_empty() && has_panels;
-    (wishes, Laid { size: places.size(all_edge, is_shared, strip), corner: places.corner(&context), free })
+    (wishes, Laid { size: places.size(all_edge, is_shared, strip), corner: places.corner(&context), column, free })
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.
