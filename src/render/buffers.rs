@@ -12,7 +12,7 @@ use super::chunks::{Chunks, LARGE, Selection, Wanted};
 use super::counters::RenderCounters;
 use super::cover::{bare_first, bars, covered, pins, scenery};
 use super::error::RenderError;
-use super::forms::{ROPE, is_rope, ropes};
+use super::forms::{in_a_row, is_rope, ropes};
 use super::gpu::Gpu;
 use super::gpu_bond::{GpuBond, PackedBond, median_rest_length};
 use super::growing::GrowingBuffer;
@@ -247,8 +247,8 @@ impl WorldBuffers {
             bars(&mut bonds, &is_pinned);
             points.retain(|point| !is_scenery[*point as usize]);
             let is_in_row = ropes(view.bonds, cover.len());
-            let in_a_row = bonds.iter_mut().zip(is_in_row).filter(|(bond, is)| *is && !is_rope(bond.form));
-            in_a_row.for_each(|(bond, _)| bond.form = ROPE);
+            let of_rows = bonds.iter_mut().zip(is_in_row).filter(|(bond, is)| *is && !is_rope(bond.form));
+            of_rows.for_each(|(bond, _)| bond.form = in_a_row(bond.form));
             self.bare = bare_first(view, &cover, &mut bonds, &mut points);
             self.covered_bond = median_rest_length(&bonds[self.bare[0] as usize..]);
         }

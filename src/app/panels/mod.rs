@@ -225,6 +225,8 @@ pub(super) struct Facts {
     pub(super) figures: Figures,
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     pub(super) pace: f64,
+    /// Greatest strain of bonds that keep their length `[1]`; `None` where there are none.
+    pub(super) stretch: Option<f64>,
     /// Time from frame to frame `[s]`.
     pub(super) frame: f64,
     pub(super) tool: Tool,

@@ -141,6 +141,7 @@ impl Session {
                 .map(|entry| [entry.description, entry.to_try]),
             figures,
             pace: if self.player.is_open() { self.pace() } else { 1.0 },
+            stretch: self.shown().stretch(),
             frame: self.frame_meter.value(),
             tool: self.hand.tool(),
             primitive: self.hand.primitive(),
