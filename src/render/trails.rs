@@ -5,6 +5,7 @@ use std::collections::{BTreeSet, VecDeque};
 use glam::DVec3;
 
 use super::view::View;
+use super::watched::watched;
 use crate::picture::Tint;
 use crate::sim::PointId;
 
@@ -52,14 +53,15 @@ impl Trails {
         count <= FEW + view.pinned.len() && view.triangles.is_empty() && view.skins.is_empty()
     }
 
-    /// At most `most` points to follow: those of `first`, one list after the other, then the free ones. Of a list that is too long every
+    /// At most `most` points to follow: those of `first`, one list after the other, then those that are looked at first, then all free ones. Of a list that is too long every
     /// second, third … of its points is followed.
     pub fn choose(view: &View<'_>, first: &[&[PointId]], most: usize) -> Vec<PointId> {
         let count = view.current.len() / view.dimensions.max(1);
         let pinned: BTreeSet<PointId> = view.pinned.iter().copied().collect();
         let free: Vec<PointId> = (0..count as u32).map(PointId).filter(|point| !pinned.contains(point)).collect();
         let mut list: Vec<PointId> = Vec::new();
-        for group in first.iter().copied().chain([&free[..]]) {
+        let watched = if free.len() > most { watched(view, &free) } else { Default::default() };
+        for group in first.iter().copied().chain(watched.iter().map(Vec::as_slice)).chain([&free[..]]) {
             let left = most.saturating_sub(list.len());
             let taken: BTreeSet<PointId> = list.iter().copied().collect();
             let group: Vec<PointId> =
