@@ -233,6 +233,7 @@ impl WorldBuffers {
         let Owns { rows, widest } = own::paint(view, &cover, &mut bonds);
         self.own.set(gpu, rows, counters)?;
         self.widest_own = widest;
+        let mut is_scenery = Vec::new();
         if bonds.len().max(points.len()) >= LARGE {
             self.covered_bond = median_rest_length(&bonds);
             self.covers_all = points.iter().all(|&point| cover[point as usize] != 0);
@@ -243,7 +244,7 @@ impl WorldBuffers {
             self.covers_all = false;
             // Lines between pins are a drawing, which has no joints to be seen.
             let is_pinned = pins(view.pinned, point_count);
-            let is_scenery = scenery(&bonds, &is_pinned);
+            is_scenery = scenery(&bonds, &is_pinned);
             bars(&mut bonds, &is_pinned);
             points.retain(|point| !is_scenery[*point as usize]);
             let is_in_row = ropes(view.bonds, cover.len());
@@ -252,9 +253,15 @@ impl WorldBuffers {
             self.bare = bare_first(view, &cover, &mut bonds, &mut points);
             self.covered_bond = median_rest_length(&bonds[self.bare[0] as usize..]);
         }
-        // Points are sized by the bonds beside them: those that are covered say nothing of others.
+        // Points are sized by the bonds beside them: those that are covered say nothing of others, and neither does a drawing.
         let bare = self.bare[0] as usize;
-        self.typical_bond = median_rest_length(if bare > 0 { &bonds[..bare] } else { &bonds[..] });
+        let beside = if bare > 0 { &bonds[..bare] } else { &bonds[..] };
+        self.typical_bond = match is_scenery.contains(&true) {
+            true => median_rest_length(
+                &beside.iter().copied().filter(|bond| !is_scenery[bond.a as usize]).collect::<Vec<_>>(),
+            ),
+            false => median_rest_length(beside),
+        };
         let packed: Vec<PackedBond> = bonds.iter().map(PackedBond::from).collect();
         self.bonds.write(gpu, bytemuck::cast_slice(&packed), counters)?;
         let is_pinned = pins(view.pinned, point_count);

@@ -86,7 +86,7 @@ pub struct View<'a> {
     pub tints: &'a [Tint],
     /// What points are coloured by, one each, where the look shows a difference `[m]`: below 0, or no number, it has none.
     pub values: Option<&'a [f32]>,
-    /// Where points have been, with the place of the colour of each among those of the look; the first lie on top.
+    /// Where points have been, with the place of the colour of each among those of the look; the first are the world's own, and lie on top.
     pub trails: Vec<(&'a Trails, usize)>,
     /// What points weigh `[kg]`, or nothing where that is not known.
     pub masses: &'a [f64],

@@ -243,7 +243,11 @@ fn choices(ui: &mut Ui, plots: &mut Plots) {
         ui.weak("click a point or bond with tool 6 to probe it");
         return;
     }
-    ui.selectable_value(&mut plots.subject, Subject::Probes, if count == 1 { "probe" } else { "probes" });
+    // An orbit is of the probes as well.
+    let is_of_probes = matches!(plots.subject, Subject::Probes | Subject::Orbit);
+    if ui.selectable_label(is_of_probes, if count == 1 { "probe" } else { "probes" }).clicked() && !is_of_probes {
+        plots.subject = Subject::Probes;
+    }
     if count == 2 {
         ui.selectable_value(&mut plots.subject, Subject::Phase, "against each other");
     }
@@ -278,7 +282,7 @@ fn legend(ui: &mut Ui, plots: &mut Plots) {
 
 /// Which quantity of the probes is plotted, and of a coordinate whether against how fast it changes.
 fn quantities(ui: &mut Ui, plots: &mut Plots) {
-    let orbit = |quantity: Quantity| format!("{}, its velocity upwards", quantity.words()[0]);
+    let orbit = |quantity: Quantity| format!("{} across, its velocity up", quantity.words()[0]);
     let is_orbit = plots.subject == Subject::Orbit;
     let shown = if is_orbit { orbit(plots.quantity) } else { plots.quantity.words()[0].to_owned() };
     let all: Vec<Quantity> = plots.quantities().collect();
