@@ -170,24 +170,23 @@ pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
         let seen = extent.into_iter().filter(|corner| corner[..2].iter().all(|x| x.is_finite()));
         seen.filter_map(|[x, y, _]| camera.screen_from_world(DVec3::new(x, y, 0.0))).collect::<Vec<_>>()
     };
-    // Points are drawn wider than they are.
-    let room = BESIDE * viewport.min_element();
-    let wider = |at: [f64; 2], by: f64| {
-        [0, 1].map(|axis| {
-            let inside = 0.0..=viewport[axis];
-            if inside.contains(&at[axis]) { (at[axis] + by).clamp(0.0, viewport[axis]) } else { at[axis] }
-        })
-    };
-    let points = on_screen(points(seen)).into_iter().flat_map(|at| [wider(at, -room), wider(at, room)]);
-    let corners: Vec<[f64; 2]> = points.chain(on_screen(surroundings(seen))).collect();
-    let (mut back, mut sides) = (1.0_f64, [None; 2]);
+    let all = [on_screen(points(seen)), on_screen(surroundings(seen))];
+    // Points are drawn wider than they are, whatever the scale is.
+    let wider = [BESIDE * viewport.min_element(), 0.0];
+    let (mut back, mut sides) = (1.0_f64, [[None; 2]; 2]);
     for axis in 0..2 {
-        let shown = corners.iter().map(|corner| corner[axis]).filter(|x| (0.0..=viewport[axis]).contains(x));
-        let [low, high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        for ((corners, wider), side) in all.iter().zip(wider).zip(&mut sides[axis]) {
+            let shown = corners.iter().map(|corner| corner[axis]).filter(|x| (0.0..=viewport[axis]).contains(x));
+            let [low, high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+            if low <= high {
+                *side = Some([low, high, wider]);
+            }
+        }
         let room = free[1][axis] - free[0][axis];
-        if low <= high && room > 0.0 {
-            back = back.max((high - low) / room);
-            sides[axis] = Some([low, high]);
+        for [_, high, above] in sides[axis].iter().flatten() {
+            for [low, _, below] in sides[axis].iter().flatten().filter(|side| above + side[2] < room) {
+                back = back.max((high - low) / (room - above - below));
+            }
         }
     }
     if !back.is_finite() {
@@ -195,8 +194,11 @@ pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
     }
     camera.zoom_at(middle.to_array(), 1.0 / back);
     let by = [0, 1].map(|axis| {
-        let Some(ends) = sides[axis] else { return 0.0 };
-        let [low, high] = ends.map(|x| middle[axis] + (x - middle[axis]) / back);
+        let ends = sides[axis].iter().flatten().map(|[low, high, wider]| {
+            let [low, high] = [low, high].map(|x| middle[axis] + (x - middle[axis]) / back);
+            [low - wider, high + wider]
+        });
+        let Some([low, high]) = ends.reduce(|[a, b], [low, high]| [a.min(low), b.max(high)]) else { return 0.0 };
         match axis == 1 && is_upright {
             true => 0.5 * (free[0][axis] + free[1][axis] - low - high),
             false => (free[0][axis] - low).max(0.0) + (free[1][axis] - high).min(0.0),

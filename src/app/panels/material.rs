@@ -17,8 +17,10 @@ use crate::app::tools::RADII;
 const WIDTH: f32 = 226.0;
 /// What its frame takes beside that, and frame and header above what is scrolled `[points]`.
 const FRAME: f32 = 18.0;
+/// Room for the bar that scrolls it, and beside it `[points]`.
+const BAR: f32 = 20.0;
 /// All of its width `[points]`.
-pub(super) const WHOLE: f32 = WIDTH + FRAME;
+pub(super) const WHOLE: f32 = WIDTH + FRAME + BAR;
 const HEAD: f32 = 50.0;
 /// Width of the names before fields `[points]`.
 const NAMES: f32 = 74.0;
@@ -56,7 +58,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
     }
     let mut sink = Sink { gesture: &mut state.gesture, wishes };
     let corner = room.right_top();
-    let is_open = corner.x - WHOLE > context.content_rect().center().x;
+    let is_open = corner.x - WIDTH - FRAME > context.content_rect().center().x;
     Area::new(Id::unique("matter")).pivot(Align2::RIGHT_TOP).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_width(WIDTH);
