@@ -112,6 +112,7 @@ mod tests {
         assert_eq!(of(&few, &mut trailing, &[], &[]).len(), 2, "of others nobody said anything");
         trailing.toggle();
         trailing.enter("");
+        assert!(of(&few, &mut trailing, &[], &[]).is_empty(), "off here still");
         trailing.toggle();
         assert_eq!(of(&few, &mut trailing, &[], &[]).len(), 2);
         trailing.enter("another scene");
