@@ -23,7 +23,7 @@ const COVERED: u32 = 4u;
 struct Bond {
     a: u32,
     b: u32,
-    // [m]
+    // [m]; below 0 that of a rope that keeps it, and of a bar, which has none.
     rest_length: f32,
     kind: u32,
     // What it has of its body's own.
@@ -55,11 +55,26 @@ const STRUT: u32 = 6u;
 const MUSCLE: u32 = 7u;
 const FLESH: vec3<f32> = vec3(0.91, 0.42, 0.42);
 
+// From this strain on what keeps its length is seen to be stretched, and from that one on it has all of the colour.
+const STRETCHED: vec2<f32> = vec2(0.005, 0.05);
+
+fn is_rope(bond: Bond) -> bool {
+    return bond.kind == ROPE || bond.kind == STRING;
+}
+
 fn strain_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
-    if bond.rest_length > 0.0 {
-        return distance(a, b) / bond.rest_length - 1.0;
+    let rest_length = select(bond.rest_length, abs(bond.rest_length), is_rope(bond));
+    if rest_length > 0.0 {
+        return distance(a, b) / rest_length - 1.0;
     }
     return 0.0;
+}
+
+// A colour of what keeps its length, such as rods: that of the largest strain where it is stretched all the same. Plain strokes stay plain.
+fn stretched(bond: Bond, color: vec4<f32>, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
+    let is_rigid = is_set(frame.coil_length, a.x) && (bond.kind == ROD || (is_rope(bond) && bond.rest_length < 0.0));
+    let share = select(0.0, smoothstep(STRETCHED.x, STRETCHED.y, strain_of(bond, a, b)), is_rigid);
+    return vec4(mix(color.rgb, frame.strain_colors[8].rgb, share), color.a);
 }
 
 // How wide a bond is of its own, between points there [px]; 0: as is usual.
@@ -70,10 +85,6 @@ fn own_width(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
     let to_x = vec3(frame.clip_from_world[0].x, frame.clip_from_world[1].x, frame.clip_from_world[2].x);
     let depth = (frame.clip_from_world * vec4(0.5 * (a + b), 1.0)).w;
     return bitcast<f32>(own[bond.a].y) * length(to_x) * 0.5 * frame.viewport.x / max(depth, 1e-6);
-}
-
-fn is_rope(bond: Bond) -> bool {
-    return bond.kind == ROPE || bond.kind == STRING;
 }
 
 fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
@@ -93,12 +104,12 @@ fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
         return vec4(FLESH, frame.bond_color.a);
     }
     if (bond.own & OF_COLOR) != 0u && ((bond.own & COVERED) == 0u || !is_set(frame.fill_opacity, a.x)) {
-        return vec4(unpack4x8unorm(own[bond.a].x).rgb, frame.bond_color.a);
+        return stretched(bond, vec4(unpack4x8unorm(own[bond.a].x).rgb, frame.bond_color.a), a, b);
     }
     if is_rope(bond) && is_set(frame.coil_length, a.x) {
-        return frame.rope_color;
+        return stretched(bond, frame.rope_color, a, b);
     }
-    return frame.bond_color;
+    return stretched(bond, frame.bond_color, a, b);
 }
 
 // A stroke with what it is of a bond.
@@ -248,8 +259,8 @@ fn dot_vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk:
         if MAPS {
             color += tint_of(other, position_of(other.a), position_of(other.b));
         } else {
-            // Where it is says nothing of its colour.
-            color += tint_of(other, a, b);
+            // It is not looked for where it is: of no length it is not stretched.
+            color += tint_of(other, a, a);
         }
     }
     return disc(index % 3u, middle, color / f32(MIXED), frame.dot_radius);

@@ -26,7 +26,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 13] = [
         &["sim", "body", "picture", "scene", "output"],
         &["base64", "flate2", "serde", "serde_json", "serde_path_to_error", "schemars", "libm"],
     ),
-    ("lessons", &["sim", "scene"], &["serde", "serde_json"]),
+    ("lessons", &["sim", "scene"], &["serde", "serde_json", "libm"]),
     (
         "study",
         &["sim", "equilibrium", "search", "body", "scene", "history", "output"],
@@ -43,6 +43,7 @@ const ROOMS: [(&str, &[&str], &[&str]); 13] = [
             "egui_wgpu",
             "egui_winit",
             "rfd",
+            "strsim",
             "arboard",
             "pollster",
             "image",

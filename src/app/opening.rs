@@ -15,6 +15,9 @@ const OUTER: f64 = 1.09;
 /// The same in a picture of space, beside all of it, as a share of its lesser side `[1]`.
 const BORDER: f64 = 0.03;
 
+/// Room between points and what lies over the picture, as a share of its lesser side `[1]`: pins are as wide.
+const BESIDE: f64 = 0.02;
+
 /// Least width of what is seen of a scene, in its heights `[1]`.
 const SLIMMEST: f64 = 0.75;
 
@@ -33,11 +36,11 @@ pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
 }
 
 /// The same, drawn back and moved so that what it shows lies where nothing lies over it: in the free part of its picture, and below what lies in
-/// its upper right corner, whose left lower corner is `corner` `[px]`.
-pub fn opened(scene: &Scene, seen: &View<'_>, size: [u32; 2], (free, corner): (Free, Option<[f64; 2]>)) -> Camera {
+/// its upper right corner.
+pub fn opened(scene: &Scene, seen: &View<'_>, size: [u32; 2], (free, over): (Free, Over)) -> Camera {
     let opened = camera(scene, seen, size);
     match opened.pose {
-        Pose::Plane { .. } => beside_corner(|free| clear(opened, seen, free), seen, free, corner),
+        Pose::Plane { .. } => beside_all(|free| clear(opened, seen, free), seen, (free, over)),
         Pose::Orbit { .. } => whole(opened, seen, free),
     }
 }
@@ -148,26 +151,42 @@ pub fn fit(view: &View<'_>, with_walls: bool, size: [u32; 2]) -> Camera {
 /// What of a picture nothing lies over `[px]`: its left upper and its right lower corner.
 pub type Free = [[f64; 2]; 2];
 
+/// What lies over the free part of a picture where it may: bodies make way for it if it hides them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Over {
+    /// The left lower corner of what lies in the upper right one `[px]`.
+    pub corner: Option<[f64; 2]>,
+    /// Where what belongs to a tool begins at the right edge, however low it reaches `[px]`.
+    pub column: Option<f64>,
+}
+
 /// The camera drawn back and moved as little as it takes that all sides of points and walls which it shows lie in the free part of its
 /// picture, in one higher than wide in the middle of its height; in space as it is.
 pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
     let Pose::Plane { .. } = camera.pose else { return camera };
     let viewport = DVec2::from(camera.viewport().map(f64::from));
     let (middle, is_upright) = (0.5 * viewport, viewport.y > viewport.x);
-    let corners: Vec<[f64; 2]> = [points(seen), surroundings(seen)]
-        .into_iter()
-        .flatten()
-        .filter(|corner| corner[..2].iter().all(|x| x.is_finite()))
-        .filter_map(|[x, y, _]| camera.screen_from_world(DVec3::new(x, y, 0.0)))
-        .collect();
-    let (mut back, mut sides) = (1.0_f64, [None; 2]);
+    let on_screen = |extent: [[f64; 3]; 2]| {
+        let seen = extent.into_iter().filter(|corner| corner[..2].iter().all(|x| x.is_finite()));
+        seen.filter_map(|[x, y, _]| camera.screen_from_world(DVec3::new(x, y, 0.0))).collect::<Vec<_>>()
+    };
+    let all = [on_screen(points(seen)), on_screen(surroundings(seen))];
+    // Points are drawn wider than they are, whatever the scale is.
+    let wider = [BESIDE * viewport.min_element(), 0.0];
+    let (mut back, mut sides) = (1.0_f64, [[None; 2]; 2]);
     for axis in 0..2 {
-        let shown = corners.iter().map(|corner| corner[axis]).filter(|x| (0.0..=viewport[axis]).contains(x));
-        let [low, high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+        for ((corners, wider), side) in all.iter().zip(wider).zip(&mut sides[axis]) {
+            let shown = corners.iter().map(|corner| corner[axis]).filter(|x| (0.0..=viewport[axis]).contains(x));
+            let [low, high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
+            if low <= high {
+                *side = Some([low, high, wider]);
+            }
+        }
         let room = free[1][axis] - free[0][axis];
-        if low <= high && room > 0.0 {
-            back = back.max((high - low) / room);
-            sides[axis] = Some([low, high]);
+        for [_, high, above] in sides[axis].iter().flatten() {
+            for [low, _, below] in sides[axis].iter().flatten().filter(|side| above + side[2] < room) {
+                back = back.max((high - low) / (room - above - below));
+            }
         }
     }
     if !back.is_finite() {
@@ -175,8 +194,11 @@ pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
     }
     camera.zoom_at(middle.to_array(), 1.0 / back);
     let by = [0, 1].map(|axis| {
-        let Some(ends) = sides[axis] else { return 0.0 };
-        let [low, high] = ends.map(|x| middle[axis] + (x - middle[axis]) / back);
+        let ends = sides[axis].iter().flatten().map(|[low, high, wider]| {
+            let [low, high] = [low, high].map(|x| middle[axis] + (x - middle[axis]) / back);
+            [low - wider, high + wider]
+        });
+        let Some([low, high]) = ends.reduce(|[a, b], [low, high]| [a.min(low), b.max(high)]) else { return 0.0 };
         match axis == 1 && is_upright {
             true => 0.5 * (free[0][axis] + free[1][axis] - low - high),
             false => (free[0][axis] - low).max(0.0) + (free[1][axis] - high).min(0.0),
@@ -240,17 +262,34 @@ fn on_screen(camera: &Camera, seen: &View<'_>) -> [[f64; 2]; 2] {
     })
 }
 
+/// What `look` makes of the free part of a picture: where points lie below what belongs to a tool at the right edge, of the part left of that;
+/// where they lie below what is in the upper right corner, of the part below that.
+pub fn beside_all(look: impl Fn(Free) -> Camera, seen: &View<'_>, (free, over): (Free, Over)) -> Camera {
+    let camera = beside_corner(&look, seen, free, over.corner);
+    let Some(left) = over.column.filter(|left| *left > 0.5 * (free[0][0] + free[1][0])) else { return camera };
+    let Pose::Plane { .. } = camera.pose else { return camera };
+    let hides = |[x, y]: [f64; 2]| (left..free[1][0]).contains(&x) && (free[0][1]..free[1][1]).contains(&y);
+    if !places(seen).any(|place| camera.screen_from_world(place).is_some_and(hides)) {
+        return camera;
+    }
+    beside_corner(look, seen, [free[0], [left, free[1][1]]], over.corner.filter(|corner| corner[0] < left))
+}
+
+/// Where the points of a plane are.
+fn places<'a>(seen: &'a View<'_>) -> impl Iterator<Item = DVec3> + use<'a> {
+    let x = seen.current;
+    (0..x.len() / 2).map(move |point| DVec3::new(x.get(2 * point), x.get(2 * point + 1), 0.0))
+}
+
 /// What `look` makes of the free part of a picture: where points lie in its upper right corner, whose left lower corner `[px]` is `corner`,
 /// of the part below that.
-pub fn beside_corner(look: impl Fn(Free) -> Camera, seen: &View<'_>, free: Free, corner: Option<[f64; 2]>) -> Camera {
+fn beside_corner(look: impl Fn(Free) -> Camera, seen: &View<'_>, free: Free, corner: Option<[f64; 2]>) -> Camera {
     let camera = look(free);
     let Some([left, below]) = corner.filter(|corner| corner[1] > free[0][1]) else { return camera };
     let Pose::Plane { .. } = camera.pose else { return camera };
     let hides = |[x, y]: [f64; 2]| (left..free[1][0]).contains(&x) && (0.0..below).contains(&y);
-    let x = seen.current;
-    let mut places = (0..x.len() / 2).map(|point| DVec3::new(x.get(2 * point), x.get(2 * point + 1), 0.0));
     let has_room = below < 0.5 * (free[0][1] + free[1][1]);
-    match has_room && places.any(|place| camera.screen_from_world(place).is_some_and(hides)) {
+    match has_room && places(seen).any(|place| camera.screen_from_world(place).is_some_and(hides)) {
         true => look([[free[0][0], below], free[1]]),
         false => camera,
     }
@@ -422,7 +461,7 @@ mod tests {
             );
         }
         let free = [[76.0, 60.0], [870.0, 650.0]];
-        let [low, high] = on_screen(&opened(&scene, &view, [1280, 676], (free, None)), &view);
+        let [low, high] = on_screen(&opened(&scene, &view, [1280, 676], (free, Over::default())), &view);
         assert!(
             (0..2).all(|axis| low[axis] > free[0][axis] - 1.0 && high[axis] < free[1][axis] + 1.0),
             "{low:?} {high:?}"
@@ -445,6 +484,26 @@ mod tests {
             assert_eq!(before[0] > corner[0] && before[1] < corner[1], is_hidden, "{before:?}");
             let after = at(beside_corner(look, &view, free, Some(corner)));
             assert_eq!(after[1] >= corner[1] - 0.1, is_hidden, "{after:?}");
+        }
+    }
+
+    #[test]
+    fn points_do_not_lie_below_what_belongs_to_a_tool_nor_at_an_edge() {
+        let text = |x: f64| format!(r#"{{"wobble": 1, "points": {{"position": [[-4, -3], [{x}, -3]]}}}}"#);
+        let (size, free) = ([1000, 600], [[80.0, 60.0], [990.0, 570.0]]);
+        let over = Over { corner: None, column: Some(740.0) };
+        for (x, is_hidden) in [(5.0, true), (-1.0, false)] {
+            let scene = Scene::parse(&text(x), "x.json").unwrap();
+            let world = scene.world(None).unwrap();
+            let view = View::of(&*world);
+            let opened = Camera::new(Pose::Plane { center: DVec2::new(1.0, 0.3), height: 7.6 }, size);
+            let look = |free: Free| clear(opened, &view, free);
+            let at = |camera: &Camera, x: f64| camera.screen_from_world(DVec3::new(x, -3.0, 0.0)).unwrap();
+            let (before, after) = (look(free), beside_all(look, &view, (free, over)));
+            assert_eq!(at(&before, x)[0] > 740.0, is_hidden);
+            assert!(at(&after, x)[0] < 740.0 - 11.0 && at(&after, -4.0)[0] > 80.0 + 11.0);
+            assert!(at(&after, x)[1] < 570.0 - 11.0, "a pin at the lower edge is seen whole");
+            assert_eq!(after.pose != before.pose, is_hidden, "nothing moves where nothing is hidden");
         }
     }
 

@@ -1,5 +1,7 @@
 //! Which points of the world have trails, and for how long.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use crate::render::{Trails, View};
@@ -38,8 +40,9 @@ impl TrailSettings {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Trailing {
     pub(super) settings: TrailSettings,
-    /// Whether there are any; `None`: where points are few.
-    wanted: Option<bool>,
+    /// The scene that is open, and whether there are any in scenes where somebody said so; in others there are where points are few.
+    scene: String,
+    wanted: BTreeMap<String, bool>,
     /// There are some now.
     is_on: bool,
     /// What the points were chosen by last, and the points.
@@ -53,14 +56,19 @@ impl Trailing {
         self.is_on
     }
 
-    /// On or off from now on, in other scenes too.
+    /// On or off from now on in the scene that is open.
     pub(super) fn toggle(&mut self) {
-        self.wanted = Some(!self.is_on);
+        self.wanted.insert(self.scene.clone(), !self.is_on);
     }
 
-    /// The points to follow: those that are probed, then those that are selected, then others that are free.
+    /// Another scene is open, of this name: it has trails if it had some.
+    pub(super) fn enter(&mut self, scene: &str) {
+        scene.clone_into(&mut self.scene);
+    }
+
+    /// The points to follow: those that are probed, then those that are selected, then what is looked at first, then others that are free.
     pub(super) fn follow(&mut self, view: &View<'_>, probed: Vec<PointId>, selected: &[PointId]) -> &[PointId] {
-        self.is_on = self.wanted.unwrap_or_else(|| Trails::suit(view));
+        self.is_on = self.wanted.get(&self.scene).copied().unwrap_or_else(|| Trails::suit(view));
         if !self.is_on {
             (self.by.1, self.followed) = (0, Vec::new());
             return &self.followed;
@@ -99,6 +107,15 @@ mod tests {
         trailing.settings.most = 2;
         assert_eq!(of(&many, &mut trailing, &[150], &[3, 4]), [150, 3], "at once");
         trailing.toggle();
-        assert!(of(&few, &mut trailing, &[], &[]).is_empty(), "off in other scenes too");
+        assert!(of(&few, &mut trailing, &[], &[]).is_empty(), "off where they would be on");
+        trailing.enter("another scene");
+        assert_eq!(of(&few, &mut trailing, &[], &[]).len(), 2, "of others nobody said anything");
+        trailing.toggle();
+        trailing.enter("");
+        assert!(of(&few, &mut trailing, &[], &[]).is_empty(), "off here still");
+        trailing.toggle();
+        assert_eq!(of(&few, &mut trailing, &[], &[]).len(), 2);
+        trailing.enter("another scene");
+        assert!(of(&few, &mut trailing, &[], &[]).is_empty(), "as it was left");
     }
 }

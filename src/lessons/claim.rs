@@ -86,6 +86,21 @@ pub enum Measure {
         /// `[s]`
         time: f64,
     },
+    /// The least angle at the second point, from the first to the third, anticlockwise from 0 to 360, until a time, looked at as often
+    /// `[degrees]`; in the plane.
+    LeastAngle {
+        /// The points.
+        points: [usize; 3],
+        /// `[s]`
+        time: f64,
+    },
+    /// The greatest of those `[degrees]`.
+    GreatestAngle {
+        /// The points.
+        points: [usize; 3],
+        /// `[s]`
+        time: f64,
+    },
 }
 
 impl Claim {
@@ -128,7 +143,13 @@ impl Measure {
                 Ok(distance(last.velocity[point], [0.0; 3]))
             }
             Measure::Strain { time } => Ok(ends(scene, time)?[1].max_strain),
-            Measure::PeakStrain { time } => peak_strain(scene, time),
+            Measure::PeakStrain { time } => frames(scene, time, |sample| Ok(sample.max_strain), (0.0, f64::max)),
+            Measure::LeastAngle { points, time } => {
+                frames(scene, time, |sample| angle(sample, points), (f64::INFINITY, f64::min))
+            }
+            Measure::GreatestAngle { points, time } => {
+                frames(scene, time, |sample| angle(sample, points), (0.0, f64::max))
+            }
         }
     }
 }
@@ -167,10 +188,23 @@ fn energy_span(scene: &Scene, time: f64) -> Result<f64, LessonError> {
     Ok((most - least) / first.abs())
 }
 
-fn peak_strain(scene: &Scene, time: f64) -> Result<f64, LessonError> {
+/// The outcome of a measure once a frame until a time, as two of them are put together, from a first one on.
+fn frames(
+    scene: &Scene,
+    time: f64,
+    measure: impl Fn(&Sample) -> Result<f64, LessonError>,
+    (first, both): (f64, fn(f64, f64) -> f64),
+) -> Result<f64, LessonError> {
     let mut world = scene.world(scene.duration)?;
-    let frames = (time / LOOK).round() as u32;
-    (1..=frames).try_fold(0.0_f64, |peak, frame| Ok(peak.max(at(&mut *world, f64::from(frame) * LOOK)?.max_strain)))
+    let count = (time / LOOK).round() as u32;
+    (1..=count).try_fold(first, |so_far, frame| Ok(both(so_far, measure(&at(&mut *world, f64::from(frame) * LOOK)?)?)))
+}
+
+/// The angle at the second of three points, from the first to the third, anticlockwise from 0 to 360 `[degrees]`.
+fn angle(sample: &Sample, points: [usize; 3]) -> Result<f64, LessonError> {
+    let [a, b, c] = [place(sample, points[0])?, place(sample, points[1])?, place(sample, points[2])?];
+    let ([ax, ay], [cx, cy]) = ([a[0] - b[0], a[1] - b[1]], [c[0] - b[0], c[1] - b[1]]);
+    Ok(libm::atan2(ax * cy - ay * cx, ax * cx + ay * cy).to_degrees().rem_euclid(360.0))
 }
 
 /// How far a point is from where a finer motion has it `[m]`.

@@ -12,7 +12,7 @@ use super::chunks::{Chunks, LARGE, Selection, Wanted};
 use super::counters::RenderCounters;
 use super::cover::{bare_first, bars, covered, pins, scenery};
 use super::error::RenderError;
-use super::forms::{ROPE, is_rope, ropes};
+use super::forms::{in_a_row, is_rope, ropes};
 use super::gpu::Gpu;
 use super::gpu_bond::{GpuBond, PackedBond, median_rest_length};
 use super::growing::GrowingBuffer;
@@ -233,6 +233,7 @@ impl WorldBuffers {
         let Owns { rows, widest } = own::paint(view, &cover, &mut bonds);
         self.own.set(gpu, rows, counters)?;
         self.widest_own = widest;
+        let mut is_scenery = Vec::new();
         if bonds.len().max(points.len()) >= LARGE {
             self.covered_bond = median_rest_length(&bonds);
             self.covers_all = points.iter().all(|&point| cover[point as usize] != 0);
@@ -243,18 +244,24 @@ impl WorldBuffers {
             self.covers_all = false;
             // Lines between pins are a drawing, which has no joints to be seen.
             let is_pinned = pins(view.pinned, point_count);
-            let is_scenery = scenery(&bonds, &is_pinned);
+            is_scenery = scenery(&bonds, &is_pinned);
             bars(&mut bonds, &is_pinned);
             points.retain(|point| !is_scenery[*point as usize]);
             let is_in_row = ropes(view.bonds, cover.len());
-            let in_a_row = bonds.iter_mut().zip(is_in_row).filter(|(bond, is)| *is && !is_rope(bond.form));
-            in_a_row.for_each(|(bond, _)| bond.form = ROPE);
+            let of_rows = bonds.iter_mut().zip(is_in_row).filter(|(bond, is)| *is && !is_rope(bond.form));
+            of_rows.for_each(|(bond, _)| bond.form = in_a_row(bond.form));
             self.bare = bare_first(view, &cover, &mut bonds, &mut points);
             self.covered_bond = median_rest_length(&bonds[self.bare[0] as usize..]);
         }
-        // Points are sized by the bonds beside them: those that are covered say nothing of others.
+        // Points are sized by the bonds beside them: those that are covered say nothing of others, and neither does a drawing.
         let bare = self.bare[0] as usize;
-        self.typical_bond = median_rest_length(if bare > 0 { &bonds[..bare] } else { &bonds[..] });
+        let beside = if bare > 0 { &bonds[..bare] } else { &bonds[..] };
+        self.typical_bond = match is_scenery.contains(&true) {
+            true => median_rest_length(
+                &beside.iter().copied().filter(|bond| !is_scenery[bond.a as usize]).collect::<Vec<_>>(),
+            ),
+            false => median_rest_length(beside),
+        };
         let packed: Vec<PackedBond> = bonds.iter().map(PackedBond::from).collect();
         self.bonds.write(gpu, bytemuck::cast_slice(&packed), counters)?;
         let is_pinned = pins(view.pinned, point_count);

@@ -6,7 +6,7 @@ use crate::sim::{Bond, BondKind, Bonds, Limit};
 /// strut act on one side only, as a rope and a rod that show no strain on the other.
 pub(super) const ROD: u32 = 1;
 const COIL: u32 = 2;
-pub(super) const ROPE: u32 = 3;
+const ROPE: u32 = 3;
 const RELAXED: u32 = 4;
 const STRING: u32 = 5;
 const STRUT: u32 = 6;
@@ -14,6 +14,10 @@ pub(super) const MUSCLE: u32 = 7;
 /// Between pins on which something hangs: drawn as a rod as thick as any, which has no length at rest, also over what
 /// covers other bonds.
 pub(super) const BAR: u32 = 8;
+
+/// A rope, and a string, that keep their length: drawn as others, and coloured where they are stretched all the same.
+pub(super) const RIGID_ROPE: u32 = 9;
+pub(super) const RIGID_STRING: u32 = 10;
 
 /// Bonds in a row, without a branch, from which on they are a rope.
 const ROPE_FROM: usize = 6;
@@ -24,6 +28,7 @@ pub(super) fn form(bond: &Bond) -> u32 {
         return MUSCLE;
     }
     match (bond.limit, bond.kind) {
+        (Limit::Max, BondKind::Rigid) => RIGID_STRING,
         (Limit::Max, _) => STRING,
         (Limit::Min, _) => STRUT,
         (_, BondKind::Rigid) => ROD,
@@ -34,15 +39,30 @@ pub(super) fn form(bond: &Bond) -> u32 {
 
 /// Whether a form is drawn as a rope.
 pub(super) fn is_rope(form: u32) -> bool {
-    matches!(form, ROPE | STRING)
+    matches!(form, ROPE | STRING | RIGID_ROPE | RIGID_STRING)
 }
 
 /// A strain, as a bond of a form acts against it `[1]`.
 pub(super) fn acting(form: u32, strain: f32) -> f32 {
     match form {
-        STRING => strain.max(0.0),
+        STRING | RIGID_STRING => strain.max(0.0),
         STRUT => strain.min(0.0),
         _ => strain,
+    }
+}
+
+/// What a bond of a form is drawn as where it is of a rope.
+pub(super) fn in_a_row(form: u32) -> u32 {
+    if form == ROD { RIGID_ROPE } else { ROPE }
+}
+
+/// A form as the shader knows it, and a length at rest `[m]`: below 0 of ropes that keep theirs, and of a bar, which has none.
+pub(super) fn packed(form: u32, rest_length: f32) -> (u32, f32) {
+    match form {
+        BAR => (ROD, -1.0),
+        RIGID_ROPE => (ROPE, -rest_length.abs()),
+        RIGID_STRING => (STRING, -rest_length.abs()),
+        form => (form, rest_length),
     }
 }
 

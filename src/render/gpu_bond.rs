@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-use super::forms::{BAR, ROD, form};
+use super::forms::{form, packed};
 use crate::sim::Bond;
 
 /// A bond as it is drawn.
@@ -40,7 +40,7 @@ const FORM: u32 = 29;
 
 impl From<&GpuBond> for PackedBond {
     fn from(&GpuBond { a, b, rest_length, form, own }: &GpuBond) -> Self {
-        let (form, rest_length) = if form == BAR { (ROD, -1.0) } else { (form, rest_length) };
+        let (form, rest_length) = packed(form, rest_length);
         let [a, b] = [(a, own), (b, form)].map(|(end, upper)| end & ((1 << FORM) - 1) | upper << FORM);
         PackedBond { a, b, rest_length }
     }

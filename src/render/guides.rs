@@ -55,8 +55,11 @@ pub(super) fn guides(
         let color = if k < RIM { [red, green, blue, PATCH_RIM * opacity] } else { look.axis };
         list.push(guide(a - origin, b - origin, look.scale_factor, color));
     }
-    let stretches = view.trails.iter().rev().flat_map(|(trails, color)| {
-        trails.stretches(view).into_iter().map(move |stretch| (stretch, look.trails[color % look.trails.len()]))
+    let stretches = view.trails.iter().enumerate().rev().flat_map(|(place, (trails, color))| {
+        trails
+            .stretches(view, place == 0)
+            .into_iter()
+            .map(move |stretch| (stretch, look.trails[color % look.trails.len()]))
     });
     for (([a, b], fresh), [red, green, blue, opacity]) in stretches {
         let color = [red, green, blue, opacity * (fresh * fresh) as f32];

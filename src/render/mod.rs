@@ -36,6 +36,7 @@ mod tiles;
 mod trails;
 mod veil;
 pub mod view;
+mod watched;
 
 pub use camera::{Camera, Pose};
 pub use capture::Capture;

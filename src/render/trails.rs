@@ -5,6 +5,7 @@ use std::collections::{BTreeSet, VecDeque};
 use glam::DVec3;
 
 use super::view::View;
+use super::watched::watched;
 use crate::picture::Tint;
 use crate::sim::PointId;
 
@@ -52,14 +53,15 @@ impl Trails {
         count <= FEW + view.pinned.len() && view.triangles.is_empty() && view.skins.is_empty()
     }
 
-    /// At most `most` points to follow: those of `first`, one list after the other, then the free ones. Of a list that is too long every
+    /// At most `most` points to follow: those of `first`, one list after the other, then those that are looked at first, then all free ones. Of a list that is too long every
     /// second, third … of its points is followed.
     pub fn choose(view: &View<'_>, first: &[&[PointId]], most: usize) -> Vec<PointId> {
         let count = view.current.len() / view.dimensions.max(1);
         let pinned: BTreeSet<PointId> = view.pinned.iter().copied().collect();
         let free: Vec<PointId> = (0..count as u32).map(PointId).filter(|point| !pinned.contains(point)).collect();
         let mut list: Vec<PointId> = Vec::new();
-        for group in first.iter().copied().chain([&free[..]]) {
+        let watched = if free.len() > most { watched(view, &free) } else { Default::default() };
+        for group in first.iter().copied().chain(watched.iter().map(Vec::as_slice)).chain([&free[..]]) {
             let left = most.saturating_sub(list.len());
             let taken: BTreeSet<PointId> = list.iter().copied().collect();
             let group: Vec<PointId> =
@@ -101,9 +103,10 @@ impl Trails {
         }
     }
 
-    /// Stretches of the trails up to where points are now: their ends `[m]`, and how fresh they are, 0 to 1. Points that are gone, which
-    /// have no place, have none, and neither have hidden ones.
-    pub(super) fn stretches(&self, view: &View<'_>) -> Vec<([DVec3; 2], f64)> {
+    /// Stretches of the trails: their ends `[m]`, and how fresh they are, 0 to 1. Those that are the view's own lead up to where its points
+    /// are now; those of another world, which are compared there, end where its points were noted last. Points that are gone, which have no
+    /// place, have none, and neither have hidden ones.
+    pub(super) fn stretches(&self, view: &View<'_>, is_own: bool) -> Vec<([DVec3; 2], f64)> {
         let mut list = Vec::new();
         for Line { point, past } in &self.lines {
             let now = place(view, *point);
@@ -111,7 +114,7 @@ impl Trails {
                 continue;
             }
             let places = past.iter().map(|(_, place)| *place);
-            let pairs = places.clone().zip(places.skip(1).chain([now])).zip(1..);
+            let pairs = places.clone().zip(places.skip(1).chain(is_own.then_some(now))).zip(1..);
             let all = pairs.map(|((a, b), count)| ([a, b], f64::from(count) / past.len() as f64));
             list.extend(all.filter(|([a, b], _)| a != b && a.is_finite() && b.is_finite()));
         }
@@ -158,11 +161,13 @@ mod tests {
             trails.note(time, &view(&bonds, x), &first);
         }
         let now = [3.5, 5.0];
-        let ends: Vec<f64> = trails.stretches(&view(&bonds, &now)).iter().map(|(ends, _)| ends[1].x).collect();
+        let ends: Vec<f64> = trails.stretches(&view(&bonds, &now), true).iter().map(|(ends, _)| ends[1].x).collect();
         assert_eq!(ends, [3.0, 3.5], "what is older has faded");
+        let foreign = trails.stretches(&view(&bonds, &now), false);
+        assert_eq!(foreign.last().map(|(ends, _)| ends[1].x), Some(3.0), "no line leads to where another world has it");
         let gone = [f64::NAN, f64::NAN];
-        assert!(trails.stretches(&view(&bonds, &gone)).is_empty(), "the trail of a point goes with it");
-        assert!(trails.stretches(&view(&bonds, &[])).is_empty(), "or it is not there at all");
+        assert!(trails.stretches(&view(&bonds, &gone), true).is_empty(), "the trail of a point goes with it");
+        assert!(trails.stretches(&view(&bonds, &[]), true).is_empty(), "or it is not there at all");
         trails.note(2.5, &view(&bonds, &[2.5, 5.0]), &first);
         assert_eq!(trails.lines[0].past.len(), 2, "2 and 2.5");
         trails.note(4.0, &view(&bonds, &[0.0; 40]), &[]);
@@ -176,7 +181,7 @@ mod tests {
         trails.note(0.0, &view(&bonds, &[0.0, 0.0, 7.0, 0.0]), &points(&[1]));
         trails.note(1.0, &view(&bonds, &[1.0, 0.0, 8.0, 0.0]), &points(&[0, 1]));
         let now = [2.0, 0.0, 9.0, 0.0];
-        let starts: Vec<f64> = trails.stretches(&view(&bonds, &now)).iter().map(|(ends, _)| ends[0].x).collect();
+        let starts: Vec<f64> = trails.stretches(&view(&bonds, &now), true).iter().map(|(ends, _)| ends[0].x).collect();
         assert_eq!(starts, [1.0, 7.0, 8.0]);
     }
 

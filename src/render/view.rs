@@ -86,8 +86,10 @@ pub struct View<'a> {
     pub tints: &'a [Tint],
     /// What points are coloured by, one each, where the look shows a difference `[m]`: below 0, or no number, it has none.
     pub values: Option<&'a [f32]>,
-    /// Where points have been, with the place of the colour of each among those of the look; the first lie on top.
+    /// Where points have been, with the place of the colour of each among those of the look; the first are the world's own, and lie on top.
     pub trails: Vec<(&'a Trails, usize)>,
+    /// What points weigh `[kg]`, or nothing where that is not known.
+    pub masses: &'a [f64],
     /// The points that never move.
     pub pinned: &'a [PointId],
     /// Corners of the walls (z = 0 in the plane).
@@ -127,6 +129,7 @@ impl<'a> View<'a> {
             tints: &[],
             values: None,
             trails: Vec::new(),
+            masses: &[],
             pinned: &[],
             bounds: None,
             planes: Vec::new(),
@@ -154,6 +157,7 @@ impl<'a> View<'a> {
             tints: &[],
             values: None,
             trails: Vec::new(),
+            masses: world.masses(),
             pinned: world.pinned(),
             bounds: world.bounds(),
             planes: world.planes(),

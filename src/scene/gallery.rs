@@ -288,7 +288,7 @@ static GALLERY: [Entry; 53] = [
         2,
         "Euler's circle",
         "Explicit Euler with steps of 0.1 s on a circle: it spirals out, by a factor of sqrt(1 + h^2) a step.",
-        "R, and follow all three: after a turn it is 1.37 m from the middle instead of 1 m; throw one point, and all are thrown."
+        "R, and follow all three: after a turn it is 1.37 m from the middle instead of 1 m; throw one point, and all are thrown: led 1 m to the right in 0.4 s it is 2.73 m from the middle 1.6 s later."
     ),
     entry!(
         "slide-decay",
@@ -365,7 +365,7 @@ static GALLERY: [Entry; 53] = [
         392,
         "Pebbles",
         "The same stone twice, once firm and once soft as dough.",
-        "R, and stop at 0.7 s: the soft stone lands 0.19 m flatter, the firm one keeps its 1.32 m. Throw one at the other."
+        "R, and stop at 0.7 s: the soft stone lands 0.19 m flatter, the firm one keeps its 1.32 m. Throw the soft one to the left: 0.7 s after half a second of that it is 1.4 m further."
     ),
     entry!(
         "picture-obstacle",

@@ -21,6 +21,7 @@ pub mod frames;
 mod free_place;
 mod gallery;
 mod keys;
+mod keywords;
 mod locate;
 mod material;
 mod model;
@@ -55,6 +56,7 @@ pub use keys::{
     StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
+pub use keywords::{keywords, topic_place};
 pub(crate) use nearest::nearest;
 pub(crate) use of_picture::MOST_MEETING;
 pub use of_picture::Matter;

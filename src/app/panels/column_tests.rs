@@ -10,7 +10,7 @@ use super::lessons::At;
 use super::{Facts, Laid, Neighbor, PanelState, TOOLS, places, show, theme};
 use crate::app::action::Tool;
 use crate::app::matter::Matter;
-use crate::app::opening;
+use crate::app::opening::{self, Over};
 use crate::app::plots::Plots;
 use crate::lessons::{Show, Step, lessons};
 use crate::render::{Overlay, Tiles, View};
@@ -99,7 +99,7 @@ fn wrong(at: At, step: &Step, scene: &Scene, tool: Tool) -> Vec<String> {
     }
     let pane = tiles.pane(area);
     let free_here = opening::free_of_pane(pane, (area, free));
-    let own = opening::opened(scene, &View::of(&*world), pane, (free_here, corner));
+    let own = opening::opened(scene, &View::of(&*world), pane, (free_here, Over { corner, column: None }));
     let whole = tiles.whole(&own, area);
     let mut wrong = Vec::new();
     let width = if tiles.count() > 1 { laid.size[0] - TOOLS } else { laid.free.unwrap().width() };

@@ -1,15 +1,18 @@
 //! The gallery: pictures of all scenes, and a search among them.
 
-use egui::{Key, Label, Rect, RichText, Role, ScrollArea, Sense, TextEdit, WidgetInfo, vec2};
+use egui::{Align, Key, Label, Layout, Rect, RichText, Role, ScrollArea, Sense, TextEdit, WidgetInfo, vec2};
 
+use super::finding::{found, instead};
 use super::theme::colors;
 use super::{Facts, PanelState, Wish, sheet};
-use crate::scene::{Entry, gallery};
+use crate::scene::Entry;
 
 /// Size of a thumbnail `[points]`.
 pub(in crate::app) const THUMBNAIL: [f32; 2] = [216.0, 135.0];
 /// What the field that a search is written in is called.
 const SEARCH: &str = "search the gallery";
+/// Words that are offered in place of one that finds nothing are in rows so wide `[points]`.
+const WORDS: f32 = 440.0;
 /// Room between cards `[points]`.
 const GAP: f32 = 14.0;
 
@@ -87,7 +90,7 @@ fn cut_off(ui: &mut egui::Ui, leftovers: &[String], wishes: &mut Vec<Wish>) {
     ui.add_space(10.0);
 }
 
-/// In the middle of a sheet so high, where nothing is found: what was looked for, and a way back to all scenes.
+/// In the middle of a sheet so high, where nothing is found: what was looked for, what to look for instead, and a way back to all scenes.
 fn nothing(ui: &mut egui::Ui, height: f32, search: &mut String) {
     ui.vertical_centered(|ui| {
         ui.add_space(0.4 * height);
@@ -96,7 +99,18 @@ fn nothing(ui: &mut egui::Ui, height: f32, search: &mut String) {
             Label::new(RichText::new(format!("Nothing is called “{looked_for}”")).color(colors(ui).text).strong())
                 .wrap(),
         );
-        ui.weak("names, descriptions and what to try are searched");
+        let (is_alike, words) = instead(looked_for);
+        ui.weak(if is_alike { "is one of these meant?" } else { "there are, among others:" });
+        ui.add_space(4.0);
+        let width = ui.available_width().min(WORDS);
+        ui.allocate_ui_with_layout(vec2(width, 0.0), Layout::left_to_right(Align::Min).with_main_wrap(true), |ui| {
+            for word in words {
+                if ui.button(word).clicked() {
+                    word.clone_into(search);
+                    ui.memory_mut(|memory| memory.request_focus(search_id()));
+                }
+            }
+        });
         ui.add_space(8.0);
         if ui.button("Clear the search").clicked() {
             search.clear();
@@ -108,34 +122,6 @@ fn nothing(ui: &mut egui::Ui, height: f32, search: &mut String) {
 /// The field that a search is written in.
 pub(in crate::app) fn search_id() -> egui::Id {
     egui::Id::unique("search")
-}
-
-/// The names of the scenes that a search finds, in their order.
-pub(in crate::app) fn names(search: &str) -> Vec<&'static str> {
-    found(search).iter().map(|entry| entry.name).collect()
-}
-
-/// The scenes in whose words all words of a search are: first the one that is called so, then those whose names begin so or hold them.
-fn found(search: &str) -> Vec<&'static Entry> {
-    let words: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();
-    let has = |entry: &&Entry| {
-        let text = [entry.name, entry.title, entry.description, entry.to_try].join(" ").to_lowercase();
-        words.iter().all(|word| text.contains(word.as_str()))
-    };
-    let wanted = words.join(" ");
-    let rank = |entry: &&Entry| {
-        let names = [entry.name, entry.title].map(str::to_lowercase);
-        let is_any = |is_it: &dyn Fn(&str) -> bool| names.iter().any(|name| is_it(name));
-        match () {
-            () if is_any(&|name| name == wanted) => 0,
-            () if is_any(&|name| name.starts_with(&wanted)) => 1,
-            () if is_any(&|name| words.iter().all(|word| name.contains(word.as_str()))) => 2,
-            () => 3,
-        }
-    };
-    let mut found: Vec<&'static Entry> = gallery().iter().filter(has).collect();
-    found.sort_by_key(rank);
-    found
 }
 
 /// The arrow keys choose another scene of those that are found, along the rows while nothing is written. Returns whether they did.
@@ -182,17 +168,4 @@ fn card(ui: &mut egui::Ui, entry: &Entry, state: &PanelState, (is_open, is_chose
     });
     card.response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, entry.title));
     card.response
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_search_finds_words_anywhere_in_any_order() {
-        assert_eq!(found("").len(), gallery().len());
-        assert_eq!(found("ROPE").first().map(|entry| entry.name), Some("rope"), "its own name before others' words");
-        assert_eq!(found("shuffled rim source").first().map(|entry| entry.name), Some("rim-relaxed"));
-        assert!(found("no such scene at all").is_empty());
-    }
 }

@@ -1,16 +1,19 @@
 //! Figures in the upper right corner.
 
-use egui::{Align, Align2, Area, Id, LayerId, Layout, Order, PopupAnchor, Rect, Tooltip, vec2};
+use egui::{Align, Align2, Area, Id, LayerId, Layout, Order, PopupAnchor, Rect, RichText, Tooltip, vec2};
 
 use super::Facts;
 use super::places::{APART, Places};
-use super::theme::floating;
+use super::theme::{colors, floating};
 
 /// Their width before they were shown `[points]`.
 const WIDTH: f32 = 146.0;
 
 /// The row of the energy, and what is said of it.
 const ENERGY: &str = "energy";
+/// That of how far what keeps its length is stretched, which is marked from this strain on `[1]`.
+const STRETCH: &str = "stretch";
+pub(super) const STRETCHED: f64 = 0.01;
 const OF_ENERGY: &str = "energy of motion, springs and gravity (0 at y = 0)";
 
 /// Shows them at the right edge, below the buttons where those leave no place for them.
@@ -28,7 +31,10 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
                     if name == ENERGY {
                         row = label.rect;
                     }
-                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.monospace(value));
+                    let is_marked = name == STRETCH && facts.stretch.is_some_and(|stretch| stretch >= STRETCHED);
+                    let value = RichText::new(value).monospace();
+                    let value = if is_marked { value.color(colors(ui).away) } else { value };
+                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(value));
                     ui.end_row();
                 }
             });
@@ -51,13 +57,24 @@ fn rows(facts: &Facts) -> Vec<(&'static str, String)> {
     // Where nothing moves no frames are made, and what the last ones took says nothing.
     let is_idle = !figures.playing || figures.asleep || facts.waits;
     let time = |words: String| if is_idle { "idle".to_owned() } else { words };
-    vec![
+    let rows = [
         ("frame", time(format!("{:.1} ms", 1e3 * facts.frame))),
         ("stepping", time(format!("{:.2} ms", 1e3 * figures.step))),
         ("points", figures.points.to_string()),
         ("bonds", figures.bonds.to_string()),
         (ENERGY, energy(figures.energy)),
-    ]
+    ];
+    rows.into_iter().chain(facts.stretch.map(|stretch| (STRETCH, percent(stretch)))).collect()
+}
+
+/// A strain in percent, rounded as it is called stretched: from one on.
+fn percent(strain: f64) -> String {
+    match 100.0 * strain {
+        percent if percent < 1.0 => "< 1 %".to_owned(),
+        percent if percent < 9.95 => format!("{percent:.1} %"),
+        percent if percent < 1e4 => format!("{percent:.0} %"),
+        percent => format!("{percent:.1e} %"),
+    }
 }
 
 /// An energy `[J]` in at most eleven characters: what is large has no millijoules, and what is nothing no sign.
@@ -72,7 +89,15 @@ fn energy(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::energy;
+    use super::{energy, percent};
+
+    #[test]
+    fn what_keeps_its_length_is_called_stretched_from_a_hundredth_on() {
+        let all = [(-0.1, "< 1 %"), (0.0099, "< 1 %"), (0.0126, "1.3 %"), (0.98, "98 %"), (1e6, "1.0e8 %")];
+        for (value, text) in all {
+            assert_eq!(percent(value), text);
+        }
+    }
 
     #[test]
     fn energies_of_any_size_are_short() {

@@ -98,7 +98,8 @@ impl Lessons {
             (self.is_open, self.lesson, self.left) = (false, None, Some(at));
             return Met::Left { had_plots: std::mem::take(&mut self.plots) };
         }
-        match self.left.filter(is_of) {
+        // Whoever opens a third scene has left the lesson behind.
+        match self.left.take().filter(is_of) {
             Some(at) => {
                 self.enter(at);
                 Met::Back(at)

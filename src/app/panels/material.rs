@@ -16,6 +16,10 @@ use crate::app::matter::{Coloring, Matter, MatterChange, NEVER, Preset, Span};
 pub(super) const WIDTH: f32 = 226.0;
 /// What its frame takes beside that, and frame and header above what is scrolled `[points]`.
 const FRAME: f32 = 18.0;
+/// Room for the bar that scrolls it, and beside it `[points]`.
+const BAR: f32 = 20.0;
+/// All of its width `[points]`.
+pub(super) const WHOLE: f32 = WIDTH + FRAME + BAR;
 const HEAD: f32 = 50.0;
 /// Its usual height, before it was shown `[points]`.
 const USUAL: f32 = 430.0;

@@ -11,6 +11,7 @@ mod color;
 mod column_tests;
 mod dial;
 mod drives;
+mod finding;
 mod gallery;
 mod held;
 mod help;
@@ -65,7 +66,8 @@ use crate::scene::{BesideKeys, SolverName};
 use crate::sim::Key;
 pub(super) use asking::{Question, show as ask};
 pub(super) use beside::{Misfits, Neighbor, solvers};
-pub(super) use gallery::{THUMBNAIL, names as found_scenes, search_id};
+pub(super) use finding::names as found_scenes;
+pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use lessons::{At, Lessons, Met};
 pub(super) use material::MatterAt;
@@ -75,7 +77,7 @@ pub(super) use opened::Opened;
 pub(super) use parameters::all as parameters;
 use places::Places;
 pub(super) use places::{Laid, covered, kept_in};
-pub(super) use plots::{PlotsAt, figure};
+pub(super) use plots::{PlotsAt, figure, lie as plots_lie};
 pub(super) use presses::listen;
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
 pub(super) use settings::{Setting, Settings};
@@ -233,6 +235,8 @@ pub(super) struct Facts {
     pub(super) figures: Figures,
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     pub(super) pace: f64,
+    /// Greatest strain of bonds that keep their length `[1]`; `None` where there are none.
+    pub(super) stretch: Option<f64>,
     /// Time from frame to frame `[s]`.
     pub(super) frame: f64,
     pub(super) tool: Tool,
@@ -357,7 +361,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     } else if has_settings {
         settings::show(&context, places.beside(settings::WIDTH), state, facts, &mut wishes);
     }
-    let (mut plotted, mut strip) = (None, None);
+    let (mut plotted, mut strip, mut column) = (None, None, None);
     if let Some(plots) = state.plots.as_mut().filter(|_| has_panels && !are_stacked) {
         if stands_upright {
             places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes).top();
@@ -373,6 +377,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     }
     if has_panels {
         let rooms = places.of_tools(plotted, all_edge);
+        column = (facts.tool == Tool::Select).then(|| rooms.right.right() - material::WHOLE);
         palette::show(&context, &rooms, state, facts, &mut wishes);
     }
     held::show(&context, places.low(), facts);
@@ -401,7 +406,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         false => room,
     });
     let is_shared = !facts.neighbors.is_empty() && has_panels;
-    (wishes, Laid { size: places.size(all_edge, is_shared, strip), corner: places.corner(&context), free })
+    (wishes, Laid { size: places.size(all_edge, is_shared, strip), corner: places.corner(&context), column, free })
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.

@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use egui::{Align2, Area, Button, Id, Label, Rect, RichText};
 
+use super::hud::STRETCHED;
 use super::places::{APART, Places, kept_in};
 use super::theme::{colors, floating};
 use super::{Facts, Wish, button};
@@ -15,6 +16,8 @@ const MOMENT: Duration = Duration::from_secs(4);
 const WARNING: Duration = Duration::from_secs(9);
 /// Warnings that are shown at most.
 const MOST_WARNINGS: usize = 3;
+/// In a warning of pins that are led too far apart, which is said only while that is so, and as they are led.
+const OF_REACH: &str = "further apart than the bonds between them reach";
 
 /// What is to be said.
 #[derive(Debug, Default)]
@@ -35,6 +38,21 @@ pub(in crate::app) struct Notes {
     pub(in crate::app) hint_at: Option<egui::Pos2>,
 }
 
+/// Whether a warning is of pins that are led too far apart.
+fn is_of_reach(line: &str) -> bool {
+    line.contains(OF_REACH)
+}
+
+/// Whether what keeps its length is stretched.
+fn is_stretched(facts: &Facts) -> bool {
+    facts.stretch.is_some_and(|stretch| stretch >= STRETCHED)
+}
+
+/// A line whatever its numbers are.
+fn digitless(line: &str) -> String {
+    line.chars().filter(|sign| !sign.is_ascii_digit() && *sign != '.').collect()
+}
+
 /// The line at the cursor.
 const HINT: &str = "press and drag: grab it, throw it";
 /// Its size until it was shown, about `[points]`.
@@ -48,7 +66,11 @@ impl Notes {
 
     /// Says what is to be known of what was just done, above that. The same is said once, whatever its numbers are.
     pub(in crate::app) fn warn(&mut self, line: String) {
-        let bare = |line: &str| line.chars().filter(|sign| !sign.is_ascii_digit() && *sign != '.').collect::<String>();
+        // Commands and worlds say the same of pins in words of their own.
+        let bare = |line: &str| match is_of_reach(line) {
+            true => OF_REACH.to_owned(),
+            false => digitless(line),
+        };
         let own = bare(&line);
         self.warnings.retain(|(other, _)| bare(other) != own);
         self.warnings.insert(0, (line, Instant::now()));
@@ -81,7 +103,8 @@ impl Notes {
     /// Says it below the buttons, one below another, where nothing else is.
     pub(super) fn show(&mut self, context: &egui::Context, places: &Places, facts: &Facts, wishes: &mut Vec<Wish>) {
         self.done.take_if(|(_, since)| since.elapsed() >= MOMENT);
-        self.warnings.retain(|(_, since)| since.elapsed() < WARNING);
+        let is_so = |line: &str, since: &Instant| !is_of_reach(line) || is_stretched(facts) || since.elapsed() < MOMENT;
+        self.warnings.retain(|(line, since)| since.elapsed() < WARNING && is_so(line, since));
         let mut top = places.bar_bottom().max(places.room.top() + APART);
         let mut is_read = false;
         if !self.warnings.is_empty() {
@@ -192,6 +215,17 @@ fn words(context: &egui::Context, (at, width): (egui::Pos2, f32), name: &str, ad
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_said_of_pins_too_far_apart_is_said_once() {
+        let mut notes = Notes::default();
+        let words = [
+            "pins are led up to 2.3 m further apart than the bonds between them reach: these are strained (points 0 and 4)",
+            "the pins are 1.1 m further apart than the bonds between them reach",
+        ];
+        words.into_iter().for_each(|line| notes.warn(line.to_owned()));
+        assert!(notes.warnings.len() == 1 && notes.warnings[0].0 == words[1], "{:?}", notes.warnings);
+    }
 
     #[test]
     fn a_warning_is_said_once_and_of_many_the_last_three() {

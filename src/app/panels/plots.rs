@@ -1,7 +1,9 @@
 //! Plots at the bottom left: the energies of the world over time, and what the probes measure.
 
 use egui::collapsing_header::CollapsingState;
-use egui::{Align, Align2, Area, AsIdSalt, Color32, Id, Layout, Pos2, Rect, RichText, Ui, Vec2, pos2, vec2};
+use egui::{
+    Align, Align2, Area, AsIdSalt, Color32, Id, LayerId, Layout, Order, Pos2, Rect, RichText, Ui, Vec2, pos2, vec2,
+};
 use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Line, Plot, PlotPoints};
 
 use super::places::APART;
@@ -10,6 +12,7 @@ use super::{Wish, described};
 use crate::app::action::Action;
 use crate::app::player::{Measured, Probe};
 use crate::app::plots::{Curve, Plots, Quantity, Series, Subject, svg};
+use crate::render::Pose;
 
 /// Width and greatest height of a plot `[points]`.
 const SIZE: [f32; 2] = [340.0, 180.0];
@@ -66,6 +69,8 @@ pub(in crate::app) struct PlotsAt {
     pub(in crate::app) corner: Option<Pos2>,
     /// It was dragged: it stays there in other scenes too.
     is_dragged: bool,
+    /// The view, and how much is probed and selected, when it was last looked whether it hides any of that.
+    by: Option<(Pose, usize)>,
 }
 
 impl PlotsAt {
@@ -80,6 +85,11 @@ impl PlotsAt {
             self.corner = None;
         }
     }
+
+    /// Whether the view, or how much is probed and selected, is another one than it was.
+    pub(in crate::app) fn is_of_another(&mut self, by: (Pose, usize)) -> bool {
+        self.by.replace(by) != Some(by)
+    }
 }
 
 /// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge. Returns where it lies `[points]`.
@@ -89,7 +99,7 @@ pub(super) fn show(
     (plots, (points, at, is_docked)): (&mut Plots, (&[Pos2], &mut PlotsAt, bool)),
     wishes: &mut Vec<Wish>,
 ) -> Rect {
-    let id = Id::unique("plots");
+    let id = area_id();
     let high = if is_docked { SIZE[1] } else { (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]) };
     let lay = context.memory(|memory| memory.area_rect(id));
     let size = lay.map_or(vec2(WIDTH, high + HEAD), |rect| rect.size());
@@ -106,9 +116,19 @@ pub(super) fn show(
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
     let shown = area.show(context, |ui| panel(ui, ([SIZE[0], high], false), plots, wishes));
     if shown.response.dragged() {
-        *at = PlotsAt { corner: Some(corner + shown.response.drag_delta()), is_dragged: true };
+        *at = PlotsAt { corner: Some(corner + shown.response.drag_delta()), is_dragged: true, ..*at };
     }
     shown.response.rect
+}
+
+fn area_id() -> Id {
+    Id::unique("plots")
+}
+
+/// Where the panel that floats lies, if it is shown `[points]`.
+pub(in crate::app) fn lie(context: &egui::Context) -> Option<Rect> {
+    let layer = LayerId::new(Order::Middle, area_id());
+    context.memory(|memory| memory.area_rect(area_id()).filter(|_| memory.areas().is_visible(&layer)))
 }
 
 /// Shows it at the lower right corner of a room, as wide and as high as that, beside what takes so much of the right edge `[points]`.
@@ -223,7 +243,11 @@ fn choices(ui: &mut Ui, plots: &mut Plots) {
         ui.weak("click a point or bond with tool 6 to probe it");
         return;
     }
-    ui.selectable_value(&mut plots.subject, Subject::Probes, if count == 1 { "probe" } else { "probes" });
+    // An orbit is of the probes as well.
+    let is_of_probes = matches!(plots.subject, Subject::Probes | Subject::Orbit);
+    if ui.selectable_label(is_of_probes, if count == 1 { "probe" } else { "probes" }).clicked() && !is_of_probes {
+        plots.subject = Subject::Probes;
+    }
     if count == 2 {
         ui.selectable_value(&mut plots.subject, Subject::Phase, "against each other");
     }
@@ -258,7 +282,7 @@ fn legend(ui: &mut Ui, plots: &mut Plots) {
 
 /// Which quantity of the probes is plotted, and of a coordinate whether against how fast it changes.
 fn quantities(ui: &mut Ui, plots: &mut Plots) {
-    let orbit = |quantity: Quantity| format!("{}, its velocity upwards", quantity.words()[0]);
+    let orbit = |quantity: Quantity| format!("{} across, its velocity up", quantity.words()[0]);
     let is_orbit = plots.subject == Subject::Orbit;
     let shown = if is_orbit { orbit(plots.quantity) } else { plots.quantity.words()[0].to_owned() };
     let all: Vec<Quantity> = plots.quantities().collect();

@@ -169,13 +169,15 @@ fn a_probe_is_plotted_against_its_own_velocity() {
     let mut one = Screen::new(1);
     let first = colors(&one.context).probes[0];
     one.click("speed");
-    one.click("y, its velocity upwards");
+    one.click("y across, its velocity up");
     assert_eq!((one.plots.subject, one.plots.quantity), (Subject::Orbit, Quantity::Y));
     assert!(one.curve(first) > 50, "{}", one.curve(first));
+    one.click("probe");
+    assert_eq!(one.plots.subject, Subject::Orbit, "the button is on in an orbit, too");
     let drawn = super::figure(&one.plots);
     assert!(drawn.contains("velocity y [m/s]") && drawn.contains("y [m]"), "{drawn}");
     // Another quantity is one over time again.
-    one.click("y, its velocity upwards");
+    one.click("y across, its velocity up");
     one.click("velocity x");
     assert_eq!((one.plots.subject, one.plots.quantity), (Subject::Probes, Quantity::VelocityX));
 }

@@ -23,6 +23,7 @@ mod save;
 mod shown;
 mod softness;
 mod stage;
+mod stretch;
 #[cfg(test)]
 mod tests;
 mod thread;

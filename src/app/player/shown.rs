@@ -168,7 +168,19 @@ impl Scenery {
     /// As the renderer reads it, without points.
     pub fn view(&self, dimensions: usize) -> View<'_> {
         let Scenery {
-            bonds, pinned, bounds, planes, polygons, convex, triangles, skins, tints, hinges, joints, ..
+            bonds,
+            masses,
+            pinned,
+            bounds,
+            planes,
+            polygons,
+            convex,
+            triangles,
+            skins,
+            tints,
+            hinges,
+            joints,
+            ..
         } = self;
         View {
             dimensions,
@@ -183,6 +195,7 @@ impl Scenery {
             tints,
             values: None,
             trails: Vec::new(),
+            masses,
             pinned,
             bounds: *bounds,
             planes: planes.clone(),

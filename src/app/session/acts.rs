@@ -6,7 +6,8 @@ use super::asking::points_of;
 use super::{Framing, Session};
 use crate::app::action::{Action, Tool};
 use crate::app::count::counted;
-use crate::app::opening;
+use crate::app::matter::MatterChange;
+use crate::app::opening::{self, Over};
 use crate::app::panels::{Opened, Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
@@ -387,13 +388,13 @@ impl Session {
         let view = self.player.shown().view();
         let pane = self.tiles.pane(self.area);
         let free = self.free_of_pane(pane);
-        let corner = self.corner.filter(|_| self.tiles.count() == 1);
+        let over = if self.tiles.count() == 1 { self.over } else { Over::default() };
         let own = match framing {
             Framing::Opening => match &self.player.start().recording().view {
                 Some(saved) => opening::saved(saved, &view, pane),
-                None => opening::opened(&self.scene, &view, pane, (free, corner)),
+                None => opening::opened(&self.scene, &view, pane, (free, over)),
             },
-            Framing::Fit => opening::beside_corner(|free| opening::fit_in(&view, free, pane), &view, free, corner),
+            Framing::Fit => opening::beside_all(|free| opening::fit_in(&view, free, pane), &view, (free, over)),
             Framing::Free => {
                 let mut own = before.own(&self.camera, seen);
                 own.resize(pane);

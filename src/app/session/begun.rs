@@ -9,6 +9,7 @@ use super::{Framing, LEAST_PIN, Leaving, Lost, Session, Shelf};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::keys::{Down, Held};
 use crate::app::meter::Meter;
+use crate::app::opening::Over;
 use crate::app::panels::{PanelState, listen, theme};
 use crate::app::player::{Figures, Player};
 use crate::app::pointer::Pointer;
@@ -43,7 +44,7 @@ impl Session {
             difference_most: 1.0,
             area: size,
             free: [[0.0; 2], size.map(f64::from)],
-            corner: None,
+            over: Over::default(),
             covered: Vec::new(),
             trails: Trails::new(TrailSettings::default().length),
             trailing: Trailing::default(),

@@ -113,6 +113,7 @@ impl Session {
         self.has_picture = scene.picture_body().is_some();
         self.look.has_mesh = false;
         self.trails = Trails::new(self.trailing.settings.length * scene.rate());
+        self.trailing.enter(scene.name());
         self.beside_trails.clear();
         (self.cell, self.misfits.0, self.most_apart) = (0, None, 0.0);
         self.tints_distance = scene.method.solver == Some(SolverName::AsPrinted);

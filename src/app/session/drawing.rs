@@ -11,6 +11,7 @@ use super::trails::AllTrails;
 use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
+use crate::app::opening::Over;
 use crate::app::panels::{self, Facts, Laid, Settings, parameters, theme};
 use crate::app::tools::{Mark, Role, Scope, probe};
 use crate::render::{Look, Overlay, RenderError, View, body_color};
@@ -21,6 +22,8 @@ use crate::sim::{Cursor, MouseForce};
 const MOST_MARKED: usize = 100_000;
 /// So many points are looked at, where it is asked where bodies are.
 const MOST_SEEN: usize = 2_000;
+/// Of those that are selected so many.
+const MOST_MARKS: usize = 16;
 /// Size of words over the world `[points]`.
 const WORDS: f32 = 13.0;
 /// Room between them and an edge `[points]`.
@@ -35,6 +38,7 @@ impl Session {
     pub(super) fn show_panels(&mut self) {
         self.panels_dirty = false;
         self.panels_at = Some(Instant::now());
+        self.move_plots();
         let facts = self.facts();
         (self.figures, self.settings) = (self.shown().figures.clone(), self.shown().settings.clone());
         self.matter.clone_from(&self.player.shown().matter);
@@ -116,8 +120,10 @@ impl Session {
         let corner = laid.corner.map(|at| [at.x, at.y].map(|x| f64::from(x * scale)));
         let corners = |free: Rect| [free.min, free.max].map(|at| [at.x, at.y].map(|x| f64::from((x * scale).round())));
         let free = laid.free.map_or(self.free, corners);
-        let is_wider = corner.is_some() && self.corner.is_none();
-        self.corner = corner;
+        let column = laid.column.map(|left| f64::from((left * scale).round()));
+        // What grows once it is there, as figures do, moves nothing.
+        let is_wider = corner.is_some() && self.over.corner.is_none() || column != self.over.column;
+        self.over = Over { corner, column };
         if (area, free) != (self.area, self.free) || is_wider {
             (self.area, self.free) = (area, free);
             self.frame_as(self.framing);
@@ -135,6 +141,7 @@ impl Session {
                 .map(|entry| [entry.description, entry.to_try]),
             figures,
             pace: if self.player.is_open() { self.pace() } else { 1.0 },
+            stretch: self.shown().stretch(),
             frame: self.frame_meter.value(),
             tool: self.hand.tool(),
             primitive: self.hand.primitive(),
@@ -216,7 +223,26 @@ impl Session {
         let corners = corners.take(MOST_SEEN).map(|[x, y]| [*x, *y, 0.0]);
         let all = (0..shown.point_count()).step_by(step).flat_map(seen);
         let all = all.chain(middles.chain(corners).flat_map(pixel));
-        all.map(|[x, y]| Pos2::new((x / scale) as f32, (y / scale) as f32)).collect()
+        let point = |[x, y]: [f64; 2]| Pos2::new((x / scale) as f32, (y / scale) as f32);
+        // Where one of what is looked at lies, all else weighs less.
+        let marked = self.marked_points().into_iter().flat_map(|at| std::iter::repeat_n(at, MOST_SEEN));
+        all.map(point).chain(marked).collect()
+    }
+
+    /// Where the points are seen that are probed or selected `[points]`, a few of many.
+    pub(super) fn marked_points(&self) -> Vec<Pos2> {
+        let scale = f64::from(self.egui.egui_ctx().pixels_per_point());
+        let own = |place: usize| self.tiles.camera(place, &self.camera, self.area);
+        let cameras: Vec<_> = (0..self.tiles.count()).map(own).collect();
+        let selected = self.inspected.points.iter().copied();
+        let selected = selected.step_by(self.inspected.points.len() / MOST_MARKS + 1);
+        let count = self.shown().point_count();
+        let points = self.probed_points().into_iter().chain(selected).filter(|point| point.index() < count);
+        let seen = points.flat_map(|point| {
+            let place = glam::DVec3::from(self.shown().place(point.index()));
+            cameras.iter().filter_map(move |camera| camera.screen_from_world(place)).collect::<Vec<_>>()
+        });
+        seen.map(|[x, y]| Pos2::new((x / scale) as f32, (y / scale) as f32)).collect()
     }
 
     /// The numbers that the scene names, while its settings are open.

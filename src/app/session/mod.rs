@@ -42,7 +42,7 @@ use super::leftovers::{Leftover, look};
 use super::loading::Loading;
 use super::matter::Matter;
 use super::meter::Meter;
-use super::opening::Free;
+use super::opening::{Free, Over};
 use super::panels::{At, Misfits, PanelState, theme};
 use super::player::{Figures, Order, Player, Shown};
 use super::pointer::Pointer;
@@ -115,8 +115,8 @@ pub(super) struct Session {
     area: [u32; 2],
     /// What of it panels leave free for bodies `[px]`, and what lies over it: left, top, right and bottom `[px]`.
     free: Free,
-    /// The left lower corner of what lies in the upper right one of it `[px]`.
-    corner: Option<[f64; 2]>,
+    /// What lies over that at the right.
+    over: Over,
     covered: Vec<[f32; 4]>,
     pub(super) pointer: Pointer,
     hand: Hand,

@@ -5,7 +5,7 @@ use std::path::Path;
 use glam::DVec2;
 
 use super::Session;
-use crate::app::panels::figure;
+use crate::app::panels::{self, figure};
 use crate::app::player::{Measured, Order, Probe};
 use crate::app::plots::Plots;
 use crate::app::saving::free_name;
@@ -48,6 +48,21 @@ impl Session {
     fn watch(&mut self) {
         let probes = self.panels.plots.as_ref().map(Plots::probes);
         self.player.ask(Order::Watch(probes));
+    }
+
+    /// Once the view or what is looked at is another one, the panel leaves what it lies over, unless it was dragged there.
+    pub(super) fn move_plots(&mut self) {
+        if self.panels.plots.is_none() {
+            return;
+        }
+        let looked_at = self.probes().count() + self.inspected.points.len();
+        if !self.panels.plots_at.is_of_another((self.camera.pose, looked_at)) {
+            return;
+        }
+        let lies = panels::plots_lie(self.egui.egui_ctx());
+        if lies.is_some_and(|rect| self.marked_points().iter().any(|at| rect.contains(*at))) {
+            self.panels.plots_at.begin();
+        }
     }
 
     /// Takes what the last state brings for the plots.

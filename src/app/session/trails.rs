@@ -53,7 +53,7 @@ impl Session {
     }
 
     /// The points that are probed, with the ends of probed bonds.
-    fn probed_points(&self) -> Vec<PointId> {
+    pub(super) fn probed_points(&self) -> Vec<PointId> {
         let scenery = &self.player.shown().scenery;
         let points = |(_, probe)| match probe {
             Probe::Point(point) => vec![point],
