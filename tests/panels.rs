@@ -59,7 +59,11 @@ fn every_tool_is_chosen_by_its_button_and_says_what_it_does_and_by_which_key() {
         (Tool::Select, "select, move, turn and scale bodies and obstacles; what they are made of", "6"),
         (Tool::Muscle, "make a bond a muscle: it gets longer and shorter", "7"),
         (Tool::Motor, "hinge a body to another or to the ground, with a motor", "8"),
-        (Tool::Paint, "a brush that makes bodies of jelly, rubber, cloth, wood or steel", "9"),
+        (
+            Tool::Paint,
+            "a brush that makes bodies of jelly, rubber, cloth, wood or steel, or gives them single numbers",
+            "9",
+        ),
         (Tool::Push, "a force that stays: drag an arrow from a body", "0"),
         (Tool::Hand, "grab and throw; beside bodies, push", "1"),
     ];

@@ -6,7 +6,6 @@ use super::asking::points_of;
 use super::{Framing, Session};
 use crate::app::action::{Action, Tool};
 use crate::app::count::counted;
-use crate::app::matter::MatterChange;
 use crate::app::opening::{self, Over};
 use crate::app::panels::{Opened, Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};

@@ -23,7 +23,7 @@ pub(super) struct Torn {
     /// Its number in the cluster.
     member: u32,
     /// Some rigid bond is strained so far as the step begins, or was so and pins that are led hold it still.
-    is_strained: bool,
+    is_torn: bool,
 }
 
 /// Which bodies of a cluster may be torn at in a step that begins.
@@ -31,7 +31,10 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     let mut torn = std::mem::take(&mut state.torn);
     torn.clear();
     for (member, (body, base)) in (0..).zip(state.members(common)) {
-        let links = common.holds(body);
+        let (is_led, links) = (!body.straps.is_empty(), common.holds(body));
+        if !is_led && !state.tangle.torn[member as usize] {
+            continue;
+        }
         state.counts.work += 5 * links.len() as u64;
         let is_strained = links.iter().any(|link| {
             let (a, b) = (base + link.a as usize, base + link.b as usize);
@@ -39,11 +42,10 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
             let is_rigid = !link.stiffness.is_finite() && link.relaxed.is_none() && link.rest > S::ZERO;
             is_rigid && link.limit.acts(off, S::ZERO) && off.abs() > S::from_f64(TORN) * link.rest
         });
-        let is_led = !body.straps.is_empty();
-        state.tangle.note_torn(member as usize, is_led, is_strained);
-        let is_strained = is_strained || state.tangle.torn[member as usize];
-        if is_strained || is_led {
-            torn.push(Torn { member, is_strained });
+        let is_torn = &mut state.tangle.torn[member as usize];
+        *is_torn = is_strained || (*is_torn && is_led);
+        if *is_torn || is_led {
+            torn.push(Torn { member, is_torn: *is_torn });
         }
     }
     state.torn = torn;
@@ -67,7 +69,7 @@ pub(super) fn keep<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
             let rate = (over * S::from_f64(CALMING)).min(S::from_f64(MOST_CALMING));
             let pins = fastest(&mut points.clone().filter(|&i| state.w[i] == S::ZERO));
             (pins * S::from_f64(FASTEST), S::ONE / (S::ONE + rate * h))
-        } else if body.is_strained {
+        } else if body.is_torn {
             (fastest(&mut points.clone()), S::ONE)
         } else {
             continue;

@@ -201,6 +201,13 @@ impl<S: Real> Pair<S> {
         if impulse != [S::ZERO; 2] {
             state.push(points, at, impulse, Change::Way);
         }
+        if state.may_creep() && self.rubbed.abs() < most {
+            let of_edge = add(scale(state.crept(a), rest), scale(state.crept(b), at));
+            let crept = dot(sub(state.crept(p), of_edge), along) / state.weight(points, at, along);
+            if crept != S::ZERO {
+                state.push(points, at, scale(along, -crept.max(-most).min(most)), Change::Place);
+            }
+        }
         true
     }
 

@@ -62,6 +62,12 @@ impl<S: Real> OnPlane<S> {
             state.note_push_of_one(p, restitution, (out, aside));
             state.push_one(p, push, Change::Way);
         }
+        if state.may_creep() && !self.slips {
+            let crept = dot(state.crept(p), along) / state.own_weight(p, along);
+            if crept != S::ZERO {
+                state.push_one(p, scale(along, -crept.max(-most).min(most)), Change::Place);
+            }
+        }
     }
 
     /// Gives the velocity that restitution asks for, where the point came faster than `least` `[m/s]`. Returns whether that

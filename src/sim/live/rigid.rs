@@ -33,7 +33,8 @@ pub(super) struct Frame {
     inverse: [f64; 2],
     /// Its points, in the order of the shape.
     points: Vec<u32>,
-    /// At the start of the substep, and as far as it is solved.
+    /// Where the substep found it; where it starts, after what was put in its place without speed; and as far as it is solved.
+    found: Place,
     start: Place,
     now: Place,
     /// `[m/s]`, `[rad/s]`
@@ -77,6 +78,7 @@ impl Frame {
             shape: shape.clone(),
             inverse: [1.0 / shape.mass, 1.0 / shape.inertia],
             points,
+            found: place,
             start: place,
             now: place,
             velocity: [0.0; 2],
@@ -265,6 +267,20 @@ impl<S: Real> Cluster<S> {
         self.frame(p).map_or(S::ONE, |frame| S::from_f64(frame.weight(widen(self.now[p]), widen(n))))
     }
 
+    /// By how much a point that goes with a frame was put elsewhere in this substep, without speed `[m]`; of others nobody asks.
+    #[inline(always)]
+    pub(super) fn crept(&self, i: usize) -> [S; 2] {
+        let Some(frame) = self.frame(i) else { return [S::ZERO; 2] };
+        let q = frame.shape.places[self.frame_of[i][1] as usize];
+        convert(sub(frame.start.out(q), frame.found.out(q)))
+    }
+
+    /// Whether some of its points may creep: joints are led back to their ranges, against what they lie on.
+    #[inline(always)]
+    pub(super) fn may_creep(&self) -> bool {
+        !self.rigs.is_empty()
+    }
+
     fn between(&self, [a, b]: [usize; 2], at: S) -> [S; 2] {
         add(scale(self.now[a], S::ONE - at), scale(self.now[b], at))
     }
@@ -403,7 +419,7 @@ impl<S: Real> Cluster<S> {
             let time = h.to_f64();
             frame.velocity = scale(momentum, 1.0 / shape.mass);
             frame.spin = turning / shape.inertia;
-            frame.start = frame.now;
+            (frame.found, frame.start) = (frame.now, frame.now);
             frame.now = frame.now.moved(scale(frame.velocity, time), frame.spin * time);
             self.counts.work += 30 * frame.shape.places.len() as u64;
         }

@@ -64,7 +64,8 @@ pub(super) struct Tangle<S> {
     since: Vec<u8>,
     /// How long each body was mended while something pressed it `[s]`.
     mended: Vec<f64>,
-    /// Bodies that led pins tore at, as long as they hold them: what is in what there comes right by itself, but not against its skins.
+    /// Bodies that led pins tore at, as long as they hold them or these are strained: what is in what there comes right by itself, but not against
+    /// its skins.
     pub(super) torn: Vec<bool>,
     /// Points of the cluster that are led to their shapes; empty without any.
     pub(super) is_led: Vec<bool>,
@@ -105,11 +106,6 @@ impl<S: Real> Tangle<S> {
             torn: bodies.iter().map(|&body| self.torn[body]).collect(),
             is_led: Vec::new(),
         }
-    }
-
-    /// Notes of a body whether led pins hold it, and whether its bonds are strained as no motion strains them.
-    pub(super) fn note_torn(&mut self, body: usize, is_led: bool, is_strained: bool) {
-        self.torn[body] = is_led && (is_strained || self.torn[body]);
     }
 
     /// Nothing is.

@@ -456,7 +456,7 @@ mod tests {
 
     #[test]
     fn rows_from_near_by_close_gaps_and_those_from_far_off_are_worked_out_anew() {
-        let (gap, factored) = closed_by_rows_of(0.05);
+        let (gap, factored) = closed_by_rows_of(0.005);
         assert!(gap < 1e-11 && factored == 0, "{gap} m, worked out {factored} times");
         let (gap, factored) = closed_by_rows_of(2.0);
         assert!(gap < 1e-9 && factored > 0, "{gap} m, worked out {factored} times");
