@@ -1,4 +1,5 @@
-//! Bodies whose rigid bonds are strained as no motion strains them: pins that are led too far apart tear at them, or did so until now.
+//! Bodies whose rigid bonds are strained as no motion strains them: pins that are led too far apart tear at them, or did so until now; they were
+//! made rigid while they were squeezed; or they are lighter than what they bear by more than sweeps can hold.
 //!
 //! Bonds, joints and skins cannot all be as they are to be there. What they push about by turns is no speed: what holds such a body makes
 //! no point of it faster than forces made it, or than its pins go.
@@ -32,9 +33,6 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     torn.clear();
     for (member, (body, base)) in (0..).zip(state.members(common)) {
         let (is_led, links) = (!body.straps.is_empty(), common.holds(body));
-        if !is_led && !state.tangle.torn[member as usize] {
-            continue;
-        }
         state.counts.work += 5 * links.len() as u64;
         let is_strained = links.iter().any(|link| {
             let (a, b) = (base + link.a as usize, base + link.b as usize);
@@ -42,10 +40,11 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
             let is_rigid = !link.stiffness.is_finite() && link.relaxed.is_none() && link.rest > S::ZERO;
             is_rigid && link.limit.acts(off, S::ZERO) && off.abs() > S::from_f64(TORN) * link.rest
         });
-        let is_torn = &mut state.tangle.torn[member as usize];
-        *is_torn = is_strained || (*is_torn && is_led);
-        if *is_torn || is_led {
-            torn.push(Torn { member, is_torn: *is_torn });
+        let was_torn = &mut state.tangle.torn[member as usize];
+        *was_torn = if is_strained { is_led || *was_torn } else { is_led && *was_torn };
+        let is_torn = is_strained || *was_torn;
+        if is_torn || is_led {
+            torn.push(Torn { member, is_torn });
         }
     }
     state.torn = torn;

@@ -219,6 +219,7 @@ impl<S: Real> Live<S> {
         for list in [&mut cluster.promised, &mut cluster.gone, &mut cluster.goes] {
             *list = vec![S::ZERO; cluster.now.len()];
         }
+        cluster.mend_rigs();
         cluster
     }
 

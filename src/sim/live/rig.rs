@@ -29,6 +29,10 @@ const CLOSED: f64 = 1e-13;
 /// of a heavy one changes with the least turn.
 const MOST_UNEQUAL: f64 = 50.0;
 
+/// A gap of a joint that no motion makes, as a share of the largest radius of gyration of what is joined, and rounds in which such are closed.
+const TORN: f64 = 0.05;
+const MENDING: u32 = 24;
+
 /// The frames of a body of several, and what joins them.
 #[derive(Clone, Debug)]
 pub(super) struct Rig {
@@ -124,6 +128,48 @@ impl<S: Real> Cluster<S> {
         }
     }
 
+    /// Joints that were torn open before these bodies were in joints, as by pins that were let go, are closed before anything moves: as a way that
+    /// is gone in a substep that would throw the body.
+    pub(super) fn mend_rigs(&mut self) {
+        for k in 0..self.rigs.len() {
+            let rigged = self.rigs[k].clone();
+            let (rig, mut motions, anchors) = (&rigged.rig, self.still(&rigged), self.anchors(&rigged));
+            let gyration = |inertia: &Inertia| (inertia.inverse[0] / inertia.inverse[1]).sqrt();
+            let radii = rig.inertias.iter().map(gyration).filter(|radius| radius.is_finite());
+            let most = TORN * radii.fold(0.0, f64::max);
+            let gaps = rig.joints.gaps(Stand { motions: &motions, anchors: &anchors, since: 0.0 });
+            if gaps.iter().all(|gap| gap.abs() <= most) {
+                continue;
+            }
+            rig.joints.close(&rig.inertias, (&mut motions, &anchors), (MENDING, CLOSED), None);
+            let mut frame = rigged.first;
+            for (member, motion) in rig.members.iter().zip(motions) {
+                match *member {
+                    Member::Frame(..) => {
+                        self.begin_at(frame, motion.place);
+                        frame += 1;
+                    }
+                    Member::Point(point) => {
+                        let i = rigged.base + point as usize;
+                        self.now[i] = convert(motion.place.middle);
+                        self.start[i] = self.now[i];
+                    }
+                }
+            }
+        }
+    }
+
+    /// The members of a rig where they are, as if they stood still.
+    fn still(&self, rigged: &Rigged) -> Vec<Motion> {
+        self.stations(rigged).map(|place| Motion { place, twist: Twist::STILL }).collect()
+    }
+
+    /// The points that hold a rig, as if they stood still.
+    fn anchors(&self, Rigged { rig, base, .. }: &Rigged) -> Vec<Anchor> {
+        let anchor = |&point: &u32| Anchor { place: widen(self.now[base + point as usize]), velocity: [0.0; 2] };
+        rig.fixed.iter().map(anchor).collect()
+    }
+
     /// The gaps of all joints are closed.
     pub(super) fn straighten_rigs(&mut self) {
         for k in 0..self.rigs.len() {
@@ -140,14 +186,8 @@ impl<S: Real> Cluster<S> {
     }
 
     fn straighten(&mut self, rigged: &Rigged, rows: &mut Option<Rows>) {
-        let Rigged { rig, base, .. } = rigged;
-        let mut motions: Vec<Motion> =
-            self.stations(rigged).map(|place| Motion { place, twist: Twist::STILL }).collect();
-        let anchors: Vec<Anchor> = rig
-            .fixed
-            .iter()
-            .map(|&point| Anchor { place: widen(self.now[base + point as usize]), velocity: [0.0; 2] })
-            .collect();
+        let rig = &rigged.rig;
+        let (mut motions, anchors) = (self.still(rigged), self.anchors(rigged));
         let size = motions.iter().fold(1.0, |most: f64, motion| {
             let [x, y] = motion.place.middle;
             most.max(x.abs()).max(y.abs())
@@ -319,7 +359,7 @@ impl<S: Real> Cluster<S> {
             Some((member, widen(self.now[i]), widen(slope)))
         });
         let pushes: Vec<(usize, [f64; 2], [f64; 2])> = pushes.collect();
-        let motions: Vec<Motion> = self.stations(rigged).map(|place| Motion { place, twist: Twist::STILL }).collect();
+        let motions = self.still(rigged);
         let mut twists = vec![Twist::STILL; motions.len()];
         for &(member, at, push) in &pushes {
             let [ease, swing] = rig.inertias[member].inverse;
@@ -329,9 +369,7 @@ impl<S: Real> Cluster<S> {
         match &rigged.rows {
             Some(rows) => rows.hold(&rig.inertias, &mut twists, &[]),
             None => {
-                let anchor =
-                    |&point: &u32| Anchor { place: widen(self.now[base + point as usize]), velocity: [0.0; 2] };
-                let anchors: Vec<Anchor> = rig.fixed.iter().map(anchor).collect();
+                let anchors = self.anchors(rigged);
                 let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
                 rig.joints.rows_at(&rig.inertias, stand).hold(&rig.inertias, &mut twists, &[])
             }

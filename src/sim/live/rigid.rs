@@ -491,6 +491,13 @@ impl<S: Real> Cluster<S> {
         }
     }
 
+    /// A frame is there before anything moves, and all that goes with it.
+    pub(super) fn begin_at(&mut self, number: usize, place: Place) {
+        let frame = &mut self.frames[number];
+        (frame.found, frame.start, frame.now) = (place, place, place);
+        self.place_all(number);
+    }
+
     /// A frame moves so.
     pub(super) fn set_twist(&mut self, number: usize, twist: Twist) {
         (self.frames[number].velocity, self.frames[number].spin) = (twist.velocity, twist.spin);

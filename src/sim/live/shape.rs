@@ -13,6 +13,8 @@ use crate::sim::vector::{add, dot, scale};
 const MOST_TURN: f64 = 0.5;
 /// Share of what a joint was beyond its range before a substep that comes back in a pass, without speed.
 const MENDED: f64 = 0.1 / 3.0;
+/// By how much it may stay beyond it `[rad]`: what is led back into it without end, against what it lies on, pushes its body about.
+const SLACK: f64 = 0.01;
 
 /// Angles and areas that are springs, each once in a substep of `h` `[s]`.
 ///
@@ -109,7 +111,8 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, base: usiz
     let missed = hinge.stand(at(&state.start, points)).map_or(S::ZERO, before);
     // Only what is on the same side.
     let missed = if beyond > S::ZERO { missed.max(S::ZERO).min(beyond) } else { missed.min(S::ZERO).max(beyond) };
-    let slow = -missed * S::from_f64(MENDED) / weight;
+    let far = missed - missed.max(-S::from_f64(SLACK)).min(S::from_f64(SLACK));
+    let slow = -far * S::from_f64(MENDED) / weight;
     for (point, slope) in points.into_iter().zip(stand.slopes) {
         let (i, w) = (point as usize, state.w[point as usize]);
         if !state.frames.is_empty() {

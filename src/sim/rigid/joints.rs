@@ -426,11 +426,11 @@ mod tests {
         let on = |body: u32, x: f64| End::On { body, place: [x, 0.0] };
         let first = Link { ends: [End::Fixed(0), on(0, -0.5)], rest: None };
         let others = (1..angles.len() as u32).map(|k| Link { ends: [on(k - 1, 0.5), on(k, -0.5)], rest: None });
-        let mut end = [0.01, -0.02];
+        let mut end = [1e-4, -2e-4];
         let motion = |&angle: &f64| {
             let turn = [libm::cos(angle), libm::sin(angle)];
             let middle = add(end, scale(turn, 0.5));
-            end = add(end, scale(turn, 1.02));
+            end = add(end, scale(turn, 1.0002));
             Motion { place: Place { middle, angle, turn }, twist: Twist::STILL }
         };
         let motions = angles.iter().map(motion).collect();
@@ -456,7 +456,7 @@ mod tests {
 
     #[test]
     fn rows_from_near_by_close_gaps_and_those_from_far_off_are_worked_out_anew() {
-        let (gap, factored) = closed_by_rows_of(0.005);
+        let (gap, factored) = closed_by_rows_of(0.001);
         assert!(gap < 1e-11 && factored == 0, "{gap} m, worked out {factored} times");
         let (gap, factored) = closed_by_rows_of(2.0);
         assert!(gap < 1e-9 && factored > 0, "{gap} m, worked out {factored} times");
