@@ -105,7 +105,7 @@ static GALLERY: [Entry; 53] = [
         72,
         "Ragdoll",
         "A figure tumbles down a flight of stairs and comes to rest; another one hangs by a hand and swings.",
-        "unpin the hand with T: the figure falls 0.61 m in the first 0.4 s; throw the other one by a foot."
+        "unpin the hand with T: the figure falls 0.66 m in the first 0.4 s; throw the other one by a foot."
     ),
     entry!(
         "ragdoll-as-printed",

@@ -36,7 +36,7 @@ fn all(ui: &mut Ui, brush: &mut Brush) {
     if let (_, Some(preset)) = presets(ui, Some(brush.preset).filter(|_| is_named)) {
         (brush.preset, brush.numbers) = (preset, brush.numbers.all_off());
     }
-    let words = if is_named { brush.preset.words() } else { "what is switched on below, all else stays" };
+    let words = if is_named { brush.preset.words() } else { "the numbers that are on below" };
     ui.label(RichText::new(words).color(colors(ui).weak));
     ui.separator();
     ui.label(RichText::new("or get single numbers").color(colors(ui).weak));
