@@ -73,14 +73,14 @@ impl Session {
             self.panels.is_fresh = true;
             return self.touch();
         }
-        self.panels.sheet = None;
+        self.close_sheet();
         self.take_file(&meant);
     }
 
     /// Opens an import; a drawing that lay there is put away.
     fn bring_in(&mut self, import: Import) {
         self.put_away();
-        self.panels.sheet = None;
+        self.close_sheet();
         self.import = Some(import);
         self.touch();
     }

@@ -97,7 +97,7 @@ impl Session {
         self.inspected = Chosen::default();
         self.has_undone = false;
         self.driving.clear();
-        self.panels.sheet = None;
+        self.close_sheet();
         (self.rewinds, self.last_frame, self.told, self.gone_by) = (false, None, None, None);
         self.plot_anew();
         self.touch();

@@ -55,6 +55,7 @@ impl Session {
         let mut laid = Laid::default();
         let (mut answer, mut answered) = (None, None);
         let can_add = self.scene.dimensions() == 2;
+        let was_open = self.panels.sheet.is_some();
         let output = context.run_ui(input, |ui| {
             ui.fonts_mut(|fonts| {
                 for (sign, before) in SIGNS.chars().flat_map(|sign| BEFORE.map(|before| (sign, before))) {
@@ -70,6 +71,9 @@ impl Session {
                 self.loading = None;
             }
         });
+        if was_open && self.panels.sheet.is_none() {
+            self.close_sheet();
+        }
         self.give_world(&laid, output.pixels_per_point);
         self.covered = panels::covered(&context, output.pixels_per_point);
         self.egui.handle_platform_output(&self.window, output.platform_output);

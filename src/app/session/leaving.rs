@@ -49,7 +49,7 @@ impl Session {
         let has_work = self.player.is_unsaved();
         let Some(words) = question(&self.title(), has_work, left) else { return true };
         // A sheet would lie over the question.
-        self.panels.sheet = None;
+        self.close_sheet();
         let answered = move |session: &mut Session, answer: usize| match answer {
             0 if !has_work => session.go_to_unsaved(),
             0 => {

@@ -28,6 +28,17 @@ impl Session {
         is_coming || self.egui.egui_ctx().text_edit_focused()
     }
 
+    /// Closes the sheet that is open. Its field would have the focus until panels are drawn again, and with it the keys that are pressed until then.
+    pub(super) fn close_sheet(&mut self) {
+        if self.panels.sheet.take().is_some() || self.is_writing() {
+            self.egui.egui_ctx().memory_mut(|memory| {
+                if let Some(field) = memory.focused() {
+                    memory.surrender_focus(field);
+                }
+            });
+        }
+    }
+
     /// Whether something is open above the panels that Esc closes by itself: a menu, a picker of colours.
     pub(in crate::app) fn has_popup(&self) -> bool {
         egui::Popup::is_any_open(self.egui.egui_ctx())
