@@ -72,7 +72,7 @@ impl Session {
             }
         });
         if was_open && self.panels.sheet.is_none() {
-            self.close_sheet();
+            self.leave_field();
         }
         self.give_world(&laid, output.pixels_per_point);
         self.covered = panels::covered(&context, output.pixels_per_point);

@@ -28,15 +28,20 @@ impl Session {
         is_coming || self.egui.egui_ctx().text_edit_focused()
     }
 
-    /// Closes the sheet that is open. Its field would have the focus until panels are drawn again, and with it the keys that are pressed until then.
+    /// Closes the sheet that is open.
     pub(super) fn close_sheet(&mut self) {
-        if self.panels.sheet.take().is_some() || self.is_writing() {
-            self.egui.egui_ctx().memory_mut(|memory| {
-                if let Some(field) = memory.focused() {
-                    memory.surrender_focus(field);
-                }
-            });
+        if self.panels.sheet.take().is_some() {
+            self.leave_field();
         }
+    }
+
+    /// A sheet was closed: its field would have the focus until panels are drawn again, and with it the keys that are pressed until then.
+    pub(super) fn leave_field(&self) {
+        self.egui.egui_ctx().memory_mut(|memory| {
+            if let Some(field) = memory.focused() {
+                memory.surrender_focus(field);
+            }
+        });
     }
 
     /// Whether something is open above the panels that Esc closes by itself: a menu, a picker of colours.

@@ -5,7 +5,7 @@
 //! no point of it faster than forces made it, or than its pins go.
 
 use super::cluster::{Cluster, Common};
-use super::strap::stretch;
+use super::strap::tautness;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, length, scale, sub};
 
@@ -14,6 +14,8 @@ const TORN: f64 = 0.2;
 /// Share of its reach beyond which a strap is longer, and how many times as fast as its pins what hangs between them may get `[1]`.
 const OVER: f64 = 1e-4;
 const FASTEST: f64 = 2.0;
+/// Share of its reach by which a strap may be shorter and all that is between its pins is as good as straight: it gives way across, at any speed.
+const STRAIGHT: f64 = 2e-3;
 /// How quickly what hangs there comes to rest `[1/s]`: for each unit that it is stretched by, and at most.
 const CALMING: f64 = 100.0;
 const MOST_CALMING: f64 = 10.0;
@@ -60,7 +62,7 @@ pub(super) fn keep<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     for body in &torn {
         let (own, base) = bodies[body.member as usize];
         let points = base..base + own.points.len();
-        let over = stretch(&own.straps, &state.now[base..]) - S::ONE;
+        let over = tautness(&own.straps, &state.now[base..]) - S::ONE;
         let fastest = |points: &mut dyn Iterator<Item = usize>| {
             points.map(|i| length(state.velocity[i])).fold(S::ZERO, |most, speed| most.max(speed))
         };
@@ -68,7 +70,7 @@ pub(super) fn keep<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
             let rate = (over * S::from_f64(CALMING)).min(S::from_f64(MOST_CALMING));
             let pins = fastest(&mut points.clone().filter(|&i| state.w[i] == S::ZERO));
             (pins * S::from_f64(FASTEST), S::ONE / (S::ONE + rate * h))
-        } else if body.is_torn {
+        } else if body.is_torn || over > S::from_f64(-STRAIGHT) {
             (fastest(&mut points.clone()), S::ONE)
         } else {
             continue;

@@ -68,7 +68,13 @@ pub(super) fn is_led_apart<S: Real, const D: usize>(
 /// What the rest lengths of a body whose points are at `now` `[m]` are to be multiplied by `[1]`: 1, where its pins are near enough.
 #[inline]
 pub(super) fn stretch<S: Real, const D: usize>(straps: &[Strap<S>], now: &[[S; D]]) -> S {
-    straps.iter().fold(S::ONE, |most, strap| {
+    tautness(straps, now).max(S::ONE)
+}
+
+/// How far apart pins are, as a share of what is between them, at most `[1]`: above 1 that is to be stretched.
+#[inline]
+pub(super) fn tautness<S: Real, const D: usize>(straps: &[Strap<S>], now: &[[S; D]]) -> S {
+    straps.iter().fold(S::ZERO, |most, strap| {
         let [a, b] = strap.ends.map(|end| now[end as usize]);
         most.max(length(sub(a, b)) / strap.most)
     })
