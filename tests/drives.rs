@@ -210,6 +210,28 @@ fn a_servo_brings_its_angle_along_and_a_motor_lifts_no_more_than_it_can() {
 }
 
 #[test]
+fn a_motor_that_presses_against_its_stop_spins_nothing_up() {
+    // Two boxes in a joint, free in space, whose motor turns them against each other until it is at the end of its range.
+    let scene = r#"{ "wobble": 1,
+        "points": { "position": [[0,0],[1,0],[2,0],[0.2,0.25],[0.8,0.25],[0.2,-0.25],[0.8,-0.25],[1.2,0.25],[1.8,0.25],[1.2,-0.25],
+                                 [1.8,-0.25]],
+                    "mass": [1,1,1,1,1,1,1,49,49,49,49] },
+        "bonds": [{"a":0,"b":3},{"a":0,"b":5},{"a":3,"b":4},{"a":3,"b":5},{"a":4,"b":5},{"a":5,"b":6},{"a":4,"b":6},{"a":4,"b":1},
+                  {"a":6,"b":1},{"a":1,"b":7},{"a":1,"b":9},{"a":7,"b":8},{"a":7,"b":9},{"a":8,"b":9},{"a":9,"b":10},{"a":8,"b":10},
+                  {"a":8,"b":2},{"a":10,"b":2}],
+        "triangles": [[0,3,5],[3,4,5],[4,5,6],[4,6,1],[1,7,9],[7,8,9],[8,9,10],[8,10,2]], "contact": true,
+        "angles": [{ "points": [0,1,2], "min": 1.5, "max": 4.7, "drive": { "speed": 5, "torque": 2450 } }] }"#;
+    let scene = Scene::parse(scene, "stopped").unwrap();
+    let mut world = build(&scene.model::<2>().unwrap()).unwrap();
+    let masses = world.masses().to_vec();
+    let sample = run_to(&mut *world, 3.0);
+    let turned = angular_momentum(&sample, &masses)[2];
+    assert!(turned.abs() < 1.0, "{turned} kg m^2/s, of a motor of 2,450 N m");
+    let [x, _, y] = [0, 1, 2].map(|i| sample.position[i]);
+    assert!((x[0] - y[0]).hypot(x[1] - y[1]) < 1.8, "it is at its stop: {x:?} {y:?}");
+}
+
+#[test]
 fn a_keyed_muscle_sleeps_until_its_key_and_one_that_moves_never() {
     let sleepy = Method { sleeps: true, budget: Some(6.0), ..Method::default() };
     let mut model = oscillator(sleepy);

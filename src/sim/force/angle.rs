@@ -171,6 +171,15 @@ impl<S: Real> Hinge<S> {
         }
     }
 
+    /// Of a turn from an angle on what keeps it within the range `[rad]`.
+    #[inline(always)]
+    pub(crate) fn kept(&self, angle: S, turn: S) -> S {
+        match turn > S::ZERO {
+            true => turn.min((self.half - angle).max(S::ZERO)),
+            false => turn.max((-self.half - angle).min(S::ZERO)),
+        }
+    }
+
     /// How far an angle is from its rest `[rad]`.
     #[inline(always)]
     pub(crate) fn off_rest(&self, angle: S) -> S {

@@ -79,7 +79,9 @@ impl<S: Real, const D: usize> Group<S, D> {
                     account.book.add(&power, share * h / 6.0);
                 }
             }
-            account.book.relaxation += self.engine.tallied();
+            let [taken, drawn] = self.engine.tallied();
+            account.book.relaxation += taken;
+            account.book.pins += drawn;
         }
         if h > 0.0 && self.gets_taut() {
             let at = |state: (&[[S; D]], &[[S; D]])| stored(&self.pull, state, &self.points.inverse_mass);

@@ -121,9 +121,9 @@ impl<S: Real, const D: usize> Engine<S, D> {
         }
     }
 
-    /// What they took since then `[J]`.
-    pub(crate) fn tallied(&mut self) -> f64 {
-        self.sweeps().and_then(|sweeps| sweeps.tally.as_ref()).map_or(0.0, |tally| tally.taken)
+    /// What they took since then, and what pins that are led did through them `[J]`.
+    pub(crate) fn tallied(&mut self) -> [f64; 2] {
+        self.sweeps().and_then(|sweeps| sweeps.tally.as_ref()).map_or([0.0; 2], |tally| [tally.taken, tally.drawn])
     }
 
     fn sweeps(&mut self) -> Option<&mut KickDrift<S, D>> {

@@ -40,8 +40,9 @@ pub(crate) struct SweepTally<S, const D: usize> {
     before: Vec<[S; D]>,
     /// How far sweeps have moved each point in the substep `[m]`.
     bent: Vec<[S; D]>,
-    /// What they took since it was begun `[J]`.
+    /// What they took since it was begun, and what pins that are led did through them `[J]`.
     pub(crate) taken: f64,
+    pub(crate) drawn: f64,
 }
 
 /// The method with what it keeps from substep to substep.
@@ -156,7 +157,14 @@ impl<S: Real, const D: usize> KickDrift<S, D> {
             tally.bent.clone_from(&points.displacement);
         }
         for _ in 0..*iterations {
-            relaxed::sweep(points, relaxed, relaxed_order, share);
+            match &mut self.tally {
+                Some(tally) => {
+                    let drawn = relaxed::sweep_counting(points, relaxed, relaxed_order, (share, h));
+                    tally.drawn += drawn;
+                    tally.taken += drawn;
+                }
+                None => relaxed::sweep(points, relaxed, relaxed_order, share),
+            }
         }
         counters.sweep(*iterations, relaxed.len());
         if let Some(tally) = &mut self.tally {
@@ -191,7 +199,8 @@ impl<S: Real, const D: usize> KickDrift<S, D> {
     /// What sweeps take is counted from here on, or not.
     pub(crate) fn begin_tally(&mut self, is_kept: bool) {
         let is_kept = is_kept && !self.swept.relaxed.is_empty();
-        self.tally = is_kept.then(|| Box::new(SweepTally { before: Vec::new(), bent: Vec::new(), taken: 0.0 }));
+        self.tally =
+            is_kept.then(|| Box::new(SweepTally { before: Vec::new(), bent: Vec::new(), taken: 0.0, drawn: 0.0 }));
     }
 
     /// Bends displacements until rigid bonds hold.

@@ -205,8 +205,11 @@ pub(super) fn turn<S: Real>(state: &mut Cluster<S>, around: &Environment<2>, (t,
         let most = S::from_f64(torque);
         let rate = stand.rate(at(&state.way, hinge.points)) / h;
         let asked = slope * (S::from_f64(speed) * hinge.level(t, &around.keys) - rate) / (S::ONE + slope * h * weight);
-        turn.turned = asked.max(-most).min(most) * stand.share() * h * h;
-        shape::push(state, hinge.points, stand.slopes, turn.turned);
+        let push = asked.max(-most).min(most) * stand.share() * h * h;
+        // What it presses beyond its stop turns nothing: both are within the body, and cancel.
+        let is_stopped = hinge.stop > S::ZERO && weight > S::ZERO;
+        turn.turned = if is_stopped { hinge.kept(stand.angle, push * weight) / weight } else { push };
+        shape::push_turning(state, hinge, hinge.points, stand.slopes, (turn.turned, weight));
     }
     state.turns = turns;
 }

@@ -327,6 +327,23 @@ impl<S: Real> Cluster<S> {
         }
     }
 
+    /// Notes what a push of a point `[kg m]` would have changed of velocities by the arm and the direction that it had as the substep began: see
+    /// [`Turned`](crate::sim::kernels::links::Turned).
+    pub(super) fn turn_point(&mut self, p: usize, [now, begun]: [[S; 2]; 2]) {
+        let Some(number) = self.frame_number(p) else {
+            self.turned[p] = add(self.turned[p], scale(sub(begun, now), self.w[p]));
+            return;
+        };
+        let (x, before) = (widen(self.now[p]), widen(self.start[p]));
+        let (now, begun): ([f64; 2], [f64; 2]) = (widen(now), widen(begun));
+        let frame = &mut self.frames[number];
+        let ([ease, swing], [old, new]) = (frame.inverse, [sub(before, frame.start.middle), sub(x, frame.now.middle)]);
+        frame.turn_back(Twist {
+            velocity: scale(sub(begun, now), ease),
+            spin: swing * (cross(old, begun) - cross(new, now)),
+        });
+    }
+
     #[inline(always)]
     fn push_plain(&mut self, i: usize, shift: [S; 2], change: Change) {
         match change {

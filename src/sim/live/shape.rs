@@ -6,6 +6,7 @@ use super::rigid::Change;
 use crate::sim::force::angle::{Hinge, Stand};
 use crate::sim::force::area::{Patch, size, slopes};
 use crate::sim::force::form::at;
+use crate::sim::kernels::links;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale};
 
@@ -89,7 +90,7 @@ pub(super) fn bend<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, (base, h):
     }
     let way = stand.rate(at(&state.way, points));
     let multiplier = -(firm * hinge.off_rest(stand.angle) + slow * way) / (S::ONE + (firm + slow) * weight);
-    push(state, points, stand.slopes, bounded(multiplier, weight));
+    push_turning(state, hinge, points, stand.slopes, (bounded(multiplier, weight), weight));
 }
 
 /// A joint comes back to its range: what was beyond it before slowly and without speed, what is new at once.
@@ -127,7 +128,7 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, base: usiz
     for (point, slope) in points.into_iter().zip(stand.slopes) {
         state.note_stop(point as usize, scale(slope, multiplier * state.w[point as usize]));
     }
-    push(state, points, stand.slopes, multiplier);
+    push_turning(state, hinge, points, stand.slopes, (multiplier, weight));
 }
 
 fn keep<S: Real>(state: &mut Cluster<S>, area: &Area<S>, base: usize) {
@@ -152,6 +153,27 @@ pub(super) fn weight<S: Real>(state: &Cluster<S>, points: [u32; 3], slopes: [[S;
         return state.felt_by_three(points.map(|point| point as usize), slopes);
     }
     points.iter().zip(slopes).fold(S::ZERO, |sum, (&point, g)| sum + state.w[point as usize] * dot(g, g))
+}
+
+/// Moves the points of an angle along its slopes, so that bodies in joints keep what they turn with: by no more than that, where `weight` says
+/// that it turns them little.
+pub(super) fn push_turning<S: Real>(
+    state: &mut Cluster<S>,
+    hinge: &Hinge<S>,
+    points: [u32; 3],
+    slopes: [[S; 2]; 3],
+    (multiplier, weight): (S, S),
+) {
+    let is_gentle = (multiplier * weight).abs() <= S::from_f64(links::MOST_TURN);
+    if !state.frames.is_empty()
+        && is_gentle
+        && let Some(begun) = hinge.stand(at(&state.start, points))
+    {
+        for (k, &point) in points.iter().enumerate() {
+            state.turn_point(point as usize, [slopes[k], begun.slopes[k]].map(|slope| scale(slope, multiplier)));
+        }
+    }
+    push(state, points, slopes, multiplier);
 }
 
 /// Moves three points along their slopes.

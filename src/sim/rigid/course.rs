@@ -22,14 +22,25 @@ pub(super) const LEAST_BOUNCE: f64 = 2e-6;
 /// Speed that counts as none, as a share of the body's own `[1]`.
 pub(super) const STILL: f64 = 1e-11;
 
-/// Halvings of parts that are too long, in a frame at most: what turns too fast for any part is not followed.
+/// Halvings of parts that are too long, in a frame at most: what turns too fast for any part is not followed. And how much longer than one that
+/// was halved the next ones get.
 const HALVINGS: f64 = 64.0;
+const GROWTH: f64 = 1.25;
 
 /// What a step counts and books.
 pub(super) struct Log<'a> {
     pub(super) hits: u64,
     pub(super) work: u64,
     pub(super) book: Option<&'a mut Book>,
+}
+
+/// Why a part was too long.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Fault {
+    /// It turned too far, or was jerked.
+    Strays,
+    /// It did not come to where all joints fit.
+    Misses,
 }
 
 /// What moves as one among surfaces: a body alone, or bodies that joints hold together.
@@ -94,9 +105,9 @@ pub(super) trait Assembly {
         ends: (&Self::Motion, &Self::Motion, f64),
         lying: &[Self::Touch],
     ) -> Option<f64>;
-    /// Whether a part that led there was too long.
-    fn is_too_long(&self, _end: &Self::Motion, _h: f64) -> bool {
-        false
+    /// Whether a part of `h` `[s]` that led from one to the other was too long, and why.
+    fn fault(&self, _ends: (&Self::Motion, &Self::Motion), _h: f64) -> Option<Fault> {
+        None
     }
     /// Operations of a part in flight, and of a look at what it touches, about.
     fn work(&self, near: Option<&Self::Near>) -> u64;
@@ -114,14 +125,15 @@ pub(super) fn advance<A: Assembly>(
     let [many, most_hits] = of.most_hits();
     let frames = (h / FRAME).ceil().max(1.0);
     let (mut done, mut hits, mut is_out) = (0.0, 0.0, false);
-    let mut halvings = HALVINGS * frames;
+    let (mut halvings, mut grown) = (HALVINGS * frames, f64::INFINITY);
     while h - done > 1e-12 * h {
         let (now, left) = (t + done, h - done);
         let [in_flight, turned] = of.turned(&motion);
-        let mut part = left.min(longest.max(SHORTEST)).min(in_flight);
+        let mut part = left.min(longest.max(SHORTEST)).min(in_flight).min(grown);
         log.work += of.work(None);
         let Some(near) = of.near(&motion, part) else {
-            let end = shortened(of, &mut part, &mut halvings, |part| of.fly(&motion, (now, part), None));
+            let fly = |part| of.fly(&motion, (now, part), None);
+            let end = shortened(of, &motion, (&mut part, &mut grown), &mut halvings, fly);
             motion = match log.book.as_deref_mut() {
                 None => end,
                 book => of.fly(&motion, (now, part), book),
@@ -154,7 +166,7 @@ pub(super) fn advance<A: Assembly>(
         };
         part = if lying.is_empty() { part } else { part.min(within(LYING, h)) };
         let path = |time: f64| go(time, None);
-        let end = shortened(of, &mut part, &mut halvings, path);
+        let end = shortened(of, &motion, (&mut part, &mut grown), &mut halvings, path);
         let hit = of.first_hit(&path, (&motion, &end, part), (&near, &lying)).filter(|_| locates);
         let until = hit.map_or_else(|| (end.clone(), part), |time| (path(time), time));
         let stop = of.first_stop(&path, (&motion, &until.0, until.1), &lying).filter(|_| locates);
@@ -172,19 +184,30 @@ pub(super) fn advance<A: Assembly>(
     motion
 }
 
-/// Where a path leads in a part, which is halved until it is not too long, as often as is left.
-fn shortened<A: Assembly>(of: &A, part: &mut f64, left: &mut f64, path: impl Fn(f64) -> A::Motion) -> A::Motion {
+/// Where a path leads in a part, which is halved until it is not too long, as often as is left; and how long the next one may be, for it is hardly
+/// ever one that has to be.
+fn shortened<A: Assembly>(
+    of: &A,
+    start: &A::Motion,
+    (part, grown): (&mut f64, &mut f64),
+    left: &mut f64,
+    path: impl Fn(f64) -> A::Motion,
+) -> A::Motion {
     let mut end = path(*part);
-    while of.is_too_long(&end, *part) {
+    let whole = *part;
+    while let Some(fault) = of.fault((start, &end), *part) {
         if *part <= SHORTEST || *left <= 0.0 {
             // Where no part is short enough, as where lengths and leads contradict each other, the others are not cut in vain.
-            *left = 0.0;
+            if fault == Fault::Misses {
+                *left = 0.0;
+            }
             break;
         }
         *part *= 0.5;
         *left -= 1.0;
         end = path(*part);
     }
+    *grown = if *part < whole { *part } else { *grown * GROWTH };
     end
 }
 

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use super::alone::gentle;
-use super::course::{Assembly, HANGING, Log, SHORTEST, TURN, book_strike, gives_back, within};
+use super::course::{Assembly, Fault, HANGING, Log, SHORTEST, TURN, book_strike, gives_back, within};
 use super::joints::End;
 use super::law::{OF_A_CONTACT, strike};
 use super::linkage::{Moving, Spot, twists_of};
@@ -12,12 +12,15 @@ use super::together::Together;
 use super::touch::{Near, Touch, way};
 use crate::sim::ledger::Book;
 use crate::sim::real::Real;
-use crate::sim::vector::{dot, length};
+use crate::sim::vector::{add, dot, length, scale, sub};
 
 /// Longest part of a step in flight, so many of a step at least `[s]`; and the angle that a body or a rod turns in it at most `[rad]`: of order 4, so
 /// that a swing of a second is right to a few 1e-7 of its size.
 const IN_FLIGHT: (f64, f64) = (1.0 / 120.0, 2.0);
 const TURN_IN_FLIGHT: f64 = 0.15;
+/// How far it may get from where even accelerations lead, as a share of the shortest rod `[1]`: half a radian on a circle takes it that far, and
+/// much less time where a chain gets taut and whips.
+const MOST_JERK: f64 = 1.5e-2;
 /// Hits in a frame as [`Assembly::most_hits`] has them: each takes a dozen ways of all bodies to locate.
 const MOST_HITS: [f64; 2] = [20.0, 60.0];
 /// How much heavier all of it is than a body from which on that swings like a string under the weight of the others, and the phase of that
@@ -76,6 +79,16 @@ impl<S: Real, const D: usize> Moving<'_, S, D> {
         };
         near.iter().enumerate().flat_map(spots).collect()
     }
+}
+
+/// How far the middle of a body is from where even accelerations would have led it in `h` `[s]`, by the speeds at both ends, at most `[m]`.
+fn jerk(start: &[Motion], end: &[Motion], h: f64) -> f64 {
+    let off = |(from, to): (&Motion, &Motion)| {
+        let way = sub(to.place.middle, from.place.middle);
+        let off = sub(way, scale(add(from.twist.velocity, to.twist.velocity), 0.5 * h));
+        dot(off, off)
+    };
+    start.iter().zip(end).map(off).fold(0.0, f64::max).sqrt()
 }
 
 /// The touches of one body.
@@ -201,8 +214,12 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
         first
     }
 
-    fn is_too_long(&self, end: &Vec<Motion>, h: f64) -> bool {
-        self.take_failed() || self.turning(end) * h > 2.0 * TURN_IN_FLIGHT
+    fn fault(&self, (start, end): (&Vec<Motion>, &Vec<Motion>), h: f64) -> Option<Fault> {
+        if self.take_failed() {
+            return Some(Fault::Misses);
+        }
+        let strays = self.turning(end) * h > 2.0 * TURN_IN_FLIGHT || jerk(start, end, h) > MOST_JERK * self.shortest();
+        strays.then_some(Fault::Strays)
     }
 
     fn work(&self, near: Option<&Vec<Near>>) -> u64 {

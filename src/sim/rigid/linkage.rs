@@ -430,6 +430,13 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         None
     }
 
+    /// The shortest rod, or how far the smallest body reaches `[m]`; infinite without any.
+    pub(super) fn shortest(&self) -> f64 {
+        let rods = self.linkage.joints.links().iter().filter_map(|link| link.rest);
+        let bodies = self.bodies().iter().map(|body| body.reach);
+        rods.chain(bodies).filter(|&length| length > 0.0).fold(f64::INFINITY, f64::min)
+    }
+
     /// The fastest that a rod turns `[rad/s]`.
     pub(super) fn turning(&self, motions: &[Motion]) -> f64 {
         let stand = self.stand(motions, self.start);

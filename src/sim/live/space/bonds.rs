@@ -12,7 +12,7 @@ use crate::sim::vector::{add, dot, scale, sub};
 
 /// Whether the springs of a body are forces in substeps of `h` `[s]`: in flight, where those keep its energy; what touches something is
 /// to come to rest.
-fn are_forces<S: Real>(body: &Body<S>, touched: bool, h: S) -> bool {
+pub(super) fn are_forces<S: Real>(body: &Body<S>, touched: bool, h: S) -> bool {
     !touched && bears(body.swing, h)
 }
 

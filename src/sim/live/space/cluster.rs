@@ -4,6 +4,7 @@ use super::body::{Bodies, Body};
 use super::bonds::Hold;
 use super::obstacle::Solid;
 use super::pair::{Pair, Sides};
+use super::patches::Patches;
 use super::touch::Touch;
 use crate::sim::contact::skin::Contact;
 use crate::sim::contact::surface::Surface;
@@ -11,7 +12,7 @@ use crate::sim::kernels::links::Turned;
 use crate::sim::live::given::Given;
 use crate::sim::live::substep::PUSHED;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, zero};
+use crate::sim::vector::{add, dot};
 
 /// Bodies that go together, in lists of their own: nothing else is read or written while they move.
 ///
@@ -53,15 +54,22 @@ pub(super) struct Cluster<S: Real> {
     pub(super) rooms: Vec<S>,
     /// Which of them may touch in this substep.
     pub(super) chosen: Vec<u32>,
-    /// What is near planes, balls and boxes.
+    /// What is near planes, balls and boxes, how far it was from touching when it was found `[m]`, and which may touch in this substep.
     pub(super) touches: Vec<Touch<S>>,
+    pub(super) touch_rooms: Vec<S>,
+    pub(super) near: Vec<u32>,
     /// How far points may go until what is near obstacles is looked for anew `[m]`, and how far the fastest has gone since.
     pub(super) promise: S,
     pub(super) gone: S,
-    /// The same of each point against the mean of all, for what is near each other; and how far it gets in this substep.
+    /// How far every point has gone since.
+    pub(super) gone_far: Vec<S>,
+    /// What goes together, for what is near each other.
+    pub(super) patches: Patches<S>,
+    /// The same of each point against its patch; how far it gets in this substep; and what others may push it by.
     pub(super) promised: Vec<S>,
     pub(super) gone_apart: Vec<S>,
     pub(super) goes: Vec<S>,
+    pub(super) pushes: Vec<S>,
     /// The least of what is promised `[m]`.
     pub(super) least_promise: S,
     /// Substeps of a frame that there is work for.
@@ -141,18 +149,14 @@ impl<S: Real> Cluster<S> {
     pub(super) fn put(&mut self, i: usize, by: [S; 3]) {
         self.now[i] = add(self.now[i], by);
         self.start[i] = add(self.start[i], by);
-        self.gone_apart[i] += dot(by, by).sqrt();
+        let way = dot(by, by).sqrt();
+        self.gone_apart[i] += way;
+        self.gone_far[i] += way;
     }
 
-    /// The mean of vectors of points.
-    pub(super) fn mean(list: &[[S; 3]]) -> [S; 3] {
-        let sum = list.iter().fold(zero(), |sum, &v| add(sum, v));
-        scale(sum, S::ONE / S::from_f64(list.len().max(1) as f64))
-    }
-
-    /// How far contacts may push a point beyond its way within a substep `[m]`: as far as the fastest goes, at least.
+    /// How far contacts may push a point beyond its way within a substep `[m]` without having been seen to push it.
     pub(super) fn pushed(&self) -> S {
-        (self.least_promise * S::from_f64(PUSHED)).max(self.fastest() * self.span)
+        self.least_promise * S::from_f64(PUSHED)
     }
 
     /// The largest speed `[m/s]`.

@@ -1,24 +1,29 @@
 //! What is near what: skins near planes, balls and boxes, and points near triangles, by a grid of the triangles.
 //!
-//! What is found holds as long as no point goes further than was promised of it; against each other, further than the mean of all.
+//! What is found holds as long as no point goes further than was promised of it; against each other, further than its patch does, and
+//! patches as they go against each other (`patches.rs`).
 
 use super::cluster::{Cluster, Common};
 use super::geometry::{nearest, volume};
-use super::grid::Grid;
+use super::grid::{Grid, Seen};
 use super::obstacle::{Shape, Solid};
 use super::pair::{Pair, Sides};
+use super::patches::Patches;
 use super::touch::{Kind, Touch};
 use crate::sim::contact::convex::BOX_EDGES;
 use crate::sim::live::FRAMES;
 use crate::sim::real::Real;
-use crate::sim::vector::{dot, sub, zero};
+use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// Share of a frame after which it is looked anew at the soonest, however fast points are.
 const LEAST_TIME: f64 = 0.25;
+/// The same of what is near each other: little goes far against its neighbours.
+const LEAST_TIME_OF_SKINS: f64 = 1.0;
 
 /// Finds anew what obstacles touch.
 pub(super) fn look_at_obstacles<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     state.gone = S::ZERO;
+    state.gone_far.fill(S::ZERO);
     state.promise = state.least_promise.max(state.fastest() * S::from_f64(LEAST_TIME / FRAMES));
     let mut touches = std::mem::take(&mut state.touches);
     touches.clear();
@@ -36,7 +41,11 @@ pub(super) fn look_at_obstacles<S: Real>(state: &mut Cluster<S>, common: &Common
     // Points last: what they say holds exactly.
     touches.sort_by_key(|touch| (std::cmp::Reverse(rank(touch.kind)), touch.points));
     state.counts.work += 10 * (state.now.len() * (common.planes.len() + common.solids.len())) as u64;
+    state.counts.work += 60 * touches.len() as u64;
+    state.touch_rooms.clear();
+    state.touch_rooms.extend(touches.iter().map(|touch| touch.room(common, &state.now)));
     state.touches = touches;
+    state.near.clear();
 }
 
 fn rank(kind: Kind) -> u32 {
@@ -87,7 +96,7 @@ fn near_solid<S: Real>(
         match &solid.shape {
             Shape::Ball { .. } => note(Kind::Triangle(number), points),
             Shape::Box { corners, .. } => {
-                let [a, b, c] = points.map(|i| state.now[i as usize]);
+                let [a, b, c] = three(&state.now, points);
                 for (k, &corner) in corners.iter().enumerate() {
                     let from = nearest([corner, a, b, c]).from;
                     if dot(from, from) < reach * reach * S::from_f64(4.0) {
@@ -110,26 +119,26 @@ pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>,
     if state.triangles.is_empty() {
         return;
     }
-    let (mean, time) = (Cluster::mean(&state.velocity), S::from_f64(LEAST_TIME / FRAMES));
-    for i in 0..state.now.len() {
-        let apart = sub(state.velocity[i], mean);
-        state.promised[i] = state.least_promise.max(dot(apart, apart).sqrt() * time);
-        state.gone_apart[i] = S::ZERO;
-    }
-    let mut pairs = std::mem::take(&mut state.pairs);
-    pairs.clear();
     let bodies: Vec<_> = state.bodies.iter().map(|&body| &common.bodies.list[body]).collect();
     let widest = bodies.iter().fold(S::ZERO, |most, body| most.max(body.radius));
-    state.rooms.clear();
     let pushed = state.pushed();
+    let nearing = promise(state, widest + widest + pushed);
+    let mut pairs = std::mem::take(&mut state.pairs);
+    pairs.clear();
+    state.rooms.clear();
     let grid = Grid::over(state, widest + widest + state.least_promise + pushed);
-    let mut seen: Vec<u32> = Vec::new();
+    let reaches = Reaches::new(state);
+    let mut seen = Seen::of(state.triangles.len());
+    let mut looked = 0;
     for &(p, number) in &state.corners {
         let body = state.body_of[p as usize];
-        seen.clear();
-        grid.near(state.now[p as usize], state.promised[p as usize] - state.least_promise, &mut seen);
+        let beyond = state.promised[p as usize] - state.least_promise + nearing[state.patches.of(p as usize)];
+        grid.near(state.now[p as usize], beyond, &mut seen);
         let first = pairs.len();
-        for &triangle in &seen {
+        let reach = beyond + widest + widest + state.least_promise + pushed;
+        looked += seen.list.len() as u64;
+        for &triangle in seen.list.iter().filter(|&&triangle| reaches.are_near(triangle, state.now[p as usize], reach))
+        {
             let (corners, of_triangle, other) = state.triangles[triangle as usize];
             let meets = if other == body { contact.with_itself } else { contact.with_others };
             let points = [p, corners[0], corners[1], corners[2]];
@@ -138,10 +147,12 @@ pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>,
             }
             let own = &bodies[body as usize];
             let distance = if other == body { own.own_distance } else { own.radius + bodies[other as usize].radius };
-            let places = points.map(|i| state.now[i as usize]);
+            let [a, b, c] = three(&state.now, corners);
+            let places = [state.now[p as usize], a, b, c];
             let from = nearest(places).from;
             let room = dot(from, from).sqrt() - distance;
-            if room > state.promised[p as usize] + farthest(&state.promised, corners) + pushed {
+            let nears = state.patches.promised(p, corners);
+            if room > state.promised[p as usize] + farthest(&state.promised, corners) + nears + pushed {
                 continue;
             }
             let key = u64::from(number) << 32 | u64::from(of_triangle);
@@ -166,10 +177,63 @@ pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>,
     }
     // Corners are listed by their numbers, so this finds all in order.
     pairs.sort_unstable_by_key(|pair| pair.key);
-    state.counts.work += 60 * (state.triangles.len() + state.corners.len()) as u64 + 30 * pairs.len() as u64;
+    state.counts.work += 200 * (state.triangles.len() + state.corners.len()) as u64;
+    state.counts.work += 120 * pairs.len() as u64 + 4 * looked;
     state.rooms.extend(pairs.iter().map(|pair| pair.room));
     state.pairs = pairs;
     state.chosen.clear();
+}
+
+/// Promises how far points may go against their patches and those against each other, until it is looked anew. `reach`: how near is near,
+/// beside that `[m]`. Returns of every patch how far others may come towards it.
+fn promise<S: Real>(state: &mut Cluster<S>, reach: S) -> Vec<S> {
+    let time = S::from_f64(LEAST_TIME_OF_SKINS / FRAMES);
+    let mut patches = Patches::over(&state.now);
+    let means = patches.means(&state.velocity);
+    for (i, (&velocity, promised)) in state.velocity.iter().zip(&mut state.promised).enumerate() {
+        let apart = sub(velocity, means[patches.of(i)]);
+        *promised = state.least_promise.max(dot(apart, apart).sqrt() * time);
+    }
+    // What is pushed off by an obstacle is so as fast as it goes.
+    for i in state.touches.iter().flat_map(|touch| touch.points).map(|i| i as usize) {
+        let velocity = state.velocity[i];
+        state.promised[i] = state.promised[i].max(state.least_promise + dot(velocity, velocity).sqrt() * state.span);
+    }
+    state.gone_apart.fill(S::ZERO);
+    let longest = state.triangles.iter().fold(S::ZERO, |most, &(corners, ..)| {
+        let [a, b, c] = three(&state.now, corners);
+        [sub(a, b), sub(b, c), sub(c, a)].into_iter().fold(most, |most, side| most.max(dot(side, side)))
+    });
+    let of_points = (&state.now[..], &state.velocity[..], &state.promised[..]);
+    let nearing = patches.promise(of_points, (time, state.least_promise * S::HALF, reach + longest.sqrt()));
+    state.patches = patches;
+    nearing
+}
+
+/// Of triangles the middle, and how far corners are from it with what is promised of them `[m]`.
+struct Reaches<S>(Vec<([S; 3], S)>);
+
+impl<S: Real> Reaches<S> {
+    fn new(state: &Cluster<S>) -> Self {
+        let third = S::from_f64(1.0 / 3.0);
+        let of = |&(corners, ..): &([u32; 3], u32, u32)| {
+            let [a, b, c] = three(&state.now, corners);
+            let middle = scale(add(add(a, b), c), third);
+            let far = [sub(a, middle), sub(b, middle), sub(c, middle)];
+            let far = dot(far[0], far[0]).max(dot(far[1], far[1])).max(dot(far[2], far[2]));
+            (middle, far.sqrt() + farthest(&state.promised, corners))
+        };
+        Reaches(state.triangles.iter().map(of).collect())
+    }
+
+    /// Whether a place may come nearer than `reach` `[m]`: NaN is looked at.
+    #[inline(always)]
+    fn are_near(&self, triangle: u32, x: [S; 3], reach: S) -> bool {
+        let (middle, far) = self.0[triangle as usize];
+        let (d, most) = (sub(x, middle), far + reach);
+        let is_far = dot(d, d) > most * most;
+        !is_far
+    }
 }
 
 /// Sides of pairs, by their numbers.
@@ -181,6 +245,12 @@ fn side_of(sides: &[(u64, i8)], key: u64) -> Option<i8> {
     sides.binary_search_by_key(&key, |side| side.0).ok().map(|found| sides[found].1)
 }
 
+/// Entries of three points.
+#[inline(always)]
+pub(super) fn three<T: Copy>(list: &[T], [a, b, c]: [u32; 3]) -> [T; 3] {
+    [list[a as usize], list[b as usize], list[c as usize]]
+}
+
 /// The largest entry of three points.
 #[inline(always)]
 pub(super) fn farthest<S: Real>(list: &[S], [a, b, c]: [u32; 3]) -> S {
@@ -189,23 +259,38 @@ pub(super) fn farthest<S: Real>(list: &[S], [a, b, c]: [u32; 3]) -> S {
 
 /// Whether more than what was promised would be gone after `h` `[s]` at the speeds of now: of obstacles, and of each other.
 pub(super) fn is_due<S: Real>(state: &Cluster<S>, h: S) -> [bool; 2] {
-    let mean = Cluster::mean(&state.velocity);
+    let obstacles = state.gone + h * state.fastest() > state.promise;
+    if state.triangles.is_empty() {
+        return [obstacles, false];
+    }
+    let means = state.patches.means(&state.velocity);
     let leaves = |i: usize| {
+        let mean = means[state.patches.of(i)];
         let (apart, left) = (sub(state.velocity[i], mean), state.promised[i] - state.gone_apart[i]);
         // NaN is looked at.
         let stays = left >= S::ZERO && h * h * dot(apart, apart) <= left * left;
         !stays
     };
-    let skins = !state.triangles.is_empty() && (0..state.now.len()).any(leaves);
-    [state.gone + h * state.fastest() > state.promise, skins]
+    let ways: Vec<[S; 3]> = means.iter().map(|&mean| scale(mean, h)).collect();
+    [obstacles, state.patches.leave(&ways) || (0..state.now.len()).any(leaves)]
 }
 
 /// Counts the ways of a substep against the promises.
 pub(super) fn count_ways<S: Real>(state: &mut Cluster<S>) {
-    state.gone += state.way.iter().fold(S::ZERO, |most, &way| most.max(dot(way, way))).sqrt();
-    let mean = Cluster::mean(&state.way);
-    for (gone, &way) in state.gone_apart.iter_mut().zip(&state.way) {
-        let apart = sub(way, mean);
+    let mut most = S::ZERO;
+    for (gone, &way) in state.gone_far.iter_mut().zip(&state.way) {
+        let way = dot(way, way).sqrt();
+        *gone += way;
+        most = most.max(way);
+    }
+    state.gone += most;
+    if state.triangles.is_empty() {
+        return;
+    }
+    let means = state.patches.means(&state.way);
+    for (i, (gone, &way)) in state.gone_apart.iter_mut().zip(&state.way).enumerate() {
+        let apart = sub(way, means[state.patches.of(i)]);
         *gone += dot(apart, apart).sqrt();
     }
+    state.patches.go(&means);
 }

@@ -3,6 +3,7 @@
 use super::Space;
 use super::body::Body;
 use super::cluster::{Cluster, Common, Counts};
+use super::patches::Patches;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::live::FRAMES;
@@ -71,13 +72,18 @@ impl<S: Real> Space<S> {
             holds: Vec::new(),
             pairs: Vec::new(),
             touches: Vec::new(),
+            touch_rooms: Vec::new(),
+            near: Vec::new(),
             rooms: Vec::new(),
             chosen: Vec::new(),
             promise: S::ZERO,
             gone: S::ZERO,
+            gone_far: vec![S::ZERO; own],
             promised: vec![S::ZERO; own],
             gone_apart: vec![S::ZERO; own],
             goes: vec![S::ZERO; own],
+            pushes: vec![S::ZERO; own],
+            patches: Patches::default(),
             least_promise: S::INFINITY,
             most_substeps: 0,
             span: S::ZERO,

@@ -1,7 +1,7 @@
 //! A uniform grid over triangles in space, filled by counting.
 
 use super::cluster::Cluster;
-use super::detect::farthest;
+use super::detect::{farthest, three};
 use crate::sim::real::Real;
 
 /// Cells that a triangle may touch before it is looked at by every point instead.
@@ -30,7 +30,7 @@ impl<S: Real> Grid<S> {
             .iter()
             .map(|(corners, ..)| {
                 let reach = apart + farthest(&state.promised, *corners);
-                grid.range(&corners.map(|i| state.now[i as usize]), reach).filter(|range| size(range) <= MOST_CELLS)
+                grid.range(&three(&state.now, *corners), reach).filter(|range| size(range) <= MOST_CELLS)
             })
             .collect();
         grid.starts = vec![0; grid.counts.iter().product::<usize>() + 1];
@@ -65,7 +65,7 @@ impl<S: Real> Grid<S> {
             }
         }
         let wide = state.triangles.iter().fold(S::ZERO, |sum, (corners, ..)| {
-            let [a, b, c] = corners.map(|i| state.now[i as usize]);
+            let [a, b, c] = three(&state.now, *corners);
             sum + (0..3).fold(S::ZERO, |most, k| most.max((a[k] - b[k]).abs()).max((a[k] - c[k]).abs()))
         });
         let size = [0, 1, 2].map(|k| (high[k] - low[k]).max(S::ZERO).to_f64());
@@ -94,17 +94,48 @@ impl<S: Real> Grid<S> {
     }
 
     /// Notes the triangles that may be near a place, or near what is no further than `beyond` `[m]` from it: each once.
-    pub(super) fn near(&self, x: [S; 3], beyond: S, seen: &mut Vec<u32>) {
-        if let Some(range) = self.range(&[x], beyond) {
-            for cell in cells(range, self.counts) {
-                seen.extend(&self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize]);
-            }
-            if size(&range) > 1 {
-                seen.sort_unstable();
-                seen.dedup();
+    pub(super) fn near(&self, x: [S; 3], beyond: S, seen: &mut Seen) {
+        seen.begin();
+        if let Some([along, across, up]) = self.range(&[x], beyond) {
+            for z in up[0]..up[1] {
+                for y in across[0]..across[1] {
+                    // Cells of a row follow each other.
+                    let row = (z * self.counts[1] + y) * self.counts[0];
+                    let [first, end] = [self.starts[row + along[0]], self.starts[row + along[1]]];
+                    self.entries[first as usize..end as usize].iter().for_each(|&triangle| seen.note(triangle));
+                }
             }
         }
-        seen.extend(&self.large);
+        self.large.iter().for_each(|&triangle| seen.note(triangle));
+    }
+}
+
+/// Triangles that are seen from a place, each once.
+pub(super) struct Seen {
+    /// For which place each was seen last.
+    last: Vec<u32>,
+    place: u32,
+    pub(super) list: Vec<u32>,
+}
+
+impl Seen {
+    /// Of so many triangles none.
+    pub(super) fn of(triangles: usize) -> Self {
+        Seen { last: vec![0; triangles], place: 0, list: Vec::new() }
+    }
+
+    fn begin(&mut self) {
+        self.place += 1;
+        self.list.clear();
+    }
+
+    #[inline(always)]
+    fn note(&mut self, triangle: u32) {
+        let last = &mut self.last[triangle as usize];
+        if *last != self.place {
+            *last = self.place;
+            self.list.push(triangle);
+        }
     }
 }
 

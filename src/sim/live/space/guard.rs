@@ -1,6 +1,6 @@
 //! The last line, as in the plane: a cluster has no more energy after a step than before, and what was done to it.
 
-use super::bonds::is_slack;
+use super::bonds::{are_forces, is_slack};
 use super::cluster::{Cluster, Common};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
@@ -30,15 +30,20 @@ fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 3]) -> (S, S) {
     (kinetic, fall - mass * dot(gravity, middle))
 }
 
+/// What springs can give back `[J]`: as in the plane, less of those that are projected.
 fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
     let mut sum = S::ZERO;
-    for (body, base) in state.members(common) {
+    let square = state.span * state.span;
+    for ((body, base), &touched) in state.members(common).zip(&state.touched) {
+        let slow = if are_forces(body, touched, state.span) { S::ZERO } else { square };
         for link in common.bodies.springs(body) {
-            let d = sub(state.now[base + link.a as usize], state.now[base + link.b as usize]);
+            let (a, b) = (base + link.a as usize, base + link.b as usize);
+            let d = sub(state.now[a], state.now[b]);
             let length = dot(d, d).sqrt();
             if !is_slack(link.limit, length, link.rest) {
                 let error = length - link.rest;
-                sum += S::HALF * link.stiffness * error * error;
+                let share = S::ONE + link.stiffness * slow * (state.w[a] + state.w[b]);
+                sum += S::HALF * link.stiffness / share * error * error;
             }
         }
     }

@@ -16,6 +16,7 @@ mod grid;
 mod guard;
 mod obstacle;
 mod pair;
+mod patches;
 mod path;
 mod rest;
 mod substep;
@@ -96,8 +97,8 @@ impl<S: Real> Space<S> {
         let count = count.max(f64::from(around.parts_near(moving, (t, h))));
         let own = h / count;
         let outside = Outside { pull, around, settling: &self.settling };
-        let before = guard::energy(cluster, common, around.gravity);
         cluster.span = S::from_f64(own);
+        let before = guard::energy(cluster, common, around.gravity);
         bonds::prepare(cluster, common, cluster.span);
         detect::look_at_obstacles(cluster, common);
         detect::look_at_skins(cluster, common, common.sides);

@@ -33,6 +33,15 @@ pub(super) struct Off<S> {
     pub(super) gap: S,
 }
 
+/// The box along the axes around places `[m]`.
+fn around<S: Real>(places: impl Iterator<Item = [S; 3]>) -> [[S; 3]; 2] {
+    places.fold([[S::INFINITY; 3], [-S::INFINITY; 3]], |[low, high], x| {
+        let of = |k: usize| (low[k].min(x[k]), high[k].max(x[k]));
+        let each = [of(0), of(1), of(2)];
+        [each.map(|pair| pair.0), each.map(|pair| pair.1)]
+    })
+}
+
 impl<S: Real> Solid<S> {
     pub(super) fn new(convex: &Convex) -> Self {
         let shape = match (convex.figure, convex.figure.frame()) {
@@ -107,6 +116,25 @@ impl<S: Real> Solid<S> {
         }
         let off = of_ball((*center, *radius), mean(before), mean([a, b, c]))?;
         Some(Off { shares: found.shares, ..off })
+    }
+
+    /// How far a triangle, or an edge whose first end is told twice, is from a ball `[m]`.
+    pub(super) fn gap_of_ball(&self, [a, b, c]: [[S; 3]; 3]) -> S {
+        let Shape::Ball { center, radius } = &self.shape else { return S::ZERO };
+        let from = nearest([*center, a, b, c]).from;
+        dot(from, from).sqrt() - *radius
+    }
+
+    /// How far a triangle or an edge is from corners of a box, or from what is between them, at least `[m]`: boxes along the axes around
+    /// both.
+    pub(super) fn gap_of_corners(&self, numbers: &[u32], places: [[S; 3]; 3]) -> S {
+        let Shape::Box { corners, .. } = &self.shape else { return S::ZERO };
+        let own = numbers.iter().map(|&number| corners[number as usize]);
+        let [low, high] = around(own);
+        let [from, to] = around(places.into_iter());
+        let along = |k: usize| (low[k] - to[k]).max(from[k] - high[k]).max(S::ZERO);
+        let d = [0, 1, 2].map(along);
+        dot(d, d).sqrt()
     }
 
     /// Where a triangle is beside a corner of a box, if the corner lies over its inside and is what of the box reaches furthest.

@@ -1,7 +1,7 @@
 //! A point near a triangle: on which side it belongs, how hard they press each other, how they rub.
 
 use super::cluster::Cluster;
-use super::geometry::{Beside, Passage, beside, passage, volume};
+use super::geometry::{Beside, Passage, beside, nearest, passage, volume};
 use super::touch::{MENDED, rub};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
@@ -89,11 +89,17 @@ impl<S: Real> Pair<S> {
 
     /// Where the point went around the triangle in this substep the side is the other one.
     pub(super) fn follow(&mut self, state: &Cluster<S>) {
-        let [before, now] = [&state.start, &state.now].map(|list| self.of(list));
+        let (before, now) = (self.of(&state.start), self.of(&state.now));
         if self.side * volume(now) >= S::ZERO || self.side * volume(before) < S::ZERO {
             return;
         }
-        if passage(before, now) != Passage::Through {
+        // What lies in the plane of a triangle beside it changes sides all the time, and never gets to it.
+        let from = nearest(before).from;
+        let most = (1..4).fold(S::ZERO, |most, k| {
+            let way = sub(sub(now[0], before[0]), sub(now[k], before[k]));
+            most.max(dot(way, way))
+        });
+        if dot(from, from) > most || passage(before, now) != Passage::Through {
             self.side = -self.side;
         }
     }

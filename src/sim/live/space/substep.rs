@@ -111,28 +111,84 @@ impl<S: Real> Cluster<S> {
         for &number in &self.chosen {
             self.pairs[number as usize].clear();
         }
-        self.touches.iter_mut().for_each(super::touch::Touch::clear);
+        for &number in &self.near {
+            self.touches[number as usize].clear();
+        }
     }
 
-    /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out. Others push them
-    /// by as much as the fastest goes, at least.
+    /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out. What may touch
+    /// something is pushed by as much as it goes against that.
     fn choose(&mut self) {
-        let mean = Cluster::mean(&self.way);
-        let mut slack = self.pushed();
-        for i in 0..self.now.len() {
-            let apart = sub(self.way[i], mean);
-            let way = dot(apart, apart).sqrt();
-            self.goes[i] = self.gone_apart[i] + way;
-            slack = slack.max(way);
+        for (push, way) in self.pushes.iter_mut().zip(&self.way) {
+            *push = dot(*way, *way).sqrt();
         }
-        let Cluster { pairs, rooms, goes, chosen, .. } = self;
+        self.list_touches();
+        self.chosen.clear();
+        if self.pairs.is_empty() {
+            return;
+        }
+        let all = std::mem::replace(&mut self.pushes, vec![S::ZERO; self.now.len()]);
+        let means = self.patches.means(&self.way);
+        self.patches.part(&means);
+        for i in 0..self.now.len() {
+            let apart = sub(self.way[i], means[self.patches.of(i)]);
+            self.pushes[i] = dot(apart, apart).sqrt();
+            self.goes[i] = self.gone_apart[i] + self.pushes[i];
+        }
+        self.list_near();
+        let ways = std::mem::replace(&mut self.pushes, vec![S::ZERO; self.now.len()]);
+        for &number in &self.chosen {
+            let [p, a, b, c] = self.pairs[number as usize].points;
+            let mut common = S::ZERO;
+            for corner in [a, b, c] {
+                let d = sub(means[self.patches.of(p as usize)], means[self.patches.of(corner as usize)]);
+                common = common.max(dot(d, d));
+            }
+            let push = ways[p as usize] + farthest(&ways, [a, b, c]) + common.sqrt();
+            for i in [p, a, b, c] {
+                self.pushes[i as usize] = self.pushes[i as usize].max(push);
+            }
+        }
+        for i in self.near.iter().flat_map(|&number| self.touches[number as usize].points).map(|i| i as usize) {
+            self.pushes[i] = self.pushes[i].max(all[i]);
+        }
+        self.goes.iter_mut().zip(&self.pushes).for_each(|(goes, &push)| *goes += push);
+        self.list_near();
+        self.pushes.iter_mut().zip(&all).for_each(|(push, &way)| *push += way);
+        self.list_touches();
+    }
+
+    /// What may touch obstacles where points get so far beyond where they are.
+    fn list_touches(&mut self) {
+        let slack = self.pushed();
+        let Cluster { touches, touch_rooms, near, gone_far, pushes, .. } = self;
+        let reach = |i: u32| gone_far[i as usize] + pushes[i as usize];
+        let may_touch = |number: u32, room: S| {
+            let [p, q, r] = touches[number as usize].points;
+            room <= reach(p).max(reach(q)).max(reach(r)) + slack
+        };
+        near.clear();
+        for (number, &room) in (0..).zip(touch_rooms.iter()) {
+            if may_touch(number, room) {
+                near.push(number);
+            }
+        }
+    }
+
+    /// Pairs that may touch where points go so far.
+    fn list_near(&mut self) {
+        let slack = self.pushed();
+        let Cluster { pairs, rooms, goes, chosen, patches, .. } = self;
         let may_touch = |number: u32, room: S| {
             let [p, a, b, c] = pairs[number as usize].points;
-            room <= goes[p as usize] + farthest(goes, [a, b, c]) + slack
+            room <= goes[p as usize] + farthest(goes, [a, b, c]) + patches.apart(p, [a, b, c]) + slack
         };
         chosen.clear();
-        chosen
-            .extend(rooms.iter().zip(0..).filter(|&(&room, number)| may_touch(number, room)).map(|(_, number)| number));
+        for (number, &room) in (0..).zip(rooms.iter()) {
+            if may_touch(number, room) {
+                chosen.push(number);
+            }
+        }
     }
 
     /// One pass over all contacts: obstacles last, which do not give way.
@@ -141,8 +197,9 @@ impl<S: Real> Cluster<S> {
         let chosen = std::mem::take(&mut self.chosen);
         chosen.iter().for_each(|&number| pairs[number as usize].press(self));
         self.chosen = chosen;
-        touches.iter_mut().for_each(|touch| touch.press(self, common));
-        (self.pairs, self.touches) = (pairs, touches);
+        let near = std::mem::take(&mut self.near);
+        near.iter().for_each(|&number| touches[number as usize].press(self, common));
+        (self.pairs, self.touches, self.near) = (pairs, touches, near);
     }
 
     /// Of all pairs: what goes around a triangle does so far from it, too.
@@ -169,12 +226,13 @@ impl<S: Real> Cluster<S> {
         let (pairs, touches) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.touches));
         let chosen = std::mem::take(&mut self.chosen);
         chosen.iter().for_each(|&number| pairs[number as usize].bounce(self, least));
-        touches.iter().for_each(|touch| touch.bounce(self, common, least));
+        let near = std::mem::take(&mut self.near);
+        near.iter().for_each(|&number| touches[number as usize].bounce(self, common, least));
         let pressed = chosen.iter().filter(|&&number| pairs[number as usize].pressed > S::ZERO).count();
         self.counts.contacts += pressed as u64;
-        self.has_pressed |= pressed > 0 || touches.iter().any(|touch| touch.pressed > S::ZERO);
+        self.has_pressed |= pressed > 0 || near.iter().any(|&number| touches[number as usize].pressed > S::ZERO);
         self.counts.work += 120 * chosen.len() as u64 + 2 * pairs.len() as u64;
-        self.counts.work += 60 * touches.len() as u64 + 30 * self.now.len() as u64;
-        (self.pairs, self.touches, self.chosen) = (pairs, touches, chosen);
+        self.counts.work += 4 * touches.len() as u64 + 150 * near.len() as u64 + 30 * self.now.len() as u64;
+        (self.pairs, self.touches, self.chosen, self.near) = (pairs, touches, chosen, near);
     }
 }

@@ -1,7 +1,9 @@
 //! Points, edges and triangles on planes, balls and boxes: how hard they press, how they rub.
 
 use super::cluster::{Cluster, Common};
+use super::detect::three;
 use super::obstacle::Off;
+use crate::sim::contact::convex::BOX_EDGES;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, length, scale, sub, zero};
 
@@ -76,7 +78,7 @@ impl<S: Real> Touch<S> {
     /// Where it is, having been at `before` at the start of the substep.
     #[inline(always)]
     pub(super) fn look(&self, common: &Common<S>, (before, now): (&[[S; 3]], &[[S; 3]])) -> Option<Off<S>> {
-        let [p, q, r] = self.points.map(|i| i as usize);
+        let [p, q, r] = [self.points[0] as usize, self.points[1] as usize, self.points[2] as usize];
         let solid = |k: u32| &common.solids[k as usize];
         match self.kind {
             Kind::Plane(k) => {
@@ -92,6 +94,24 @@ impl<S: Real> Touch<S> {
             }
             Kind::BoxEdge(k, edge) => solid(k).of_box_edge(edge, [before[p], before[q]], [now[p], now[q]]),
         }
+    }
+
+    /// How far it may go until it may touch, at least `[m]`: 0 of what does.
+    pub(super) fn room(&self, common: &Common<S>, now: &[[S; 3]]) -> S {
+        match self.look(common, (now, now)) {
+            Some(off) if off.gap <= S::ZERO => return S::ZERO,
+            Some(off) if matches!(self.kind, Kind::Plane(_) | Kind::Point(_)) => return off.gap,
+            _ => {}
+        }
+        let places = three(now, self.points);
+        let far = match self.kind {
+            Kind::Plane(_) | Kind::Point(_) => S::ZERO,
+            Kind::Edge(k) | Kind::Triangle(k) => common.solids[k as usize].gap_of_ball(places),
+            Kind::Corner(k, corner) => common.solids[k as usize].gap_of_corners(&[corner], places),
+            Kind::BoxEdge(k, edge) => common.solids[k as usize].gap_of_corners(&BOX_EDGES[edge as usize], places),
+        };
+        // NaN is looked at.
+        if far > S::ZERO { far } else { S::ZERO }
     }
 
     /// Puts it out, and rubs.

@@ -57,10 +57,10 @@ fn excess<S: Real>(pair: &Pair<S>, state: &Cluster<S>) -> Option<(S, [S; 3], [S;
     }
     let normal = scale(found.from, S::ONE / gap);
     let foot = sub(start[0], found.from);
-    let way = pair.of(&state.way).map(|way| dot(way, normal));
-    let rises = (1..4).map(|k| way[k] - dot(normal, sub(foot, start[k])));
+    let way = pair.of(&state.way);
+    let rises = (1..4).map(|k| dot(way[k], normal) - dot(normal, sub(foot, start[k])));
     let rise = rises.fold(-S::INFINITY, S::max);
-    Some((rise - way[0] - S::from_f64(USED) * gap, found.shares, normal))
+    Some((rise - dot(way[0], normal) - S::from_f64(USED) * gap, found.shares, normal))
 }
 
 /// Whether the point leaves its side through the triangle. What is on the wrong side may come back.
