@@ -9,6 +9,7 @@ mod clip;
 mod count;
 pub mod distances;
 mod fetch;
+mod framing;
 mod import;
 pub mod keys;
 mod leftovers;

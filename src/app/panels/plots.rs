@@ -92,11 +92,11 @@ impl PlotsAt {
     }
 }
 
-/// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge. Returns where it lies `[points]`.
+/// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge; off what belongs to a tool. Returns where it lies `[points]`.
 pub(super) fn show(
     context: &egui::Context,
     (room, top): (Rect, f32),
-    (plots, (points, at, is_docked)): (&mut Plots, (&[Pos2], &mut PlotsAt, bool)),
+    (plots, (points, at, is_docked), of_tool): (&mut Plots, (&[Pos2], &mut PlotsAt, bool), Option<Rect>),
     wishes: &mut Vec<Wish>,
 ) -> Rect {
     let id = area_id();
@@ -113,6 +113,12 @@ pub(super) fn show(
     let corner =
         pos2(corner.x.min(room.right() - size.x - APART), corner.y.max(room.top() + size.y).min(room.bottom()));
     let corner = if at.is_dragged { corner } else { below_corner(corner, size, (room, top)) };
+    // What belongs to a tool has the place that it takes; a folded panel is as low as it is.
+    let is_folded = size.y < HEAD;
+    let most = if is_folded { size.y } else { size.y.max(high + HEAD) };
+    let taken: Vec<Rect> = of_tool.into_iter().collect();
+    let (corner, less) = clear_of(corner, vec2(size.x, most), room, &taken);
+    let high = (high - less).max(LEAST);
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
     let shown = area.show(context, |ui| panel(ui, ([SIZE[0], high], false), plots, wishes));
     if shown.response.dragged() {
@@ -213,6 +219,34 @@ fn quiet((room, top): (Rect, f32), size: Vec2, points: &[Pos2]) -> Pos2 {
         points.iter().filter(|point| rect.contains(**point)).count()
     };
     places.into_iter().min_by_key(inside).unwrap_or(at_left)
+}
+
+/// The left lower corner of a panel of this size in a room, as near to `corner` as may be so that it lies over nothing that is `taken`; and how
+/// much lower it is to be for that, where it has no place as high as it is. Where there is none at all it stays.
+fn clear_of(corner: Pos2, size: Vec2, room: Rect, taken: &[Rect]) -> (Pos2, f32) {
+    let at = |corner: Pos2, high: f32| Rect::from_min_size(corner - vec2(0.0, high), vec2(size.x, high));
+    let is_free = |rect: &Rect| !taken.iter().any(|other| other.expand(0.5 * APART).intersects(*rect));
+    for less in [0.0, 0.25, 0.5, 1.0].map(|share| share * (size.y - HEAD - LEAST).max(0.0)) {
+        let high = size.y - less;
+        if is_free(&at(corner, high)) {
+            return (corner, less);
+        }
+        let beside = taken.iter().flat_map(|other| [other.right() + APART, other.left() - APART - size.x]);
+        let across: Vec<f32> = beside.chain([corner.x]).collect();
+        let over = taken.iter().flat_map(|other| [other.top() - APART, other.bottom() + APART + high]);
+        let up: Vec<f32> = over.chain([corner.y]).collect();
+        let places = across.iter().flat_map(|x| up.iter().map(|y| pos2(*x, *y)));
+        let has_room = |place: &Pos2| {
+            let rect = at(*place, high);
+            // What was dragged over an edge may be over it still.
+            room.left() <= rect.left() && rect.right() <= room.right() && room.top() <= rect.top() && is_free(&rect)
+        };
+        let places = places.filter(|place| place.y <= room.bottom().max(corner.y) && has_room(place));
+        if let Some(place) = places.min_by(|a, b| a.distance(corner).total_cmp(&b.distance(corner))) {
+            return (place, less);
+        }
+    }
+    (corner, 0.0)
 }
 
 fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>) {
@@ -512,6 +546,20 @@ mod tests {
         assert_eq!(quiet(room, size, &both).x, 640.0 - 179.0);
         let floor: Vec<Pos2> = (0..64).map(|k| pos2(20.0 * k as f32, 600.0)).collect();
         assert_eq!(quiet(room, size, &floor), pos2(1280.0 - 358.0 - LEFT[1], 170.0 + 260.0), "above, at the right");
+    }
+
+    #[test]
+    fn the_panel_leaves_the_place_that_a_tool_takes_and_gets_lower_where_it_must() {
+        let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0));
+        let (size, corner) = (vec2(358.0, 298.0), pos2(LEFT[0], 640.0));
+        let brush = Rect::from_min_size(pos2(70.0, 90.0), vec2(270.0, 400.0));
+        assert_eq!(clear_of(corner, size, room, &[]), (corner, 0.0));
+        assert_eq!(clear_of(corner, size, room, &[brush]), (pos2(340.0 + APART, 640.0), 0.0), "right of it");
+        let wide = brush.with_max_x(1270.0);
+        assert_eq!(clear_of(corner, size, room, &[wide]).0, corner, "there is no place below it");
+        let above = wide.with_max_y(440.0);
+        let (place, less) = clear_of(corner, size, room, &[above]);
+        assert!(place == corner && less == size.y - HEAD - LEAST, "{place:?} {less}");
     }
 
     #[test]

@@ -125,6 +125,7 @@ impl Session {
 
     /// Someone has found out what to do: nothing more is said of it.
     fn used(&mut self) {
+        self.framed.hold();
         (self.wants_hint, self.panels.notes.hint_at) = (false, None);
         self.panels.notes.has_caption = false;
     }
