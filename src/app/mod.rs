@@ -28,6 +28,7 @@ pub mod rehearsal;
 mod saving;
 mod session;
 mod shell;
+mod starting;
 mod thumbnails;
 mod tools;
 mod trailing;
