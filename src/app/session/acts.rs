@@ -11,7 +11,7 @@ use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
 use crate::app::tools::{Deed, PushWay, strength};
 use crate::history::Do;
-use crate::scene::{Entry, gallery};
+use crate::scene::{EMPTY, Entry, gallery};
 use crate::sim::{MouseChange, PointId};
 
 /// The least and the greatest pace, in seconds of the scene itself.
@@ -389,6 +389,9 @@ impl Session {
     }
 
     fn open_named(&mut self, name: &str) {
+        if name == EMPTY.name {
+            return self.open_empty();
+        }
         let Some(entry) = gallery().iter().find(|entry| entry.name == name) else { return };
         match entry.scene() {
             Ok(scene) => self.open(scene.into()),
