@@ -208,8 +208,14 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> Line {
 /// What gave way, and to what.
 fn gave_way(&Yielded { rung, since, work }: &Yielded) -> Line {
     let (words, how) = match rung {
-        Rung::Order => ("Computed less exactly, to keep up with the clock. Take it back to have the exact motion, slower.", "order 2 in place of 4"),
-        Rung::Live => ("Computed more roughly, to keep up with the clock. Take it back to have the exact motion, slower.", "the live step wherever it is cheaper"),
+        Rung::Order => (
+            "Computed less exactly, to keep up with the clock. Take it back to have the exact motion, slower.",
+            "order 2 in place of 4",
+        ),
+        Rung::Live => (
+            "Computed more roughly, to keep up with the clock. Take it back to have the exact motion, slower.",
+            "the live step wherever it is cheaper",
+        ),
     };
     let cause = work.map_or(String::new(), |work| format!(": {} of work a frame", short(work)));
     let figures = format!("{how} since {since:.1}\u{a0}s{cause}");

@@ -18,8 +18,9 @@ use crate::render::Pose;
 const SIZE: [f32; 2] = [340.0, 180.0];
 /// Width of its panel `[points]`.
 pub(super) const WIDTH: f32 = SIZE[0] + 18.0;
-/// Lines of the grid lie so far apart at least, as a share of the plot `[1]`.
+/// Lines of the grid lie so far apart at least, as a share of the plot `[1]`, and so far that a number has room between them `[points]`.
 const LINES: f64 = 1.0 / 5.0;
+const NUMBER: [f32; 2] = [50.0, 16.0];
 /// Along the lower edge a plot takes this share of the height `[1]`.
 const LOW: f32 = 0.18;
 /// A room so high has place for the panel below the tools `[points]`.
@@ -353,6 +354,10 @@ fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
         Subject::Orbit => frame(("orbit", name), [unit, "m/s"], colors(ui)),
     };
     let colors = colors(ui);
+    // In a low plot fewer lines have numbers, but each line has one.
+    let least = |size: f32, number: f32| LINES.max(f64::from(number / size.max(1.0)));
+    let [across, up] = [least(width, NUMBER[0]), least(height, NUMBER[1])];
+    let frame = frame.x_grid_spacer(move |input| grid(input, across)).y_grid_spacer(move |input| grid(input, up));
     let shown = frame.width(width).height(height).show(ui, |ui| {
         // One measurement alone is a dot, as wide as a line.
         let width = if plots.series().iter().nth(1).is_some() { 1.5 } else { DOT };
@@ -387,8 +392,6 @@ fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2], colors: &Colors) ->
         .set_margin_fraction(vec2(margin, 0.08))
         .custom_x_axes(vec![axis(AxisHints::new_x(), across, 36.0)])
         .custom_y_axes(vec![axis(AxisHints::new_y(), up, 14.0).min_thickness(52.0)])
-        .x_grid_spacer(grid)
-        .y_grid_spacer(grid)
         .grid_color(colors.line)
         .label_formatter(move |at| match at {
             HoverPosition::NearDataPoint { plot_name, position, .. } => {
@@ -399,9 +402,9 @@ fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2], colors: &Colors) ->
         })
 }
 
-/// Lines at round numbers: at most five steps of 1, 2 or 5 times a power of ten.
-fn grid(GridInput { bounds: (from, to), .. }: GridInput) -> Vec<GridMark> {
-    let least = LINES * (to - from);
+/// Lines at round numbers, in steps of 1, 2 or 5 times a power of ten: no less than a share of the plot.
+fn grid(GridInput { bounds: (from, to), .. }: GridInput, least: f64) -> Vec<GridMark> {
+    let least = least * (to - from);
     let power = 10_f64.powf(least.log10().floor());
     let step =
         [1.0, 2.0, 5.0].map(|digit| digit * power).into_iter().find(|step| *step >= least).unwrap_or(10.0 * power);
@@ -566,7 +569,7 @@ mod tests {
     fn grids_have_round_numbers_with_the_digits_that_tell_them_apart() {
         let ticks = |from: f64, to: f64| -> Vec<String> {
             let input = GridInput { bounds: (from, to), base_step_size: 1.0 };
-            grid(input).into_iter().map(|mark| tick(mark, "J")).collect()
+            grid(input, LINES).into_iter().map(|mark| tick(mark, "J")).collect()
         };
         assert_eq!(ticks(-12.0, 21.0), ["-10 J", "0 J", "10 J", "20 J"]);
         assert_eq!(ticks(0.922_01, 0.922_19), ["0.92205 J", "0.92210 J", "0.92215 J"]);
