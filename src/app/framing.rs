@@ -101,7 +101,8 @@ mod tests {
     #[test]
     fn the_view_is_fitted_while_panels_find_their_sizes_and_then_left_alone() {
         let mut framed = Framed::default();
-        let turn = |framed: &mut Framed, open: Open, is_other: bool| framed.turn((SIZE, open), (is_other, false, false));
+        let turn =
+            |framed: &mut Framed, open: Open, is_other: bool| framed.turn((SIZE, open), (is_other, false, false));
         let usual = with(Tool::Hand, false);
         assert_eq!(turn(&mut framed, usual, true), Turn::Fit, "the first frame");
         assert_eq!(turn(&mut framed, usual, true), Turn::Fit, "a caption got its lines");
@@ -126,6 +127,10 @@ mod tests {
         assert_eq!(framed.turn((SIZE, usual), (true, true, false)), Turn::Keep, "the bar below is hidden");
         assert_eq!(framed.turn((SIZE, usual), (true, true, true)), Turn::Fit, "worlds side by side share less");
         assert_eq!(framed.turn(([1920, 1080], usual), (true, true, false)), Turn::Fit);
-        assert_eq!(framed.turn(([1920, 1080], usual), (true, false, false)), Turn::Fit, "panels find their sizes there");
+        assert_eq!(
+            framed.turn(([1920, 1080], usual), (true, false, false)),
+            Turn::Fit,
+            "panels find their sizes there"
+        );
     }
 }

@@ -359,7 +359,10 @@ mod tests {
                 assert!(close(lower.screen_from_world(at).unwrap(), pixel), "{pixel:?}");
             }
             lower.resize_still([800, 400]);
-            assert!(close(lower.screen_from_world(camera.focus()).unwrap(), camera.screen_from_world(camera.focus()).unwrap()));
+            assert!(close(
+                lower.screen_from_world(camera.focus()).unwrap(),
+                camera.screen_from_world(camera.focus()).unwrap()
+            ));
         }
     }
 
