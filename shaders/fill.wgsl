@@ -131,6 +131,8 @@ fn outward(side: vec2<f32>) -> vec2<f32> {
 
 // How much white an outline has beside the colour of its body: a dark one would sink into the ground, a bright one would not.
 const LIFT: vec2<f32> = vec2(0.55, 0.25);
+// How bright the rim of a limb is on a bright ground, beside its colour.
+const SHADE: f32 = 0.6;
 // Darkest place of a shadow [1].
 const DARKEST: f32 = 0.6;
 // Opacity of the sides of triangles, and the height of a triangle [px] from which on they are seen, and seen in full.
@@ -179,7 +181,9 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
         let own = select(mix(in.color.rgb, vec3(1.0), lift), vec3(0.88), is_map);
         let light = vec4(own, 1.0);
         if kind == SKIN {
-            return round_color(in, own);
+            // Limbs lie on each other: on a bright ground a dark rim parts them.
+            let is_bright = dot(frame.ground.rgb, vec3(0.3, 0.6, 0.1)) > 0.5;
+            return round_color(in, select(own, SHADE * in.color.rgb, is_bright && !is_map));
         }
         return stroke_color(Stroke(in.position, in.line, light, in.size.xy));
     }

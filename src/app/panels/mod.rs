@@ -374,7 +374,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
             let room = (places.low_beside(panels_edge), high);
             let of_tool = palette::of_tool(&context, facts.tool);
             let rect = plots::show(&context, room, (plots, points, of_tool), &mut wishes);
-            plotted = Some(rect).filter(|_| !are_docked);
+            plotted = rect.filter(|_| !are_docked);
         }
     }
     if has_panels {

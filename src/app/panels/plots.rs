@@ -93,13 +93,14 @@ impl PlotsAt {
     }
 }
 
-/// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge; off what belongs to a tool. Returns where it lies `[points]`.
+/// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge; off what belongs to a tool; not at all
+/// where that leaves no room for it. Returns where it lies `[points]`.
 pub(super) fn show(
     context: &egui::Context,
     (room, top): (Rect, f32),
     (plots, (points, at, is_docked), of_tool): (&mut Plots, (&[Pos2], &mut PlotsAt, bool), Option<Rect>),
     wishes: &mut Vec<Wish>,
-) -> Rect {
+) -> Option<Rect> {
     let id = area_id();
     let high = if is_docked { SIZE[1] } else { (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]) };
     let lay = context.memory(|memory| memory.area_rect(id));
@@ -118,14 +119,14 @@ pub(super) fn show(
     let is_folded = size.y < HEAD;
     let most = if is_folded { size.y } else { size.y.max(high + HEAD) };
     let taken: Vec<Rect> = of_tool.into_iter().collect();
-    let (corner, less) = clear_of(corner, vec2(size.x, most), room, &taken);
+    let (corner, less) = clear_of(corner, vec2(size.x, most), room, &taken)?;
     let high = (high - less).max(LEAST);
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
     let shown = area.show(context, |ui| panel(ui, ([SIZE[0], high], false), plots, wishes));
     if shown.response.dragged() {
         *at = PlotsAt { corner: Some(corner + shown.response.drag_delta()), is_dragged: true, ..*at };
     }
-    shown.response.rect
+    Some(shown.response.rect)
 }
 
 fn area_id() -> Id {
@@ -223,14 +224,14 @@ fn quiet((room, top): (Rect, f32), size: Vec2, points: &[Pos2]) -> Pos2 {
 }
 
 /// The left lower corner of a panel of this size in a room, as near to `corner` as may be so that it lies over nothing that is `taken`; and how
-/// much lower it is to be for that, where it has no place as high as it is. Where there is none at all it stays.
-fn clear_of(corner: Pos2, size: Vec2, room: Rect, taken: &[Rect]) -> (Pos2, f32) {
+/// much lower it is to be for that, where it has no place as high as it is; `None`: there is no place at all.
+fn clear_of(corner: Pos2, size: Vec2, room: Rect, taken: &[Rect]) -> Option<(Pos2, f32)> {
     let at = |corner: Pos2, high: f32| Rect::from_min_size(corner - vec2(0.0, high), vec2(size.x, high));
     let is_free = |rect: &Rect| !taken.iter().any(|other| other.expand(0.5 * APART).intersects(*rect));
     for less in [0.0, 0.25, 0.5, 1.0].map(|share| share * (size.y - HEAD - LEAST).max(0.0)) {
         let high = size.y - less;
         if is_free(&at(corner, high)) {
-            return (corner, less);
+            return Some((corner, less));
         }
         let beside = taken.iter().flat_map(|other| [other.right() + APART, other.left() - APART - size.x]);
         let across: Vec<f32> = beside.chain([corner.x]).collect();
@@ -244,10 +245,10 @@ fn clear_of(corner: Pos2, size: Vec2, room: Rect, taken: &[Rect]) -> (Pos2, f32)
         };
         let places = places.filter(|place| place.y <= room.bottom().max(corner.y) && has_room(place));
         if let Some(place) = places.min_by(|a, b| a.distance(corner).total_cmp(&b.distance(corner))) {
-            return (place, less);
+            return Some((place, less));
         }
     }
-    (corner, 0.0)
+    None
 }
 
 fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>) {
@@ -556,13 +557,12 @@ mod tests {
         let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0));
         let (size, corner) = (vec2(358.0, 298.0), pos2(LEFT[0], 640.0));
         let brush = Rect::from_min_size(pos2(70.0, 90.0), vec2(270.0, 400.0));
-        assert_eq!(clear_of(corner, size, room, &[]), (corner, 0.0));
-        assert_eq!(clear_of(corner, size, room, &[brush]), (pos2(340.0 + APART, 640.0), 0.0), "right of it");
+        assert_eq!(clear_of(corner, size, room, &[]), Some((corner, 0.0)));
+        assert_eq!(clear_of(corner, size, room, &[brush]), Some((pos2(340.0 + APART, 640.0), 0.0)), "right of it");
         let wide = brush.with_max_x(1270.0);
-        assert_eq!(clear_of(corner, size, room, &[wide]).0, corner, "there is no place below it");
+        assert_eq!(clear_of(corner, size, room, &[wide]), None, "there is no place below it");
         let above = wide.with_max_y(440.0);
-        let (place, less) = clear_of(corner, size, room, &[above]);
-        assert!(place == corner && less == size.y - HEAD - LEAST, "{place:?} {less}");
+        assert_eq!(clear_of(corner, size, room, &[above]), Some((corner, size.y - HEAD - LEAST)), "lower below it");
     }
 
     #[test]
