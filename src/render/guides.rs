@@ -353,7 +353,7 @@ mod tests {
             let camera = Camera::new(Pose::Plane { center, height }, [640, 480]);
             drawn(&View::empty(&Bonds::default(), 2), &camera, camera.focus(), &Look::default()).0.len()
         };
-        assert!((10..1000).contains(&count(DVec2::splat(1e3), 1e-3)));
+        assert!((10..2000).contains(&count(DVec2::splat(1e3), 1e-3)));
         assert_eq!(count(DVec2::splat(1e20), 1e-6), 0, "both edges are the same number");
         assert_eq!(count(DVec2::new(0.0, 1e20), 1.0), 0);
         for bad in [f64::NAN, f64::INFINITY, 0.0, -1.0, 1e-320, f64::MAX] {
