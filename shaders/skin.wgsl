@@ -36,8 +36,8 @@ fn vertex(@builtin(vertex_index) index: u32) -> Skin {
     return out;
 }
 
-// How light dark ink gets before it takes a colour [1]: multiplied alone it would stay dark whatever the colour is. A colour counts by its
-// strength, so that white changes nothing and grey makes darker.
+// How light black ink gets before it takes a colour [1]: multiplied alone it would stay dark whatever the colour is. A colour counts by its
+// strength, so that white changes nothing and grey makes darker; what is bright is multiplied.
 const LIFT: f32 = 0.5;
 
 // Ink in the colour that its body is given.
@@ -45,7 +45,8 @@ fn tinted(ink: vec3<f32>, tint: vec3<f32>) -> vec3<f32> {
     let most = max(max(tint.r, tint.g), tint.b);
     let least = min(min(tint.r, tint.g), tint.b);
     let strength = (most - least) / max(most, 0.01);
-    return tint * mix(ink, vec3(1.0), LIFT * strength);
+    let dark = 1.0 - max(max(ink.r, ink.g), ink.b);
+    return tint * mix(ink, vec3(1.0), LIFT * strength * dark);
 }
 
 @fragment

@@ -263,7 +263,7 @@ impl Figure<'_> {
         let angle = |corners: &[u32; 3]| {
             let others: Vec<u32> = corners.iter().copied().filter(|corner| *corner != point).collect();
             let [a, b] = [others[0], others[1]].map(|other| sub((self.at)(other), (self.at)(point)));
-            libm::atan2(cross(a, b).abs(), a[0] * b[0] + a[1] * b[1])
+            cross(a, b).abs().atan2(a[0] * b[0] + a[1] * b[1])
         };
         piece.triangles.iter().filter(of).map(angle).sum()
     }
