@@ -1,10 +1,10 @@
-// Fills: bodies without a picture. Primitives of six kinds in the order that they are drawn in: a soft shadow about what is covered,
-// that, bonds within it that are no side of a triangle, and its outline; of figures of limbs rim and flesh of
-// all sides in place of outlines, below what is covered.
+// Fills: bodies without a picture. Primitives of seven kinds in the order that they are drawn in: a soft shadow about what is covered,
+// that, bonds within it that are no side of a triangle, and its outline; of figures of limbs rim and flesh of round strokes in place
+// of outlines, and below them what is covered, seen only where bonds are shown through it.
 
 struct Primitive {
-    // Of a fill the corners of two triangles; of a side its ends in the middle, those before and after beside them, then the bits of a
-    // limb's radius [m].
+    // Of a fill the corners of two triangles; of a side its ends in the middle, those before and after beside them. Of a limb two points
+    // for each end, then the bits of its larger radius [m], and ten each: shares of the ways between those, lesser radius by the larger.
     points: array<u32, 6>,
     // The kind in the upper eight bits, then red, green, blue.
     ink: u32,
@@ -20,6 +20,7 @@ const SHADOW: u32 = 2u;
 const INNER: u32 = 3u;
 const FLESH: u32 = 4u;
 const SKIN: u32 = 5u;
+const UNDER: u32 = 6u;
 
 struct Fill {
     @builtin(position) position: vec4<f32>,
@@ -45,10 +46,11 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     var out: Fill;
     out.color = vec4(color_of(primitive.ink), 1.0);
     out.size.z = f32(kind);
-    if kind == FILL {
+    if kind == FILL || kind == UNDER {
         let point = primitive.points[corner];
         let place = position_of(point);
-        out.position = frame.clip_from_world * vec4(place, 1.0);
+        let is_hidden = kind == UNDER && !(frame.fill_opacity < 1.0);
+        out.position = select(frame.clip_from_world * vec4(place, 1.0), nowhere(), is_hidden);
         out.share = select(vec3(0.0), vec3(1.0), vec3<bool>(corner % 3u == 0u, corner % 3u == 1u, corner % 3u == 2u));
         if DIMENSIONS == 3u || (MAPS && is_set(frame.strain_scale, place.x)) {
             out.shade = shades[point];
@@ -58,20 +60,11 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         }
         return out;
     }
+    if kind == FLESH || kind == SKIN {
+        return limb(out, corner, primitive, kind);
+    }
     let a = position_of(primitive.points[1]);
     let b = position_of(primitive.points[2]);
-    if kind == FLESH || kind == SKIN {
-        let metre = distance(a, b);
-        let span = distance(pixel_of(frame.clip_from_world * vec4(a, 1.0)), pixel_of(frame.clip_from_world * vec4(b, 1.0)));
-        let radius = bitcast<f32>(primitive.points[4]) * span / max(metre, 1e-12);
-        let width = 2.0 * radius + select(0.0, 2.0 * frame.fill_outline, kind == SKIN);
-        let side = stroke(corner, a, b, out.color, width);
-        // Where bonds are shown through fills, what overlaps would be seen.
-        out.position = select(side.position, nowhere(), frame.fill_opacity < 1.0);
-        out.line = side.line;
-        out.size = vec3(side.size, f32(kind));
-        return out;
-    }
     if kind == OUTLINE || kind == INNER {
         let width = select(frame.fill_outline, max(0.8 * frame.outline_width, 1.0), kind == INNER);
         let side = stroke(corner, a, b, out.color, width);
@@ -81,6 +74,27 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         return out;
     }
     return shadow(out, corner, a, b, position_of(primitive.points[0]), position_of(primitive.points[3]));
+}
+
+// A round stroke whose ends have radii of their own.
+fn limb(plain: Fill, corner: u32, primitive: Primitive, kind: u32) -> Fill {
+    let packed = primitive.points[5];
+    let parts = vec3<f32>(vec3(packed, packed >> 10u, packed >> 20u) & vec3(1023u)) / 1023.0;
+    let a = mix(position_of(primitive.points[0]), position_of(primitive.points[1]), parts.x);
+    let b = mix(position_of(primitive.points[2]), position_of(primitive.points[3]), parts.y);
+    // Limbs are of the plane, where a metre is as long everywhere.
+    let metre = abs(0.5 * frame.clip_from_world[1].y * frame.viewport.y);
+    let rim = select(0.0, frame.fill_outline, kind == SKIN);
+    let most = bitcast<f32>(primitive.points[4]) * metre;
+    let radii = select(vec2(most, most * parts.z), vec2(most * parts.z, most), (packed >> 30u) == 1u) + rim;
+    let side = stroke(corner, a, b, plain.color, 2.0 * max(radii.x, radii.y));
+    var out = plain;
+    // Where bonds are shown through fills, what overlaps would be seen.
+    out.position = select(side.position, nowhere(), frame.fill_opacity < 1.0);
+    out.line = side.line;
+    out.size = vec3(side.size, f32(kind));
+    out.share = vec3(radii, 0.0);
+    return out;
 }
 
 // Reach of a shadow to both sides of its outline, and how far below the body it lies [widths of an outline].
@@ -117,6 +131,8 @@ fn outward(side: vec2<f32>) -> vec2<f32> {
 
 // How much white an outline has beside the colour of its body: a dark one would sink into the ground, a bright one would not.
 const LIFT: vec2<f32> = vec2(0.55, 0.25);
+// How bright the rim of a limb is on a bright ground, beside its colour.
+const SHADE: f32 = 0.6;
 // Darkest place of a shadow [1].
 const DARKEST: f32 = 0.6;
 // Opacity of the sides of triangles, and the height of a triangle [px] from which on they are seen, and seen in full.
@@ -129,13 +145,25 @@ const ASIDE: f32 = 0.7;
 // The other side of a surface, beside the one that is seen from where its normal points.
 const REVERSE: vec3<f32> = vec3(0.78, 0.82, 0.92);
 
-// A stroke with round ends.
+// A stroke with round ends of two radii: its edge touches both circles.
 fn round_color(in: Fill, color: vec3<f32>) -> vec4<f32> {
     let at = in.position.xy - in.line.xy;
-    let along = dot(at, in.line.zw);
-    let beyond = max(max(-along, along - in.size.x), 0.0);
-    let off = length(vec2(dot(at, vec2(-in.line.w, in.line.z)), beyond));
-    return fogged(vec4(color, clamp(in.size.y + 0.5 - off, 0.0, 1.0)), in.position.w);
+    let long = in.size.x;
+    let place = vec2(abs(dot(at, vec2(-in.line.w, in.line.z))), dot(at, in.line.zw));
+    let radii = in.share.xy;
+    let lean = (radii.x - radii.y) / max(long, 1e-6);
+    // One circle may lie in the other.
+    let upright = sqrt(max(1.0 - lean * lean, 0.0));
+    let along = dot(place, vec2(-lean, upright));
+    var off = dot(place, vec2(upright, lean)) - radii.x;
+    if abs(lean) >= 1.0 {
+        off = min(length(place) - radii.x, length(place - vec2(0.0, long)) - radii.y);
+    } else if along < 0.0 {
+        off = length(place) - radii.x;
+    } else if along > upright * long {
+        off = length(place - vec2(0.0, long)) - radii.y;
+    }
+    return fogged(vec4(color, clamp(0.5 - off, 0.0, 1.0)), in.position.w);
 }
 
 @fragment
@@ -153,7 +181,9 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
         let own = select(mix(in.color.rgb, vec3(1.0), lift), vec3(0.88), is_map);
         let light = vec4(own, 1.0);
         if kind == SKIN {
-            return round_color(in, own);
+            // Limbs lie on each other: on a bright ground a dark rim parts them.
+            let is_bright = dot(frame.ground.rgb, vec3(0.3, 0.6, 0.1)) > 0.5;
+            return round_color(in, select(own, SHADE * in.color.rgb, is_bright && !is_map));
         }
         return stroke_color(Stroke(in.position, in.line, light, in.size.xy));
     }

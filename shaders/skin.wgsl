@@ -36,13 +36,26 @@ fn vertex(@builtin(vertex_index) index: u32) -> Skin {
     return out;
 }
 
+// How light black ink gets before it takes a colour [1]: multiplied alone it would stay dark whatever the colour is. A colour counts by its
+// strength, so that white changes nothing and grey makes darker; what is bright is multiplied.
+const LIFT: f32 = 0.5;
+
+// Ink in the colour that its body is given.
+fn tinted(ink: vec3<f32>, tint: vec3<f32>) -> vec3<f32> {
+    let most = max(max(tint.r, tint.g), tint.b);
+    let least = min(min(tint.r, tint.g), tint.b);
+    let strength = (most - least) / max(most, 0.01);
+    let dark = 1.0 - max(max(ink.r, ink.g), ink.b);
+    return tint * mix(ink, vec3(1.0), LIFT * strength * dark);
+}
+
 @fragment
 fn fragment(in: Skin) -> @location(0) vec4<f32> {
     let color = textureSample(picture, smooth_sampler, in.at);
     // The share of a pixel on the inner side of where the picture is half opaque.
     let covers = (color.a - 0.5) / max(fwidth(color.a), 1e-4) + 0.5;
     let alone = select(1.0, clamp(covers, 0.0, 1.0), in.clipped > 0.0);
-    return vec4(color.rgb * in.tint.rgb, select(alone, color.a, in.tint.a > 0.5));
+    return vec4(tinted(color.rgb, in.tint.rgb), select(alone, color.a, in.tint.a > 0.5));
 }
 
 // A corner of a strip: nine numbers, the points of the triangle that it moves with, its shares of them, where it lies in the picture, and
@@ -92,7 +105,7 @@ fn edge_vertex(@builtin(vertex_index) index: u32) -> Stroke {
     let middle = 0.5 * vec2(a.u + b.u, a.v + b.v);
     let tint = 0.5 * (unpack4x8unorm(a.tint) + unpack4x8unorm(b.tint));
     let ink = textureSampleLevel(picture, smooth_sampler, middle, 0.0);
-    let color = ink.rgb * tint.rgb;
+    let color = tinted(ink.rgb, tint.rgb);
     // About the luminance of a colour in sRGB.
     let luminance = dot(color * color * (0.3 * color + 0.7), vec3(0.2126, 0.7152, 0.0722));
     let rim = select(1.0 - smoothstep(DARK.x, DARK.y, luminance), 0.0, tint.a > 0.5);

@@ -143,3 +143,22 @@ fn strokes_of_drawings_have_the_colours_that_they_are_tinted_in() {
         }
     }
 }
+
+#[test]
+fn dark_pictures_take_the_colour_that_they_are_given() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let ink = [22, 22, 26];
+    let seen = |tints: &[Tint]| {
+        let picture =
+            drawn(disc(ink, |r| (50.5 - r).clamp(0.0, 1.0)), &Settings::default(), tints, &on([0.06, 0.08, 0.12, 1.0]));
+        picture.get_pixel(120, 100).0
+    };
+    let plain = seen(&[]);
+    assert!((0..3).all(|k| plain[k].abs_diff(ink[k]) <= 3), "without a colour it stays as it is: {plain:?}");
+    let red = seen(&[Tint { color: Some([220, 40, 30]), ..Tint::new(0, 0) }]);
+    assert!(red[0] > 90 && red[0] > red[1] + 50 && red[0] > red[2] + 50, "{red:?}");
+    let white = seen(&[Tint { color: Some([255; 3]), ..Tint::new(0, 0) }]);
+    assert_eq!(white, plain, "white changes nothing");
+}

@@ -463,7 +463,7 @@ fn dark_ink_is_seen_on_the_dark_ground_and_light_ink_has_no_rim() {
     assert!(edges(&light).iter().all(|&edge| (edge - own).abs() < 0.02), "nothing lighter than the ink itself");
 }
 
-/// A white disc and a grey one: what colours do to pictures is a product, channel by channel, and white leaves them as they are.
+/// A white disc and others: what colours do to bright pictures is a product, channel by channel, and white leaves all as they are.
 #[test]
 fn a_colour_tints_the_picture_of_its_body() {
     if common::gpu().is_none() {

@@ -366,6 +366,28 @@ fn keys_live_after_tab_and_escape_never_leaves() {
     app.quit();
 }
 
+/// A part of the world that no panel lies over in such a window, with some of the body in it.
+const WORLD: [u32; 4] = [560, 130, 760, 330];
+
+#[test]
+fn panels_that_open_move_nothing_of_the_view() {
+    let Some(display) = Display::start() else { return };
+    let app = display.open(&common::file("rim-still.json"));
+    app.move_mouse(1090, 600);
+    let before = app.wait_until_still();
+    let [left, top, ..] = WORLD;
+    let ground = *before.get_pixel(left, top);
+    let lines = (left..WORLD[2]).filter(|&x| *before.get_pixel(x, WORLD[3] - 1) != ground).count();
+    assert!(lines > 5, "there is something to be seen: {lines}");
+    // Plots, settings, the brush with its panel, the selector with its own, and all of them closed.
+    for keys in [&["l"][..], &["g"], &["9"], &["6"], &["1", "g", "l"]] {
+        keys.iter().for_each(|key| app.key(key));
+        let after = app.wait_until_still();
+        assert_eq!(differing(&before, &after, WORLD), 0, "after {keys:?}");
+    }
+    app.quit();
+}
+
 #[test]
 fn the_gallery_opens_scenes_and_undo_goes_back() {
     let Some(display) = Display::start() else { return };

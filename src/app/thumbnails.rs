@@ -10,7 +10,7 @@ use image::RgbaImage;
 use super::opening;
 use super::panels::THUMBNAIL;
 use crate::render::{Camera, Capture, Gpu, Look, Palette, View};
-use crate::scene::{BodyKeys, Entry, MakerName, Scene, gallery};
+use crate::scene::{BodyKeys, EMPTY, Entry, MakerName, Scene, gallery};
 
 /// A scene is shown after so much of its time `[s]`, or what of it is stepped in this time.
 const SHOWN_AT: f64 = 0.8;
@@ -45,7 +45,7 @@ impl Thumbnails {
         std::thread::spawn(move || {
             let mut captures: [Option<Capture>; 2] = [None, None];
             let size = THUMBNAIL.map(|side| (FINE * side) as u32);
-            let mut left: Vec<&Entry> = gallery().iter().collect();
+            let mut left: Vec<&Entry> = gallery().iter().chain([&EMPTY]).collect();
             loop {
                 let wanted = looked_at.lock().unwrap_or_else(PoisonError::into_inner).clone();
                 let Some(entry) = next(&mut left, &wanted) else { return };

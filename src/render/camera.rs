@@ -93,6 +93,24 @@ impl Camera {
         self.viewport = DVec2::new(f64::from(width.max(1)), f64::from(height.max(1)));
     }
 
+    /// The picture has another size `[px]`: what is seen in its left upper corner stays there, as large as it is.
+    pub fn resize_still(&mut self, size: [u32; 2]) {
+        let (middle, before) = (self.middle(), self.viewport);
+        let at = self.world_from_screen([0.0; 2]);
+        self.resize(size);
+        let ratio = self.viewport.y / before.y;
+        match &mut self.pose {
+            Pose::Plane { height, .. } => *height = clamp_zoom(*height * ratio),
+            Pose::Orbit { distance, .. } => {
+                *distance = clamp_zoom(*distance * ratio);
+                self.aside = middle / self.viewport - 0.5;
+            }
+        }
+        let mut next = *self;
+        next.shift(at - next.world_from_screen([0.0; 2]));
+        self.adopt(next);
+    }
+
     /// The same picture moved to the right and down by some pixels: in space what it looks at is seen from the same side as before.
     pub fn moved(&self, [dx, dy]: [f64; 2]) -> Self {
         let mut next = *self;
@@ -327,6 +345,24 @@ mod tests {
             assert!(close(camera.screen_from_world(at).unwrap(), [100.0, 300.0]));
             camera.pan([30.0, -20.0]);
             assert!(close(camera.screen_from_world(at).unwrap(), [130.0, 280.0]));
+        }
+    }
+
+    #[test]
+    fn a_picture_that_gets_lower_shows_the_same_as_large_in_the_same_places() {
+        for camera in cameras() {
+            let camera = camera.moved([40.0, -10.0]);
+            let mut lower = camera;
+            lower.resize_still([760, 350]);
+            for pixel in [[0.0, 0.0], [400.0, 200.0], [13.0, 340.0]] {
+                let at = camera.world_from_screen(pixel);
+                assert!(close(lower.screen_from_world(at).unwrap(), pixel), "{pixel:?}");
+            }
+            lower.resize_still([800, 400]);
+            assert!(close(
+                lower.screen_from_world(camera.focus()).unwrap(),
+                camera.screen_from_world(camera.focus()).unwrap()
+            ));
         }
     }
 

@@ -29,8 +29,8 @@ const BORDER: f32 = 3.0;
 /// Opacity of a plane's rim in space, where it ends nowhere, beside that of walls `[1]`.
 const PATCH_RIM: f32 = 0.6;
 
-/// The guides of a picture, those below first, and how many of them lie below obstacles, over those, and over all else: the numbers of
-/// the grid are read on obstacles too, the marks of motors on bodies. Positions relative to `origin` `[m]`.
+/// The guides of a picture, those below first, and how many of them lie below obstacles, and over all else: the numbers of the grid, then the
+/// marks of motors. Positions relative to `origin` `[m]`.
 pub(super) fn guides(
     (view, camera, patches): (&View<'_>, &Camera, &[Patch]),
     (clip, border): ([u32; 4], Option<[DVec3; 2]>),
@@ -180,6 +180,8 @@ fn grid(list: &mut Vec<Guide>, camera: &Camera, center: DVec2, height: f64, orig
 const DIGITS: f64 = 1.15;
 const EDGE: f64 = 6.0;
 const NUMBER_WIDTH: f32 = 1.15;
+/// Below them is ground, so much wider `[px]` and so opaque `[1]`: they are read on bodies and lines too.
+const HALO: [f32; 2] = [3.2, 0.75];
 const APART: [f64; 2] = [90.0, 60.0];
 /// Least gap between two in a row `[px]`.
 const GAP: f64 = 24.0;
@@ -257,8 +259,12 @@ fn numbers(
                 continue;
             }
             let place = |end: DVec2| (corner + end / metre).extend(0.0) - origin;
-            let width = NUMBER_WIDTH * look.scale_factor;
-            list.extend(strokes.iter().map(|&[a, b]| guide(place(a), place(b), width, look.number)));
+            let [red, green, blue, _] = look.ground;
+            let halo = (NUMBER_WIDTH + HALO[0], [red, green, blue, HALO[1]]);
+            for (width, color) in [halo, (NUMBER_WIDTH, look.number)] {
+                let width = width * look.scale_factor;
+                list.extend(strokes.iter().map(|&[a, b]| guide(place(a), place(b), width, color)));
+            }
         }
     }
 }
@@ -347,7 +353,7 @@ mod tests {
             let camera = Camera::new(Pose::Plane { center, height }, [640, 480]);
             drawn(&View::empty(&Bonds::default(), 2), &camera, camera.focus(), &Look::default()).0.len()
         };
-        assert!((10..1000).contains(&count(DVec2::splat(1e3), 1e-3)));
+        assert!((10..2000).contains(&count(DVec2::splat(1e3), 1e-3)));
         assert_eq!(count(DVec2::splat(1e20), 1e-6), 0, "both edges are the same number");
         assert_eq!(count(DVec2::new(0.0, 1e20), 1.0), 0);
         for bad in [f64::NAN, f64::INFINITY, 0.0, -1.0, 1e-320, f64::MAX] {
@@ -357,13 +363,16 @@ mod tests {
     }
 
     #[test]
-    fn numbers_come_last_and_over_obstacles() {
+    fn numbers_come_last_each_on_ground_of_its_own() {
         let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [640, 480]);
         let of = |look: Look| drawn(&View::empty(&Bonds::default(), 2), &camera, DVec3::ZERO, &look);
         let (all, [below, ..]) = of(Look::default());
         let bare = of(Look { number: [0.0; 4], ..Look::default() });
         assert_eq!((bare.0.len(), bare.1), (below, [below, 0, 0]), "lines alone lie below");
-        assert!(all.len() > below + 50 && all[below..].iter().all(|guide| guide.color == Look::default().number));
+        let is = |guide: &&Guide| guide.color == Look::default().number;
+        let digits = all[below..].iter().filter(is).count();
+        assert!(digits > 50 && all.len() == below + 2 * digits, "each stroke has a wider one below it");
+        assert!(!is(&&all[below]) && all.last().as_ref().is_some_and(is));
     }
 
     #[test]

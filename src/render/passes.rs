@@ -301,8 +301,6 @@ impl Passes {
                 if let Some(pipelines) = &self.obstacles {
                     obstacles.draw(target, pipelines, counters);
                 }
-                let [below, count, _] = buffers.guide_counts;
-                self.draw_guides(target, below..below + count, counters);
                 if shown.fills {
                     fills.draw(shown.map, target, &self.fill[map], counters);
                 }
@@ -322,7 +320,7 @@ impl Passes {
             }
         }
         let [below, over, marks] = buffers.guide_counts;
-        self.draw_guides(target, below + over..below + over + marks, counters);
+        self.draw_guides(target, below..below + over + marks, counters);
         let count = |runs: &[Run]| runs.iter().map(|run| u64::from(run.count) * u64::from(run.chunks)).sum::<u64>();
         counters.bonds_drawn += count(&buffers.selection.strokes);
         counters.dots_drawn += count(&buffers.selection.dots);
@@ -331,7 +329,7 @@ impl Passes {
 }
 
 impl Passes {
-    /// Draws further guides: the numbers of the grid, over obstacles and below bodies, or the marks over all else.
+    /// Draws further guides: the numbers of the grid and the marks of motors, over all else.
     fn draw_guides(&self, target: &mut wgpu::RenderPass<'_>, range: Range<u32>, counters: &mut RenderCounters) {
         let pipeline = self.pipelines.iter().find(|(pass, _)| *pass == Pass::Guides);
         let (Some((_, [pipeline, _])), Some(bindings)) = (pipeline.filter(|_| !range.is_empty()), &self.bindings)

@@ -100,6 +100,7 @@ impl Scene {
             || self.angles.iter().any(|angle| angle.points.0.iter().any(|&point| point >= first))
             || self.pin_motion.iter().any(|motion| motion.point >= first)
             || self.cursor_pin.is_some_and(|pin| pin >= first)
+            || self.click_start.is_some_and(|point| point >= first)
             || self.forces.iter().any(|force| force.points.iter().any(|&point| point >= first))
             || self.groups.iter().any(|group| group.points.iter().any(|&point| point >= first))
             || self.skins.iter().any(|skin| skin.points.iter().any(|&point| point >= first));

@@ -45,7 +45,7 @@ pub use anew::Cut;
 pub(crate) use check::MOST_BESIDE;
 pub use error::{SceneError, SceneErrorKind, Source};
 pub use fragment::Fragment;
-pub use gallery::{Entry, gallery};
+pub use gallery::{EMPTY, Entry, gallery};
 pub(crate) use keys::macros::object;
 pub use keys::{
     AddKeys, AngleKeys, AreaKeys, AreaKindName, BesideKeys, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys,

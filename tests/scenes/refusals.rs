@@ -381,6 +381,8 @@ fn surroundings() {
                 "\"mouse\": { \"strength\": 1, \"radius\": 1, \"track\": [[1,0,0],[0,0,0]] }",
                 "mouse.track[1]: time 0.0 does not come after 1.0: sort the knots upwards, one a time",
             ),
+            ("\"click_start\": 0", "click_start: point 0 is pinned: name a free one"),
+            ("\"click_start\": 99", "click_start: there is no point 99 in `points`: name one of them"),
             ("\"cursor_pin\": 1", "cursor_pin: point 1 is not pinned: add it to `pinned`, or give a pinned one"),
             (
                 "\"pin_motion\": [{ \"point\": 1, \"track\": [[0,0,0]] }]",

@@ -1,6 +1,6 @@
 //! Which scenes of the gallery a search finds, and what it may have meant where it finds none.
 
-use crate::scene::{Entry, gallery, keywords, topic_place};
+use crate::scene::{EMPTY, Entry, gallery, keywords, topic_place};
 
 /// How like a word must be to one that scenes are found by, to be offered in its place `[1]`.
 const ALIKE: f64 = 0.82;
@@ -36,9 +36,14 @@ pub(super) fn found(search: &str) -> Vec<&'static Entry> {
             () => topics().sum::<Option<usize>>().map(|place| (3, place)),
         }
     };
-    let mut found: Vec<_> = gallery().iter().filter_map(|entry| Some((rank(entry)?, entry))).collect();
+    let mut found: Vec<_> = all().filter_map(|entry| Some((rank(entry)?, entry))).collect();
     found.sort_by_key(|(rank, _)| *rank);
     found.into_iter().map(|(_, entry)| entry).collect()
+}
+
+/// All that can be opened here: the scenes of the gallery, then an empty one.
+fn all() -> impl Iterator<Item = &'static Entry> {
+    gallery().iter().chain([&EMPTY])
 }
 
 /// What a caption alone names comes after the scenes of a topic.
@@ -51,7 +56,7 @@ fn singular(word: &str) -> &str {
 
 /// Where a search finds nothing: the words that are most like one of its own and find something, and whether there are any; else what there is.
 pub(super) fn instead(search: &str) -> (bool, Vec<&'static str>) {
-    let names = || gallery().iter().flat_map(|entry| entry.name.split('-').chain(keywords(entry.name)));
+    let names = || all().flat_map(|entry| entry.name.split('-').chain(keywords(entry.name)));
     let mut alike: Vec<(f64, &'static str)> = Vec::new();
     for word in search.split_whitespace().map(str::to_lowercase) {
         for own in names().filter(|own| own.len() > 2) {
@@ -78,7 +83,7 @@ mod tests {
 
     #[test]
     fn a_search_finds_words_anywhere_in_any_order() {
-        assert_eq!(found("").len(), gallery().len());
+        assert_eq!(found("").len(), gallery().len() + 1, "and an empty one");
         assert_eq!(first("ROPE"), Some("rope"), "its own name before others' words");
         assert_eq!(first("shuffled rim source"), Some("rim-relaxed"));
         assert!(found("no such scene at all").is_empty());
@@ -103,6 +108,34 @@ mod tests {
             ("flag", "cloth-wind"),
             ("robot", "walker"),
             ("car wheel", "soft-car"),
+            ("empty", "empty"),
+            ("blank", "empty"),
+            ("sandbox", "empty"),
+            ("dominoes", "wrecking-ball"),
+            ("double pendulum", "constraints"),
+            ("trampoline", "net"),
+            ("hammock", "net"),
+            ("sphere", "ring"),
+            ("cube", "box-two-supports"),
+            ("rubber", "jelly"),
+            ("slinky", "spring-damper"),
+            ("solar system", "slide-circle"),
+            ("explosion", "wrecking-ball"),
+            ("crane", "wrecking-ball"),
+            ("cannon", "catapult"),
+            ("ramp", "soft-car"),
+            ("hinge", "ragdoll"),
+            ("football", "ring"),
+            ("bouncing", "ring"),
+            ("snow", "picture-obstacle"),
+            ("text", "image-mesh"),
+            ("dog", "walker"),
+            ("boat", "cloth-wind"),
+            ("guitar", "rope"),
+            ("wood", "box-two-supports"),
+            ("game", "catapult"),
+            ("pillow", "jelly"),
+            ("gravity", "jelly"),
         ] {
             assert_eq!(first(word), Some(scene), "{word}: {:?}", names(word));
         }

@@ -56,7 +56,7 @@ fn no_panel_lies_over_another_and_bodies_are_shown_beside_them() {
     for size in SIZES {
         for open in 0..32 {
             let [settings, lessons, plots, strain, said] = [1, 2, 4, 8, 16].map(|bit| open & bit > 0);
-            for tool in [Tool::Hand, Tool::Build, Tool::Select, Tool::Muscle] {
+            for tool in [Tool::Hand, Tool::Build, Tool::Select, Tool::Muscle, Tool::Paint, Tool::Push] {
                 let mut state = PanelState { has_settings: settings, ..PanelState::default() };
                 state.lessons.is_open = lessons;
                 state.plots = plots.then(|| Plots::new(1.0));

@@ -371,8 +371,10 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         } else {
             let points = (&facts.points[..], &mut state.plots_at, are_docked);
             let high = places.right.max(places.bar_bottom());
-            let rect = plots::show(&context, (places.low_beside(panels_edge), high), (plots, points), &mut wishes);
-            plotted = Some(rect).filter(|_| !are_docked);
+            let room = (places.low_beside(panels_edge), high);
+            let of_tool = palette::of_tool(&context, facts.tool);
+            let rect = plots::show(&context, room, (plots, points, of_tool), &mut wishes);
+            plotted = rect.filter(|_| !are_docked);
         }
     }
     if has_panels {

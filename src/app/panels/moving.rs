@@ -1,7 +1,9 @@
 //! In the bar below, as one short line that opens on a click: what moves bodies otherwise than by plan, what gave way to the load, what
 //! the live step does beside moving. Nothing of it, nothing there.
 
-use egui::{Button, Color32, Context, Label, Popup, PopupCloseBehavior, RectAlign, RichText, Sense, Ui};
+use std::time::Duration;
+
+use egui::{Button, Color32, Context, Id, Label, Popup, PopupCloseBehavior, Rect, RectAlign, RichText, Sense, Ui};
 
 use super::theme::colors;
 use super::{Facts, Wish, short};
@@ -9,7 +11,12 @@ use crate::app::player::{Acts, Figures, Moved, Movers, Rung, Yielded};
 use crate::sim::Why;
 
 /// Widest line `[points]`.
-const WIDTH: f32 = 250.0;
+const WIDTH: f32 = 290.0;
+/// Lines that nobody points at stay so long `[s]`.
+const READ: f64 = 10.0;
+
+/// Said of what the program has seen to.
+const NOTHING: &str = "Nothing to do.";
 
 /// What is said, the figures behind it, and what can be asked for beside it.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +51,8 @@ impl Tone {
 /// A button: its words, what it does, and what is asked for.
 type Offer = (&'static str, &'static str, Wish);
 
-/// Shows the short line in the bar below: resting on it reads the others, a click opens them above it until something else is clicked.
+/// Shows the short line in the bar below: resting on it reads the others, a click opens them above it until something else is pressed, Esc is, or
+/// they were there for long enough to be read.
 pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let lines = lines(&facts.figures);
     if lines.is_empty() {
@@ -58,6 +66,10 @@ pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             ui.add(Label::new(RichText::new(words).color(tone.color(ui))).wrap());
         }
     });
+    let id = Popup::default_response_id(&button);
+    if is_over(ui.ctx(), id, button.rect) {
+        Popup::close_id(ui.ctx(), id);
+    }
     let popup = Popup::from_toggle_button_response(&button).align(RectAlign::TOP_END).width(WIDTH);
     popup.close_behavior(PopupCloseBehavior::CloseOnClickOutside).show(|ui| {
         for Line { words, figures, tone, offer } in lines {
@@ -70,6 +82,31 @@ pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             }
         }
     });
+}
+
+/// Whether the lines that were opened are to close: something else is pressed, or nobody has pointed at them for a while.
+fn is_over(context: &Context, id: Id, button: Rect) -> bool {
+    let read = id.with("read");
+    if !Popup::is_id_open(context, id) {
+        context.data_mut(|data| data.remove::<f64>(read));
+        return false;
+    }
+    let own = context.memory(|memory| memory.area_rect(id)).map_or(button, |lines| lines.union(button));
+    let (now, at, is_pressed) =
+        context.input(|input| (input.time, input.pointer.interact_pos(), input.pointer.any_pressed()));
+    let is_on_them = at.is_some_and(|at| own.contains(at));
+    let since = context.data_mut(|data| {
+        let since = data.get_temp_mut_or(read, now);
+        if is_on_them {
+            *since = now;
+        }
+        *since
+    });
+    let left = since + READ - now;
+    if left > 0.0 {
+        context.request_repaint_after(Duration::from_secs_f64(left));
+    }
+    left <= 0.0 || is_pressed && !is_on_them
 }
 
 /// How it is computed in a word, and how many notes there are on that.
@@ -109,7 +146,9 @@ fn lines(figures: &Figures) -> Vec<Line> {
 /// How stiff relaxed bonds are `[N/m]`.
 fn relaxed(stiffness: f64) -> Line {
     Line {
-        words: format!("Relaxed bonds give way like springs of {stiffness:.0} N/m at this substep and these sweeps"),
+        words: format!(
+            "Relaxed bonds give way like springs of {stiffness:.0} N/m. More sweeps in the settings make them stiffer."
+        ),
         figures: "measured on a bond in the middle of the list as the scene begins".to_owned(),
         tone: Tone::Weak,
         offer: None,
@@ -131,27 +170,32 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> Line {
     let (words, how, tone) = match why {
         Why::Budget => (
             format!(
-                "{who} {} too much to compute exactly: a quicker, rougher way moves {}",
-                by("is", "are"),
-                by("it", "them")
+                "{who} {} moved by a faster, rougher method: an exact one would take longer than a frame. {NOTHING}",
+                by("is", "are")
             ),
             "the live step: a bounded amount of work a frame",
             Tone::Text,
         ),
         Why::Alarm => (
-            format!("{who} went wild when computed exactly: a sturdier way moves {}", by("it", "them")),
+            format!(
+                "{who} {} moved by a sturdier method: the exact one could not follow the motion. {NOTHING}",
+                by("is", "are")
+            ),
             "the live step: its own method gained energy, stretched bonds too far or came to no end, or pins are led too far apart for it",
             Tone::Text,
         ),
         Why::Contact | Why::Plan => (
-            format!("{who} can touch others: a way that knows collisions moves {}", by("it", "them")),
+            format!(
+                "{who} can touch others, so {} moved by a method that knows collisions. {NOTHING}",
+                by("it is", "they are")
+            ),
             "the live step, in substeps of 1/960 s or less: the exact methods know no collisions",
             Tone::Weak,
         ),
         Why::NotFinite => (
             format!(
-                "{who} {} frozen: the motion went beyond all numbers. Grab or change {} to go on",
-                by("is", "are"),
+                "{who} {} still: the motion grew beyond all numbers. Undo what came before, or grab or change {}.",
+                by("stands", "stand"),
                 by("it", "them")
             ),
             "the positions were no finite numbers any more",
@@ -164,8 +208,14 @@ fn told(&Moved { why, islands, since }: &Moved, all: usize) -> Line {
 /// What gave way, and to what.
 fn gave_way(&Yielded { rung, since, work }: &Yielded) -> Line {
     let (words, how) = match rung {
-        Rung::Order => ("Computed less exactly, to keep up with time", "order 2 in place of 4"),
-        Rung::Live => ("Computed more roughly, to keep up with time", "the live step wherever it is cheaper"),
+        Rung::Order => (
+            "Computed less exactly, to keep up with the clock. Take it back to have the exact motion, slower.",
+            "order 2 in place of 4",
+        ),
+        Rung::Live => (
+            "Computed more roughly, to keep up with the clock. Take it back to have the exact motion, slower.",
+            "the live step wherever it is cheaper",
+        ),
     };
     let cause = work.map_or(String::new(), |work| format!(": {} of work a frame", short(work)));
     let figures = format!("{how} since {since:.1}\u{a0}s{cause}");
@@ -180,23 +230,28 @@ fn done(&Acts { cut, guarded, mends, parts, settles }: &Acts) -> Vec<Line> {
     let line = |words: &str, figures: String| Line { words: words.to_owned(), figures, tone: Tone::Weak, offer: None };
     let mut lines = Vec::new();
     if cut > 0 {
-        lines.push(line("Something fast was stopped before it went through another body", times(cut)));
+        let words = "A fast body was stopped before it went through another one.";
+        lines.push(line(&format!("{words} {NOTHING}"), times(cut)));
     }
     if guarded > 0 {
-        lines.push(line("Speed that came from nowhere was taken out", times(guarded)));
+        let words = "A collision gave a body more speed than it had to give: the excess was taken away.";
+        lines.push(line(&format!("{words} {NOTHING}"), times(guarded)));
     }
     if mends {
         lines.push(line(
-            "A body that is inside out is turned back",
+            "A body was turned inside out: it is led back to its shape. Grab it if it does not come free.",
             "triangles are led to their shape at rest".to_owned(),
         ));
     }
     if parts {
-        lines.push(line("Bodies stuck in each other are pulled apart", "as wholes, without speed".to_owned()));
+        lines.push(line(
+            "Bodies overlap: they are moved apart. Pull one of them away if they are stuck.",
+            "as wholes, without speed".to_owned(),
+        ));
     }
     if settles {
         lines.push(line(
-            "Bodies that lie on each other come to rest",
+            &format!("Bodies that lie on each other are brought to rest. {NOTHING}"),
             "what is slow where it touches is slowed down".to_owned(),
         ));
     }
@@ -260,9 +315,46 @@ mod tests {
             // While the pointer rests on it all is read anyway.
             harness.remove_cursor();
             harness.run_steps(8);
-            let all = harness.query_by_label("Bodies that lie on each other come to rest");
+            let all = harness.query_by_label("Bodies that lie on each other are brought to rest. Nothing to do.");
             assert_eq!(all.is_some(), is_open);
         }
+    }
+
+    #[test]
+    fn what_was_opened_closes_when_something_else_is_pressed_and_by_itself() {
+        let figures = Figures { acts: Acts { settles: true, ..Acts::default() }, ..Figures::default() };
+        let facts = Facts { figures, ..Facts::default() };
+        let mut harness = Harness::builder().with_size([900.0, 600.0]).with_step_dt(0.5).build_ui(|ui| {
+            ui.add_space(500.0);
+            show(ui, &facts, &mut Vec::new());
+        });
+        harness.run_steps(2);
+        let is_open = |harness: &Harness<'_>| {
+            harness.query_by_label("Bodies that lie on each other are brought to rest. Nothing to do.").is_some()
+        };
+        let open = |harness: &mut Harness<'_>| {
+            harness.get_by_label("1 note").click();
+            harness.run_steps(2);
+            harness.remove_cursor();
+            harness.run_steps(4);
+            assert!(is_open(harness));
+        };
+        open(&mut harness);
+        // A drag is no click.
+        harness.drag_at(egui::pos2(700.0, 100.0));
+        harness.run_steps(3);
+        assert!(!is_open(&harness), "something else was pressed");
+        harness.drop_at(egui::pos2(600.0, 200.0));
+        harness.run_steps(2);
+        open(&mut harness);
+        harness.run_steps(10);
+        assert!(is_open(&harness), "there is time to read it");
+        harness.run_steps(14);
+        assert!(!is_open(&harness), "nobody looks at it any more");
+        open(&mut harness);
+        harness.key_press(egui::Key::Escape);
+        harness.run_steps(3);
+        assert!(!is_open(&harness));
     }
 
     #[test]
@@ -274,9 +366,9 @@ mod tests {
         assert_eq!(
             said,
             [
-                "2 of 4 bodies are too much to compute exactly: a quicker, rougher way moves them",
-                "1 of 4 bodies can touch others: a way that knows collisions moves it",
-                "1 of 4 bodies is frozen: the motion went beyond all numbers. Grab or change it to go on",
+                "2 of 4 bodies are moved by a faster, rougher method: an exact one would take longer than a frame. Nothing to do.",
+                "1 of 4 bodies can touch others, so it is moved by a method that knows collisions. Nothing to do.",
+                "1 of 4 bodies stands still: the motion grew beyond all numbers. Undo what came before, or grab or change it.",
             ]
         );
         assert!(lines.iter().all(|line| line.figures.starts_with("since 3.2\u{a0}s: ")));

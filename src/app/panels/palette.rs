@@ -1,6 +1,6 @@
 //! The tools, at the left edge.
 
-use egui::{Align2, Area, Id, RectAlign, Tooltip};
+use egui::{Align2, Area, Id, LayerId, Order, Rect, RectAlign, Tooltip};
 
 use super::icons::{self, Icon};
 use super::places::ToolRooms;
@@ -58,6 +58,28 @@ fn choice(
     }
 }
 
+/// Where what belongs to a tool lies, if it is shown `[points]`.
+pub(super) fn of_tool(context: &egui::Context, tool: Tool) -> Option<Rect> {
+    let name = match tool {
+        Tool::Build => "primitives",
+        Tool::Muscle | Tool::Motor => "drives",
+        Tool::Select => "matter",
+        Tool::Push => "push",
+        Tool::Paint => "brush",
+        Tool::Hand | Tool::Pin | Tool::Cut | Tool::Erase => return None,
+    };
+    let id = Id::unique(name);
+    let layer = LayerId::new(Order::Middle, id);
+    context.memory(|memory| memory.area_rect(id).filter(|_| memory.areas().is_visible(&layer)))
+}
+
+/// The tools, as what belongs to one of them stands beside them: as high as they, or so much higher that all of it is above the lower edge
+/// of a room.
+fn beside(context: &egui::Context, tools: Rect, room: Rect, tool: Tool) -> Rect {
+    let high = of_tool(context, tool).map_or(0.0, |rect| rect.height());
+    tools.with_min_y(tools.top().min(room.bottom() - high).max(room.top().min(tools.top())))
+}
+
 /// Shows them, and what belongs to the one that is taken.
 pub(super) fn show(
     context: &egui::Context,
@@ -88,16 +110,17 @@ pub(super) fn show(
     if facts.tool == Tool::Build && facts.dimensions == 2 {
         primitives::show(context, (shown.response.rect, rooms.left), facts, wishes);
     }
+    let tools = beside(context, shown.response.rect, rooms.left, facts.tool);
     if matches!(facts.tool, Tool::Muscle | Tool::Motor) {
-        drives::show(context, shown.response.rect, facts, wishes);
+        drives::show(context, tools, facts, wishes);
     }
     match facts.tool {
         Tool::Select => {
             let beside_tools = egui::pos2(shown.response.rect.right() + 8.0, rooms.right.top());
             material::show(context, (rooms.right, beside_tools), state, facts, wishes);
         }
-        Tool::Push => push::show(context, shown.response.rect, facts, wishes),
-        Tool::Paint => brush::show(context, shown.response.rect, facts, wishes),
+        Tool::Push => push::show(context, tools, facts, wishes),
+        Tool::Paint => brush::show(context, tools, facts, wishes),
         _ => {}
     }
 }

@@ -18,8 +18,9 @@ use crate::render::Pose;
 const SIZE: [f32; 2] = [340.0, 180.0];
 /// Width of its panel `[points]`.
 pub(super) const WIDTH: f32 = SIZE[0] + 18.0;
-/// Lines of the grid lie so far apart at least, as a share of the plot `[1]`.
+/// Lines of the grid lie so far apart at least, as a share of the plot `[1]`, and so far that a number has room between them `[points]`.
 const LINES: f64 = 1.0 / 5.0;
+const NUMBER: [f32; 2] = [50.0, 16.0];
 /// Along the lower edge a plot takes this share of the height `[1]`.
 const LOW: f32 = 0.18;
 /// A room so high has place for the panel below the tools `[points]`.
@@ -92,13 +93,14 @@ impl PlotsAt {
     }
 }
 
-/// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge. Returns where it lies `[points]`.
+/// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge; off what belongs to a tool; not at all
+/// where that leaves no room for it. Returns where it lies `[points]`.
 pub(super) fn show(
     context: &egui::Context,
     (room, top): (Rect, f32),
-    (plots, (points, at, is_docked)): (&mut Plots, (&[Pos2], &mut PlotsAt, bool)),
+    (plots, (points, at, is_docked), of_tool): (&mut Plots, (&[Pos2], &mut PlotsAt, bool), Option<Rect>),
     wishes: &mut Vec<Wish>,
-) -> Rect {
+) -> Option<Rect> {
     let id = area_id();
     let high = if is_docked { SIZE[1] } else { (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]) };
     let lay = context.memory(|memory| memory.area_rect(id));
@@ -113,12 +115,18 @@ pub(super) fn show(
     let corner =
         pos2(corner.x.min(room.right() - size.x - APART), corner.y.max(room.top() + size.y).min(room.bottom()));
     let corner = if at.is_dragged { corner } else { below_corner(corner, size, (room, top)) };
+    // What belongs to a tool has the place that it takes; a folded panel is as low as it is.
+    let is_folded = size.y < HEAD;
+    let most = if is_folded { size.y } else { size.y.max(high + HEAD) };
+    let taken: Vec<Rect> = of_tool.into_iter().collect();
+    let (corner, less) = clear_of(corner, vec2(size.x, most), room, &taken)?;
+    let high = (high - less).max(LEAST);
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
     let shown = area.show(context, |ui| panel(ui, ([SIZE[0], high], false), plots, wishes));
     if shown.response.dragged() {
         *at = PlotsAt { corner: Some(corner + shown.response.drag_delta()), is_dragged: true, ..*at };
     }
-    shown.response.rect
+    Some(shown.response.rect)
 }
 
 fn area_id() -> Id {
@@ -213,6 +221,34 @@ fn quiet((room, top): (Rect, f32), size: Vec2, points: &[Pos2]) -> Pos2 {
         points.iter().filter(|point| rect.contains(**point)).count()
     };
     places.into_iter().min_by_key(inside).unwrap_or(at_left)
+}
+
+/// The left lower corner of a panel of this size in a room, as near to `corner` as may be so that it lies over nothing that is `taken`; and how
+/// much lower it is to be for that, where it has no place as high as it is; `None`: there is no place at all.
+fn clear_of(corner: Pos2, size: Vec2, room: Rect, taken: &[Rect]) -> Option<(Pos2, f32)> {
+    let at = |corner: Pos2, high: f32| Rect::from_min_size(corner - vec2(0.0, high), vec2(size.x, high));
+    let is_free = |rect: &Rect| !taken.iter().any(|other| other.expand(0.5 * APART).intersects(*rect));
+    for less in [0.0, 0.25, 0.5, 1.0].map(|share| share * (size.y - HEAD - LEAST).max(0.0)) {
+        let high = size.y - less;
+        if is_free(&at(corner, high)) {
+            return Some((corner, less));
+        }
+        let beside = taken.iter().flat_map(|other| [other.right() + APART, other.left() - APART - size.x]);
+        let across: Vec<f32> = beside.chain([corner.x]).collect();
+        let over = taken.iter().flat_map(|other| [other.top() - APART, other.bottom() + APART + high]);
+        let up: Vec<f32> = over.chain([corner.y]).collect();
+        let places = across.iter().flat_map(|x| up.iter().map(|y| pos2(*x, *y)));
+        let has_room = |place: &Pos2| {
+            let rect = at(*place, high);
+            // What was dragged over an edge may be over it still.
+            room.left() <= rect.left() && rect.right() <= room.right() && room.top() <= rect.top() && is_free(&rect)
+        };
+        let places = places.filter(|place| place.y <= room.bottom().max(corner.y) && has_room(place));
+        if let Some(place) = places.min_by(|a, b| a.distance(corner).total_cmp(&b.distance(corner))) {
+            return Some((place, less));
+        }
+    }
+    None
 }
 
 fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>) {
@@ -319,6 +355,10 @@ fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
         Subject::Orbit => frame(("orbit", name), [unit, "m/s"], colors(ui)),
     };
     let colors = colors(ui);
+    // In a low plot fewer lines have numbers, but each line has one.
+    let least = |size: f32, number: f32| LINES.max(f64::from(number / size.max(1.0)));
+    let [across, up] = [least(width, NUMBER[0]), least(height, NUMBER[1])];
+    let frame = frame.x_grid_spacer(move |input| grid(input, across)).y_grid_spacer(move |input| grid(input, up));
     let shown = frame.width(width).height(height).show(ui, |ui| {
         // One measurement alone is a dot, as wide as a line.
         let width = if plots.series().iter().nth(1).is_some() { 1.5 } else { DOT };
@@ -353,8 +393,6 @@ fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2], colors: &Colors) ->
         .set_margin_fraction(vec2(margin, 0.08))
         .custom_x_axes(vec![axis(AxisHints::new_x(), across, 36.0)])
         .custom_y_axes(vec![axis(AxisHints::new_y(), up, 14.0).min_thickness(52.0)])
-        .x_grid_spacer(grid)
-        .y_grid_spacer(grid)
         .grid_color(colors.line)
         .label_formatter(move |at| match at {
             HoverPosition::NearDataPoint { plot_name, position, .. } => {
@@ -365,9 +403,9 @@ fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2], colors: &Colors) ->
         })
 }
 
-/// Lines at round numbers: at most five steps of 1, 2 or 5 times a power of ten.
-fn grid(GridInput { bounds: (from, to), .. }: GridInput) -> Vec<GridMark> {
-    let least = LINES * (to - from);
+/// Lines at round numbers, in steps of 1, 2 or 5 times a power of ten: no less than a share of the plot.
+fn grid(GridInput { bounds: (from, to), .. }: GridInput, least: f64) -> Vec<GridMark> {
+    let least = least * (to - from);
     let power = 10_f64.powf(least.log10().floor());
     let step =
         [1.0, 2.0, 5.0].map(|digit| digit * power).into_iter().find(|step| *step >= least).unwrap_or(10.0 * power);
@@ -515,10 +553,23 @@ mod tests {
     }
 
     #[test]
+    fn the_panel_leaves_the_place_that_a_tool_takes_and_gets_lower_where_it_must() {
+        let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0));
+        let (size, corner) = (vec2(358.0, 298.0), pos2(LEFT[0], 640.0));
+        let brush = Rect::from_min_size(pos2(70.0, 90.0), vec2(270.0, 400.0));
+        assert_eq!(clear_of(corner, size, room, &[]), Some((corner, 0.0)));
+        assert_eq!(clear_of(corner, size, room, &[brush]), Some((pos2(340.0 + APART, 640.0), 0.0)), "right of it");
+        let wide = brush.with_max_x(1270.0);
+        assert_eq!(clear_of(corner, size, room, &[wide]), None, "there is no place below it");
+        let above = wide.with_max_y(440.0);
+        assert_eq!(clear_of(corner, size, room, &[above]), Some((corner, size.y - HEAD - LEAST)), "lower below it");
+    }
+
+    #[test]
     fn grids_have_round_numbers_with_the_digits_that_tell_them_apart() {
         let ticks = |from: f64, to: f64| -> Vec<String> {
             let input = GridInput { bounds: (from, to), base_step_size: 1.0 };
-            grid(input).into_iter().map(|mark| tick(mark, "J")).collect()
+            grid(input, LINES).into_iter().map(|mark| tick(mark, "J")).collect()
         };
         assert_eq!(ticks(-12.0, 21.0), ["-10 J", "0 J", "10 J", "20 J"]);
         assert_eq!(ticks(0.922_01, 0.922_19), ["0.92205 J", "0.92210 J", "0.92215 J"]);

@@ -54,7 +54,7 @@ impl Screen {
         let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
         let mut output = self.context.run_ui(input, |ui| {
             let at = (&[][..], &mut self.at, false);
-            plots::show(ui.ctx(), (ui.available_rect_before_wrap(), 0.0), (&mut self.plots, at), &mut wishes);
+            plots::show(ui.ctx(), (ui.available_rect_before_wrap(), 0.0), (&mut self.plots, at, None), &mut wishes);
         });
         output.textures_delta.clear();
         let mut shapes = Vec::new();
@@ -127,6 +127,33 @@ fn all_energies_are_drawn_with_their_names() {
     let says =
         |end: &str| shapes.iter().any(|shape| matches!(shape, Shape::Text(text) if text.galley.text().ends_with(end)));
     assert!(says(" s") && says(" J"), "the units");
+}
+
+#[test]
+fn a_plot_as_low_as_in_a_lesson_has_numbers_at_both_axes() {
+    let mut screen = Screen::new(0);
+    for (width, height) in [(300.0, 70.0), (180.0, 70.0), (340.0, 180.0)] {
+        let room = Rect::from_min_size(Pos2::ZERO, vec2(1000.0, height + 86.0));
+        let mut words = Vec::new();
+        for _ in 0..6 {
+            let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, screen.size.into()));
+            let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+            let plots = &mut screen.plots;
+            let mut output = screen.context.run_ui(input, |ui| {
+                plots::show_above(ui.ctx(), (room, 0.0, width), plots, &mut Vec::new());
+            });
+            output.textures_delta.clear();
+            let mut shapes = Vec::new();
+            output.shapes.into_iter().for_each(|clipped| flatten(clipped.shape, &mut shapes));
+            let text = |shape: &Shape| match shape {
+                Shape::Text(text) => Some(text.galley.text().to_owned()),
+                _ => None,
+            };
+            words = shapes.iter().filter_map(text).collect();
+        }
+        let count = |unit: &str| words.iter().filter(|word| word.ends_with(unit)).count();
+        assert!(count(" J") >= 2 && count(" s") >= 2, "{width} x {height}: {words:?}");
+    }
 }
 
 #[test]

@@ -6,13 +6,12 @@ use super::asking::points_of;
 use super::{Framing, Session};
 use crate::app::action::{Action, Tool};
 use crate::app::count::counted;
-use crate::app::opening::{self, Over};
 use crate::app::panels::{Opened, Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
 use crate::app::tools::{Deed, PushWay, strength};
 use crate::history::Do;
-use crate::scene::{Entry, gallery};
+use crate::scene::{EMPTY, Entry, gallery};
 use crate::sim::{MouseChange, PointId};
 
 /// The least and the greatest pace, in seconds of the scene itself.
@@ -376,33 +375,6 @@ impl Session {
         self.say(format!("pace: {pace} x"));
     }
 
-    /// The camera as the scene opens, or on all points, also when the window gets another size.
-    pub(super) fn frame_as(&mut self, framing: Framing) {
-        self.framing = framing;
-        if !self.player.is_open() {
-            return;
-        }
-        let (before, seen) = (self.tiles, self.camera.viewport().map(|side| side as u32));
-        self.line_up();
-        let view = self.player.shown().view();
-        let pane = self.tiles.pane(self.area);
-        let free = self.free_of_pane(pane);
-        let over = if self.tiles.count() == 1 { self.over } else { Over::default() };
-        let own = match framing {
-            Framing::Opening => match &self.player.start().recording().view {
-                Some(saved) => opening::saved(saved, &view, pane),
-                None => opening::opened(&self.scene, &view, pane, (free, over)),
-            },
-            Framing::Fit => opening::beside_all(|free| opening::fit_in(&view, free, pane), &view, (free, over)),
-            Framing::Free => {
-                let mut own = before.own(&self.camera, seen);
-                own.resize(pane);
-                own
-            }
-        };
-        self.camera = self.tiles.whole(&own, self.area);
-    }
-
     /// What the gallery says of the scene.
     pub(super) fn entry(&self) -> Option<&'static Entry> {
         self.place.map(|place| &gallery()[place])
@@ -417,6 +389,9 @@ impl Session {
     }
 
     fn open_named(&mut self, name: &str) {
+        if name == EMPTY.name {
+            return self.open_empty();
+        }
         let Some(entry) = gallery().iter().find(|entry| entry.name == name) else { return };
         match entry.scene() {
             Ok(scene) => self.open(scene.into()),

@@ -35,6 +35,7 @@ impl Session {
             // Until the scene is there.
             camera: Camera::fit([[-1.0; 3], [1.0; 3]], scene.dimensions(), size),
             framing: Framing::Opening,
+            framed: Default::default(),
             tiles: Tiles::ALONE,
             cell: 0,
             tints_distance: false,

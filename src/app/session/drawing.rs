@@ -11,7 +11,6 @@ use super::trails::AllTrails;
 use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
-use crate::app::opening::Over;
 use crate::app::panels::{self, Facts, Laid, Settings, parameters, theme};
 use crate::app::tools::{Mark, Role, Scope, probe};
 use crate::render::{Look, Overlay, RenderError, View, body_color};
@@ -114,24 +113,6 @@ impl Session {
         let was_near = std::mem::replace(&mut self.was_near_panels, is_near);
         let is_used = is_near || was_near || self.egui.egui_ctx().egui_is_using_pointer();
         events.retain(|event| is_used || !matches!(event, egui::Event::PointerMoved(_)));
-    }
-
-    /// The world is drawn above the bar below, and bodies are shown where no panel is.
-    fn give_world(&mut self, laid: &Laid, scale: f32) {
-        let whole = self.canvas.size();
-        let pixels = laid.size.map(|side| (side * scale).round() as u32);
-        let area = [pixels[0].min(whole[0]), pixels[1].min(whole[1])];
-        let corner = laid.corner.map(|at| [at.x, at.y].map(|x| f64::from(x * scale)));
-        let corners = |free: Rect| [free.min, free.max].map(|at| [at.x, at.y].map(|x| f64::from((x * scale).round())));
-        let free = laid.free.map_or(self.free, corners);
-        let column = laid.column.map(|left| f64::from((left * scale).round()));
-        // What grows once it is there, as figures do, moves nothing.
-        let is_wider = corner.is_some() && self.over.corner.is_none() || column != self.over.column;
-        self.over = Over { corner, column };
-        if (area, free) != (self.area, self.free) || is_wider {
-            (self.area, self.free) = (area, free);
-            self.frame_as(self.framing);
-        }
     }
 
     fn facts(&self) -> Facts {

@@ -4,17 +4,15 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::Session;
 use crate::history::{DeleteKeys, Do};
-use crate::scene::{MakerName, Scene};
+use crate::scene::{EMPTY, MakerName, Scene};
 
-/// A scene with nothing in it yet: gravity, a floor and walls, bodies that meet, and a push of the mouse.
-const EMPTY: &str = include_str!("../../../assets/empty.json");
 /// Seeds that the dice draw are below this: few digits, as one writes them.
 const SEEDS: u64 = 1_000_000;
 
 impl Session {
     /// Opens an empty scene; the present one is kept, and undo goes back to it.
     pub(super) fn open_empty(&mut self) {
-        match Scene::parse(EMPTY, "") {
+        match EMPTY.scene() {
             Ok(scene) => {
                 let plays = self.player.is_playing();
                 self.open(scene.into());
@@ -74,7 +72,7 @@ mod tests {
 
     #[test]
     fn an_empty_scene_has_a_floor_walls_and_gravity_and_takes_bodies() {
-        let scene = Scene::parse(EMPTY, "").unwrap();
+        let scene = EMPTY.scene().unwrap();
         let world = scene.world(None).unwrap();
         assert_eq!((world.point_count(), world.dimensions()), (0, 2));
         assert!(world.contact().is_some() && world.bounds().is_some() && world.mouse_force().is_some());

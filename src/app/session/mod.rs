@@ -10,6 +10,7 @@ mod copies;
 mod drawing;
 mod driving;
 mod frames;
+mod framing;
 mod fresh;
 mod hearing;
 mod keeping;
@@ -36,6 +37,7 @@ use winit::window::{CursorIcon, Window};
 use super::AppError;
 use super::canvas::{Canvas, Paint};
 use super::fetch::Fetch;
+use super::framing::{Framed, Framing};
 use super::import::Import;
 use super::keys::{Down, Held};
 use super::leftovers::{Leftover, look};
@@ -71,17 +73,6 @@ const FIRST_FRAME: f64 = 1.0 / 60.0;
 /// Figures are shown anew so often at most: nobody reads faster.
 const FIGURES_EVERY: Duration = Duration::from_millis(100);
 
-/// How the camera came to be where it is: it is put there again when the window gets another size.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Framing {
-    /// As the scene opens.
-    Opening,
-    /// All points.
-    Fit,
-    /// By hand.
-    Free,
-}
-
 /// The scene, its player and its window.
 pub(super) struct Session {
     pub(super) window: Arc<Window>,
@@ -99,6 +90,7 @@ pub(super) struct Session {
     has_picture: bool,
     pub(super) camera: Camera,
     framing: Framing,
+    framed: Framed,
     /// Where the worlds lie that are side by side, and which of them the pointer is on.
     tiles: Tiles,
     cell: usize,

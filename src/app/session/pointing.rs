@@ -8,6 +8,7 @@ use super::{Framing, Session};
 use crate::app::action::Tool;
 use crate::app::player;
 use crate::app::pointer::Pointer;
+use crate::app::starting;
 use crate::app::tools::{Hand, Scope};
 use crate::history::Do;
 use crate::sim::{Cursor, PointId};
@@ -62,6 +63,9 @@ impl Session {
                     deed.commands.insert(0, Do::Cursor { to, by: None });
                     self.told = to;
                 }
+                if deed.is_empty() && self.hand.is_pushing() {
+                    self.start_at(at);
+                }
                 deed
             }
             false => {
@@ -72,6 +76,15 @@ impl Session {
         };
         self.do_deed(deed);
         self.show_cursor();
+    }
+
+    /// Where nothing is pressed, a motion starts there in scenes that have one for that.
+    fn start_at(&mut self, at: DVec2) {
+        let place = self.camera_here().world_from_screen(at.to_array());
+        if let Some(commands) = starting::start(&self.scene, place.truncate()) {
+            self.player.give(commands, Some("start"));
+            self.say("it starts here, by each method; Ctrl+Z takes it back".to_owned());
+        }
     }
 
     /// What is led goes after the cursor, `seconds` after the last time: pins, and while time runs what is dragged of what is selected.
@@ -125,6 +138,7 @@ impl Session {
 
     /// Someone has found out what to do: nothing more is said of it.
     fn used(&mut self) {
+        self.framed.hold();
         (self.wants_hint, self.panels.notes.hint_at) = (false, None);
         self.panels.notes.has_caption = false;
     }

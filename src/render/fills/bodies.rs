@@ -9,6 +9,10 @@ use crate::sim::{Bonds, PointId};
 /// What is filled in one colour, over what came before it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Filled {
+    /// The number of the body.
+    pub(super) body: u32,
+    /// Its colour was given to it.
+    pub(super) is_own: bool,
     /// Red, green, blue, as stored.
     pub(super) color: [u8; 3],
     pub(super) triangles: Vec<[u32; 3]>,
@@ -27,6 +31,8 @@ pub(super) const PALETTE: [[u8; 3]; 7] = [
     [0x99, 0xDD, 0xFF],
     [0xBB, 0xCC, 0x33],
 ];
+/// The colour of skin: half way between two of them.
+pub(super) const SKIN_COLOR: [u8; 3] = [0xF6, 0xC3, 0x99];
 /// Each round through the palette begins so many colours on: copies in rows of its length do not stand in columns of one colour.
 const SHIFT: u32 = 3;
 
@@ -45,6 +51,8 @@ pub(super) fn bodies(view: &View<'_>) -> [Vec<Filled>; 2] {
         None => Tint::of(view.tints, corners[0]).map_or((0, None), |tint| (tint.body, tint.color)),
     };
     let filled = |same: &[(Key, [u32; 3])]| Filled {
+        body: same[0].0.0,
+        is_own: same[0].0.1.is_some(),
         color: same[0].0.1.unwrap_or_else(|| color_of(same[0].0.0)),
         triangles: same.iter().map(|entry| entry.1).collect(),
     };

@@ -3,11 +3,13 @@
 //!
 //! Bodies with a picture are filled only where strain is shown in place of it.
 //!
-//! A list of primitives of six kinds, drawn in order by one pass, is uploaded when the topology changes. Points have a row to shade
+//! A list of primitives of seven kinds, drawn in order by one pass, is uploaded when the topology changes. Points have a row to shade
 //! by, uploaded when they moved, where that is shown: a normal in space, a strain where strain is.
 
 mod bodies;
+mod limbs;
 mod outline;
+mod pieces;
 mod shade;
 
 use std::ops::Range;
@@ -21,10 +23,10 @@ use super::gpu::Gpu;
 use super::gpu_bond::GpuBond;
 use super::growing::GrowingBuffer;
 use super::view::View;
-use crate::picture::Tint;
 use crate::sim::PointId;
-use bodies::{Filled, bodies};
+use bodies::{Filled, SKIN_COLOR, bodies};
 pub use bodies::{body_color, color_of};
+use limbs::{Cone, Part, Role, figure};
 use outline::{Side, outline};
 use shade::{Shade, shades};
 
@@ -33,7 +35,7 @@ use shade::{Shade, shades};
 #[repr(C)]
 struct Primitive {
     /// Of a fill the corners of two triangles, of a side its ends with those before and after, then nothing; of a bond the second
-    /// and the third are its ends.
+    /// and the third are its ends. Of a limb two points for each end, then the bits of its larger radius `[m]` and what [`packed`] makes.
     points: [u32; 6],
     /// The kind in the upper eight bits, then red, green, blue.
     ink: u32,
@@ -41,14 +43,15 @@ struct Primitive {
 
 const _: () = assert!(size_of::<Primitive>() == 28);
 
-/// Kinds of primitives: `FILL`, `OUTLINE`, `SHADOW`, `INNER`, `FLESH`, `SKIN` in fill.wgsl. The last two are sides of figures of limbs, as
-/// wide as the fifth of their points says, which is the bits of a radius `[m]`.
+/// Kinds of primitives: `FILL`, `OUTLINE`, `SHADOW`, `INNER`, `FLESH`, `SKIN`, `UNDER` in fill.wgsl. Flesh and skin are limbs and their rims,
+/// and under them is what they stand for, which is seen where bonds are shown through fills.
 const FILL: u32 = 0;
 const OUTLINE: u32 = 1;
 const SHADOW: u32 = 2;
 const INNER: u32 = 3;
 const FLESH: u32 = 4;
 const SKIN: u32 = 5;
+const UNDER: u32 = 6;
 
 /// Vertices of a primitive.
 const QUAD: u32 = 6;
@@ -225,16 +228,24 @@ fn bind(gpu: &Gpu, layout: &wgpu::BindGroupLayout, buffers: &[&GrowingBuffer]) -
 struct Lines {
     /// Bonds within them.
     inner: Vec<Vec<[u32; 2]>>,
-    /// Of figures of limbs: how far flesh reaches beyond the sides of their pieces `[m]`.
-    limbs: Vec<Option<f32>>,
+    /// Those that are figures of limbs.
+    limbs: Vec<Limbs>,
 }
 
-/// Flesh beyond the sides of a figure's pieces, as a share of twice the area of the slenderest one by its circumference `[1]`: so limbs
-/// have round ends that meet in their joints.
-const FLESH_SHARE: f64 = 0.65;
+/// Whether a body is a figure of limbs.
+#[derive(Clone, Debug, Default, PartialEq)]
+enum Limbs {
+    /// It is none.
+    #[default]
+    None,
+    /// Its parts from behind to the front, each in its colour.
+    Figure(Vec<(Part, [u8; 3])>),
+    /// It is a part of the one before it, in another colour.
+    Within,
+}
 
-/// Which bodies are figures of limbs, that is have joints with stops, and how far their flesh reaches; in the plane.
-fn limbs(view: &View<'_>, bodies: &[Filled]) -> Vec<Option<f32>> {
+/// Which bodies are figures of limbs, that is have joints with stops; in the plane.
+fn limbs(view: &View<'_>, bodies: &[Filled]) -> Vec<Limbs> {
     if view.dimensions != 2 || view.joints.is_empty() {
         return Vec::new();
     }
@@ -242,40 +253,50 @@ fn limbs(view: &View<'_>, bodies: &[Filled]) -> Vec<Option<f32>> {
     let has_joint = |body: &Filled| {
         body.triangles.iter().flatten().any(|&corner| view.joints.binary_search(&PointId(corner)).is_ok())
     };
-    let radius = |body: &Filled| {
-        let pieces = pieces(&body.triangles);
-        let thin = pieces.iter().map(|triangles| {
-            let area: f64 = triangles.iter().map(|corners| area(corners.map(at))).sum();
-            let length = |side: &Side| {
-                let [a, b] = [at(side.a), at(side.b)];
-                (b[0] - a[0]).hypot(b[1] - a[1])
+    let mut list = Vec::with_capacity(bodies.len());
+    // What is painted in several colours is one figure still.
+    for run in bodies.chunk_by(|a, b| a.body == b.body) {
+        let triangles: Vec<[u32; 3]> = run.iter().flat_map(|body| body.triangles.iter().copied()).collect();
+        let parts = if run.iter().any(has_joint) { figure(&triangles, &at) } else { None };
+        list.push(parts.map_or(Limbs::None, |parts| {
+            let of = |part: Part| {
+                let own = run.iter().find(|body| body.triangles.contains(&part.of));
+                let color = own.map_or([128; 3], |body| color_of_part(part.role, body));
+                (part, color)
             };
-            2.0 * area / outline(triangles).iter().map(length).sum::<f64>()
-        });
-        let least = thin.filter(|thin| thin.is_finite()).fold(f64::INFINITY, f64::min);
-        (pieces.len() > 1 && least.is_finite()).then_some((FLESH_SHARE * least) as f32)
-    };
-    bodies.iter().map(|body| if has_joint(body) { radius(body) } else { None }).collect()
-}
-
-fn area([a, b, c]: [[f64; 2]; 3]) -> f64 {
-    0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).abs()
-}
-
-/// Triangles by what hangs together by sides: pieces that share a point alone are two.
-fn pieces(triangles: &[[u32; 3]]) -> Vec<Vec<[u32; 3]>> {
-    let mut sides: Vec<([u32; 2], u32)> = Vec::with_capacity(3 * triangles.len());
-    for (number, &[a, b, c]) in (0..).zip(triangles) {
-        sides.extend([[a, b], [b, c], [c, a]].map(|[a, b]| ([a.min(b), a.max(b)], number)));
+            Limbs::Figure(parts.into_iter().map(of).collect())
+        }));
+        let is_figure = list.last() != Some(&Limbs::None);
+        list.extend(run.iter().skip(1).map(|_| if is_figure { Limbs::Within } else { Limbs::None }));
     }
-    sides.sort_unstable();
-    let pairs = sides.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| [pair[0].1, pair[1].1]);
-    let piece_of = Tint::hanging(triangles.len(), pairs);
-    let count = piece_of.iter().max().map_or(0, |last| *last as usize + 1);
-    let mut list = vec![Vec::new(); count];
-    piece_of.iter().zip(triangles).for_each(|(&piece, &corners)| list[piece as usize].push(corners));
-    list.retain(|piece| !piece.is_empty());
     list
+}
+
+/// How much white a limb in front has, and how bright one behind is, beside the torso `[1]`.
+const IN_FRONT: f64 = 0.25;
+const BEHIND: f64 = 0.6;
+
+/// The colour of a part of a figure: a head and hands have that of skin, unless the figure is painted.
+fn color_of_part(role: Role, body: &Filled) -> [u8; 3] {
+    let mixed = |color: [u8; 3], to: f64, share: f64| {
+        color.map(|part| (f64::from(part) + share * (to - f64::from(part))).round() as u8)
+    };
+    let skin = if body.is_own { body.color } else { SKIN_COLOR };
+    match role {
+        Role::Whole | Role::Torso => body.color,
+        Role::Front => mixed(body.color, 255.0, IN_FRONT),
+        Role::Behind => mixed(body.color, 0.0, 1.0 - BEHIND),
+        Role::Head | Role::End(true) => skin,
+        Role::End(false) => mixed(skin, 0.0, 1.0 - BEHIND),
+    }
+}
+
+/// The shares of a limb's ends, that of its lesser radius in the larger one, ten bits each, and whether its second end is the wider one.
+fn packed(cone: &Cone) -> u32 {
+    let bits = |share: f32| (share.clamp(0.0, 1.0) * 1023.0).round() as u32;
+    let [first, second] = cone.radii;
+    let ratio = first.min(second) / first.max(second).max(f32::MIN_POSITIVE);
+    bits(cone.shares[0]) | bits(cone.shares[1]) << 10 | bits(ratio) << 20 | u32::from(second > first) << 30
 }
 
 /// What is drawn of bodies: in the plane body by body, each over those before it; in space all fills, then all outlines. Also how many
@@ -289,38 +310,46 @@ fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> (Vec<Primi
             points: [side.before, side.a, side.b, side.after, 0, 0],
             ink: ink(kind, body.color),
         };
-        if dimensions == 2 && has_shadows {
+        let limbs = lines.limbs.get(number).unwrap_or(&Limbs::None);
+        let parts = if let Limbs::Figure(parts) = limbs { &parts[..] } else { &[] };
+        let is_doll = *limbs == Limbs::Within || parts.iter().any(|(part, _)| part.role != Role::Whole);
+        if dimensions == 2 && has_shadows && !is_doll {
             list.extend(sides.iter().map(|one| side(SHADOW, one)));
         }
-        let limb = lines.limbs.get(number).copied().flatten();
-        // The rim of all limbs lies below them: they are one figure.
-        for kind in limb.iter().flat_map(|_| [SKIN, FLESH]) {
-            let radius = limb.unwrap_or_default().to_bits();
-            list.extend(sides.iter().map(|one| Primitive {
-                points: [one.before, one.a, one.b, one.after, radius, 0],
-                ink: ink(kind, body.color),
-            }));
+        for (part, color) in parts {
+            // The rim of a part lies below all of it.
+            for kind in [SKIN, FLESH] {
+                list.extend(part.cones.iter().map(|cone| limb(kind, cone, *color)));
+            }
         }
+        let kind = if is_doll { UNDER } else { FILL };
         list.extend(body.triangles.chunks(2).map(|pair| {
             let [a, b, c] = pair[0];
             // A triangle without another beside it has one of no area.
             let [d, e, f] = pair.get(1).copied().unwrap_or([a; 3]);
-            Primitive { points: [a, b, c, d, e, f], ink: ink(FILL, body.color) }
+            Primitive { points: [a, b, c, d, e, f], ink: ink(kind, body.color) }
         }));
         list.extend(
             lines
                 .inner
                 .get(number)
+                .filter(|_| !is_doll)
                 .into_iter()
                 .flatten()
                 .map(|&[a, b]| Primitive { points: [a, a, b, b, 0, 0], ink: ink(INNER, body.color) }),
         );
         let to = if dimensions == 2 { &mut list } else { &mut outlines };
-        to.extend(sides.iter().filter(|_| limb.is_none()).map(|one| side(OUTLINE, one)));
+        to.extend(sides.iter().filter(|_| *limbs == Limbs::None).map(|one| side(OUTLINE, one)));
     }
     let split = list.len() as u32;
     list.append(&mut outlines);
     (list, split)
+}
+
+fn limb(kind: u32, cone: &Cone, color: [u8; 3]) -> Primitive {
+    let [[a, b], [c, d]] = cone.ends;
+    let radius = cone.radii[0].max(cone.radii[1]).to_bits();
+    Primitive { points: [a, b, c, d, radius, packed(cone)], ink: ink(kind, color) }
 }
 
 /// The bonds of each body that lie within it and are no side of a triangle, such as second diagonals: in the plane, of scenes with few bonds.
@@ -365,7 +394,7 @@ mod tests {
         let places = [0.0; 10];
         let at = Positions::F64(&places);
         let triangles = [[0, 1, 2], [0, 2, 3]];
-        let body = Filled { color: [1, 2, 3], triangles: triangles.to_vec() };
+        let body = Filled { body: 0, is_own: false, color: [1, 2, 3], triangles: triangles.to_vec() };
         let view = View { previous: at, current: at, ..View::empty(&bonds, 2) };
         let list = inner(&view, std::slice::from_ref(&body));
         assert_eq!(list, [vec![[1, 3]]]);
@@ -380,12 +409,21 @@ mod tests {
         // Two squares that share a corner, the second one half as large.
         let places = [0.0, 0.0, 2.0, 0.0, 2.0, 2.0, 0.0, 2.0, 3.0, 2.0, 3.0, 3.0, 2.0, 3.0];
         let triangles = vec![[0, 1, 2], [0, 2, 3], [2, 4, 5], [2, 5, 6]];
-        let body = Filled { color: [1, 2, 3], triangles };
-        assert_eq!(pieces(&body.triangles).iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
+        let body = Filled { body: 0, is_own: false, color: [1, 2, 3], triangles };
         let (at, bonds) = (Positions::F64(&places), Bonds::default());
         let view = View { previous: at, current: at, joints: vec![PointId(2)], ..View::empty(&bonds, 2) };
         let found = limbs(&view, std::slice::from_ref(&body));
-        assert_eq!(found, [Some((FLESH_SHARE * 0.5) as f32)], "as the smaller one: 2 m^2 by 4 m");
+        assert!(
+            matches!(&found[..], [Limbs::Figure(parts)] if parts.len() == 1 && parts[0].1 == [1, 2, 3]),
+            "{found:?}"
+        );
+        let halves: Vec<Filled> = body
+            .triangles
+            .chunks(2)
+            .map(|triangles| Filled { triangles: triangles.to_vec(), ..body.clone() })
+            .collect();
+        let painted = limbs(&view, &halves);
+        assert!(matches!(&painted[..], [Limbs::Figure(_), Limbs::Within]), "one figure of two colours: {painted:?}");
         assert!(limbs(&View { joints: Vec::new(), ..view.clone() }, std::slice::from_ref(&body)).is_empty());
         let list = primitives(&[body], &Lines { limbs: found, ..Lines::default() }, 2).0;
         let kinds: Vec<u32> = list.iter().map(|primitive| primitive.ink >> 24).collect();
@@ -394,8 +432,25 @@ mod tests {
     }
 
     #[test]
+    fn limbs_are_packed_with_both_radii_and_their_places() {
+        let cone = Cone { ends: [[1, 2], [3, 4]], shares: [0.25, 1.0], radii: [0.1, 0.2] };
+        let Primitive { points, ink } = limb(FLESH, &cone, [9, 8, 7]);
+        assert_eq!((&points[..4], f32::from_bits(points[4]), ink), (&[1, 2, 3, 4][..], 0.2, 0x0409_0807));
+        let part = |shift: u32| f64::from(points[5] >> shift & 1023) / 1023.0;
+        for (shift, wanted) in [(0, 0.25), (10, 1.0), (20, 0.5)] {
+            assert!((part(shift) - wanted).abs() < 1e-3, "{shift}: {}", part(shift));
+        }
+        assert_eq!(points[5] >> 30, 1, "the second end is wider");
+    }
+
+    #[test]
     fn in_the_plane_a_body_lies_over_those_before_it_and_in_space_outlines_lie_over_all() {
-        let body = |first: u32| Filled { color: [1, 2, 3], triangles: vec![[first, first + 1, first + 2]] };
+        let body = |first: u32| Filled {
+            body: 0,
+            is_own: false,
+            color: [1, 2, 3],
+            triangles: vec![[first, first + 1, first + 2]],
+        };
         let kinds = |dimensions| {
             let (list, split) = primitives(&[body(0), body(3)], &Lines::default(), dimensions);
             (list.iter().map(|primitive| primitive.ink >> 24).collect::<Vec<u32>>(), split)

@@ -34,6 +34,9 @@ pub(super) fn check(
         let message = format!("point {pin} is not pinned: add it to `pinned`, or give a pinned one");
         return Err(Fault::invalid(message).at("cursor_pin"));
     }
+    if let Some(point) = scene.click_start {
+        check_start(scene, point, (dimensions, is_pinned)).at("click_start")?;
+    }
     if let Some(bounds) = &scene.bounds {
         number::corners(&bounds.min, &bounds.max, dimensions).at("bounds")?;
         check_surface(bounds.restitution, bounds.friction).at("bounds")?;
@@ -42,6 +45,24 @@ pub(super) fn check(
         check_obstacle(obstacle, dimensions, &scene.source).item(i).at("obstacles")?;
     }
     Ok(())
+}
+
+/// Errors: a point that is none of `points`, is pinned, or lies at the origin; in space.
+fn check_start(scene: &Scene, point: u32, (dimensions, is_pinned): (usize, &dyn Fn(u32) -> bool)) -> Result<(), Fault> {
+    if dimensions == 3 {
+        return Err(Fault::invalid("is for the plane: leave it out in space"));
+    }
+    let place = scene.points.as_ref().and_then(|points| points.position.get(point as usize));
+    let Some(place) = place else {
+        return Err(Fault::invalid(format!("there is no point {point} in `points`: name one of them")));
+    };
+    if is_pinned(point) {
+        return Err(Fault::invalid(format!("point {point} is pinned: name a free one")));
+    }
+    match place.embed().iter().all(|x| *x == 0.0) {
+        true => Err(Fault::invalid(format!("point {point} lies at the origin: its velocity turns about that"))),
+        false => Ok(()),
+    }
 }
 
 /// Errors: a velocity or a turbulence outside its range.

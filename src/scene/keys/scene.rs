@@ -291,6 +291,9 @@ object! {
         optional {
             /// A pin that goes where the cursor is, in the window.
             cursor_pin: u32,
+            /// A point of `points` that a click of the window beside all bodies puts there, in the plane: its velocity turns and grows with its
+            /// place about the origin.
+            click_start: u32,
             /// The walls around the world.
             bounds: BoundsKeys,
         }

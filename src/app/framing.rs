@@ -1,0 +1,136 @@
+//! When the view is fitted to what panels leave of the window: as a scene opens and when it is asked for, not while somebody uses it.
+
+use super::action::Tool;
+
+/// How the camera came to be where it is: it is put there again when the window gets another size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Framing {
+    /// As the scene opens.
+    Opening,
+    /// All points.
+    Fit,
+    /// By hand.
+    Free,
+}
+
+/// What is open, by which panels leave more room or less.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Open {
+    pub(super) tool: Tool,
+    /// Settings, lessons, plots, figures, the legend of strains; and all panels are hidden.
+    pub(super) panels: [bool; 6],
+}
+
+/// What the camera does when panels leave another part of the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Turn {
+    /// It stays as it is.
+    Stay,
+    /// The world is drawn in a larger or smaller part of the window: at the same scale, with the same place in the left upper corner.
+    Keep,
+    /// It is fitted anew.
+    Fit,
+}
+
+/// Whether the view was just fitted: panels find their sizes in the frames after that, and it is fitted to those too.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Framed {
+    fresh: Fresh,
+    /// Width and height of the window when panels were shown last `[px]`.
+    window: [u32; 2],
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+enum Fresh {
+    /// It was fitted since panels were shown last.
+    #[default]
+    Now,
+    /// These panels were there in the first frame after that, and nobody used the scene.
+    With(Open),
+    /// Somebody opened a panel or pressed into the scene: nothing moves under the pointer.
+    Not,
+}
+
+impl Framed {
+    /// The view is fitted, because a scene opens or somebody asked for it.
+    pub(super) fn begin(&mut self) {
+        self.fresh = Fresh::Now;
+    }
+
+    /// Somebody uses the scene as it is seen.
+    pub(super) fn hold(&mut self) {
+        self.fresh = Fresh::Not;
+    }
+
+    /// Panels were shown in a window of this size `[px]`. They leave another part of it free, if `is_other`; the world is drawn in another
+    /// part of it, if `is_resized`, which worlds side by side share, if `is_shared`.
+    pub(super) fn turn(
+        &mut self,
+        (window, open): ([u32; 2], Open),
+        (is_other, is_resized, is_shared): (bool, bool, bool),
+    ) -> Turn {
+        let is_new_window = std::mem::replace(&mut self.window, window) != window;
+        if is_new_window {
+            self.fresh = Fresh::Now;
+        }
+        self.fresh = match self.fresh {
+            Fresh::Now => Fresh::With(open),
+            Fresh::With(other) if other == open => Fresh::With(open),
+            Fresh::With(_) | Fresh::Not => Fresh::Not,
+        };
+        match self.fresh {
+            Fresh::With(_) if is_other || is_resized || is_new_window => Turn::Fit,
+            // What they share got larger or smaller: each world has another part of it.
+            _ if is_resized && is_shared => Turn::Fit,
+            _ if is_resized => Turn::Keep,
+            _ => Turn::Stay,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZE: [u32; 2] = [1280, 720];
+
+    fn with(tool: Tool, settings: bool) -> Open {
+        Open { tool, panels: [settings, false, false, true, false, false] }
+    }
+
+    #[test]
+    fn the_view_is_fitted_while_panels_find_their_sizes_and_then_left_alone() {
+        let mut framed = Framed::default();
+        let turn =
+            |framed: &mut Framed, open: Open, is_other: bool| framed.turn((SIZE, open), (is_other, false, false));
+        let usual = with(Tool::Hand, false);
+        assert_eq!(turn(&mut framed, usual, true), Turn::Fit, "the first frame");
+        assert_eq!(turn(&mut framed, usual, true), Turn::Fit, "a caption got its lines");
+        assert_eq!(turn(&mut framed, usual, false), Turn::Stay);
+        assert_eq!(turn(&mut framed, with(Tool::Hand, true), true), Turn::Stay, "settings were opened");
+        assert_eq!(turn(&mut framed, usual, true), Turn::Stay, "and closed");
+        framed.begin();
+        assert_eq!(turn(&mut framed, with(Tool::Select, true), true), Turn::Fit, "Home, beside what is open");
+        assert_eq!(turn(&mut framed, with(Tool::Paint, true), true), Turn::Stay, "another tool");
+        framed.begin();
+        assert_eq!(turn(&mut framed, usual, true), Turn::Fit);
+        framed.hold();
+        assert_eq!(turn(&mut framed, usual, true), Turn::Stay, "somebody pressed into the scene");
+    }
+
+    #[test]
+    fn another_window_is_fitted_to_and_bars_that_go_move_nothing() {
+        let usual = with(Tool::Hand, false);
+        let mut framed = Framed::default();
+        framed.turn((SIZE, usual), (true, true, false));
+        framed.hold();
+        assert_eq!(framed.turn((SIZE, usual), (true, true, false)), Turn::Keep, "the bar below is hidden");
+        assert_eq!(framed.turn((SIZE, usual), (true, true, true)), Turn::Fit, "worlds side by side share less");
+        assert_eq!(framed.turn(([1920, 1080], usual), (true, true, false)), Turn::Fit);
+        assert_eq!(
+            framed.turn(([1920, 1080], usual), (true, false, false)),
+            Turn::Fit,
+            "panels find their sizes there"
+        );
+    }
+}

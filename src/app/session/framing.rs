@@ -1,0 +1,81 @@
+//! The camera, fitted to what panels leave of the window.
+
+use egui::Rect;
+
+use super::Session;
+use crate::app::framing::{Framing, Open, Turn};
+use crate::app::opening::{self, Over};
+use crate::app::panels::Laid;
+use crate::render::Overlay;
+
+impl Session {
+    /// The camera as the scene opens, or on all points, also when the window gets another size.
+    pub(super) fn frame_as(&mut self, framing: Framing) {
+        self.framing = framing;
+        self.framed.begin();
+        self.frame_now();
+    }
+
+    fn frame_now(&mut self) {
+        if !self.player.is_open() {
+            return;
+        }
+        let (before, seen) = (self.tiles, self.camera.viewport().map(|side| side as u32));
+        self.line_up();
+        let view = self.player.shown().view();
+        let pane = self.tiles.pane(self.area);
+        let free = self.free_of_pane(pane);
+        let over = if self.tiles.count() == 1 { self.over } else { Over::default() };
+        let own = match self.framing {
+            Framing::Opening => match &self.player.start().recording().view {
+                Some(saved) => opening::saved(saved, &view, pane),
+                None => opening::opened(&self.scene, &view, pane, (free, over)),
+            },
+            Framing::Fit => opening::beside_all(|free| opening::fit_in(&view, free, pane), &view, (free, over)),
+            Framing::Free => {
+                let mut own = before.own(&self.camera, seen);
+                own.resize(pane);
+                own
+            }
+        };
+        self.camera = self.tiles.whole(&own, self.area);
+    }
+
+    /// The world is drawn above the bar below, and bodies are shown where no panel is.
+    pub(super) fn give_world(&mut self, laid: &Laid, scale: f32) {
+        let whole = self.canvas.size();
+        let pixels = laid.size.map(|side| (side * scale).round() as u32);
+        let area = [pixels[0].min(whole[0]), pixels[1].min(whole[1])];
+        let corner = laid.corner.map(|at| [at.x, at.y].map(|x| f64::from(x * scale)));
+        let corners = |free: Rect| [free.min, free.max].map(|at| [at.x, at.y].map(|x| f64::from((x * scale).round())));
+        let free = laid.free.map_or(self.free, corners);
+        let column = laid.column.map(|left| f64::from((left * scale).round()));
+        // What grows once it is there, as figures do, moves nothing.
+        let is_wider = corner.is_some() && self.over.corner.is_none() || column != self.over.column;
+        self.over = Over { corner, column };
+        let is_resized = area != self.area;
+        let is_other = free != self.free || is_wider;
+        (self.area, self.free) = (area, free);
+        let shares = self.tiles.count() > 1;
+        match self.framed.turn((whole, self.open_panels()), (is_other, is_resized, shares)) {
+            Turn::Stay => {}
+            Turn::Keep => self.camera.resize_still(area),
+            Turn::Fit => self.frame_now(),
+        }
+    }
+
+    /// What is open, by which panels leave more room or less.
+    fn open_panels(&self) -> Open {
+        let panels = &self.panels;
+        let has_legend = self.look.overlay == Overlay::Strain;
+        let panels = [
+            panels.has_settings,
+            panels.lessons.is_open,
+            panels.plots.is_some(),
+            !panels.hides_hud,
+            has_legend,
+            panels.hides_panels,
+        ];
+        Open { tool: self.hand.tool(), panels }
+    }
+}
