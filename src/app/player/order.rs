@@ -128,6 +128,14 @@ impl Order {
         }
     }
 
+    /// Whether somebody does something to the world by it, edit or not: what only looks at it, or lets time go by, is nothing done.
+    pub(super) fn is_deed(&self) -> bool {
+        let is_hand =
+            matches!(self, Order::Give(commands, None) if !commands.is_empty()) || matches!(self, Order::Press(true));
+        let is_gone = matches!(self, Order::GoTo(..) | Order::ToBranch(..) | Order::Reset | Order::LeadPins(_));
+        self.is_edit() || is_hand || is_gone || matches!(self, Order::Give(_, Some(_)) | Order::Exact | Order::TakeBack)
+    }
+
     /// Whether the world goes to another time by it, where what was done is done already.
     pub(super) fn goes(&self) -> bool {
         matches!(

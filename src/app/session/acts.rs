@@ -277,6 +277,7 @@ impl Session {
             let playing = self.player.is_playing();
             let camera = self.camera;
             let keeping = self.keeping();
+            self.teaches = self.taught;
             self.put_on(Player::open(start, keeping, self.wake_up()));
             self.player.play(playing);
             self.camera = camera;

@@ -12,8 +12,9 @@ use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::opening::Over;
-use crate::app::panels::{self, Facts, Laid, Settings, parameters, theme};
+use crate::app::panels::{self, At, Facts, Laid, Settings, parameters, theme};
 use crate::app::tools::{Mark, Role, Scope, probe};
+use crate::lessons::heading_of;
 use crate::render::{Look, Overlay, RenderError, View, body_color};
 use crate::scene::Parameter;
 use crate::sim::{Cursor, MouseForce};
@@ -187,11 +188,14 @@ impl Session {
 
     /// What is open, as it is called in a list: a recording by its file.
     pub(super) fn title(&self) -> String {
+        self.title_of(self.teaches.or(self.taught.filter(|_| self.panels.lessons.is_open)))
+    }
+
+    /// The same, for a step of a lesson or none.
+    pub(super) fn title_of(&self, step: Option<At>) -> String {
         let start = self.player.start();
-        if let Some(heading) = self.panels.lessons.heading() {
-            return heading.to_owned();
-        }
-        let name = start.name().map(str::to_owned);
+        let heading = step.and_then(At::heading).or_else(|| heading_of(self.scene.name()));
+        let name = start.name().or(heading).map(str::to_owned);
         let name = name.or_else(|| self.entry().map(|entry| entry.title.to_owned()));
         let name = name.unwrap_or_else(|| self.scene.name().to_owned());
         if start.is_replayed() { format!("{name} (recording)") } else { name }

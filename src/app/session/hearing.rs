@@ -54,7 +54,6 @@ impl Session {
     pub(super) fn note(&mut self, note: Note) {
         match note {
             Note::Undone(name, seconds) => {
-                self.has_undone = true;
                 let left = &self.player.shown().scenery.warnings;
                 self.panels.notes.take_back(|line| left.iter().any(|other| other == line));
                 self.have_gone(format!("Undid: {name}{}", with_what_followed(seconds)));

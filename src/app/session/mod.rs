@@ -138,8 +138,6 @@ pub(super) struct Session {
     inspected: Chosen,
     copied: Option<Copied>,
     duplicated: Option<Row>,
-    /// The last that was asked for in this history was to undo an edit.
-    has_undone: bool,
     /// How the pointer looks.
     cursor_icon: CursorIcon,
     /// Strength of the hover force when nothing is led, as the world told it last.
@@ -206,6 +204,8 @@ pub(super) struct Session {
     opening_since: Option<Instant>,
     /// The step of a lesson that it is opened for.
     teaches: Option<At>,
+    /// The step that the present history was opened for.
+    taught: Option<At>,
     /// The figures and settings that panels show.
     figures: Figures,
     settings: SceneChange,
