@@ -49,6 +49,7 @@ mod sheet;
 pub(super) mod theme;
 mod top;
 mod transport;
+mod typed;
 mod waiting;
 
 use std::collections::BTreeMap;
@@ -80,6 +81,7 @@ pub(super) use places::{Laid, covered, kept_in};
 pub(super) use plots::{PlotsAt, figure, lie as plots_lie};
 pub(super) use presses::listen;
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
+pub(super) use settings::settings_search_id;
 pub(super) use settings::{Setting, Settings};
 pub(super) use sheet::show as sheet;
 pub(super) use transport::speed;
@@ -186,6 +188,8 @@ pub(super) struct PanelState {
     pub(super) sheet: Option<Sheet>,
     pub(super) hides_panels: bool,
     pub(super) has_settings: bool,
+    /// Something is selected, and shown to be.
+    pub(super) has_selection: bool,
     /// Panels that stay open, the one that was opened last at the end.
     pub(super) opened: Vec<Opened>,
     /// Where the panel of what is selected stands.
@@ -303,6 +307,7 @@ pub(super) struct Facts {
 /// Shows the panels; returns what was asked for, and what they leave to the world.
 pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> (Vec<Wish>, Laid) {
     let mut wishes = Vec::new();
+    state.has_selection = facts.matter.is_some();
     state.keep_order();
     if !state.hides_panels {
         transport::show(ui, &mut state.lessons.left, facts, &mut wishes);

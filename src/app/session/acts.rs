@@ -86,7 +86,8 @@ impl Session {
             Action::Paste => self.paste(),
             Action::Save => self.save(),
             Action::Screenshot => self.take_screenshot(),
-            Action::Settings => self.panels.has_settings = !self.panels.has_settings,
+            Action::Settings if self.panels.has_settings => self.close_settings(),
+            Action::Settings => self.panels.has_settings = true,
             Action::FindSetting => (self.panels.has_settings, self.panels.finds_setting) = (true, true),
             Action::Plots => self.toggle_plots(),
             Action::Lessons => self.toggle_lessons(),
@@ -197,16 +198,19 @@ impl Session {
         if self.import.is_some() {
             return self.put_away();
         }
-        // In a field of a panel Esc ends what is written.
-        if !self.is_writing() {
-            self.close_panel();
+        // In a field of a panel Esc gives up what is written: at once, so that the next one closes whatever came between.
+        match self.is_writing() && !self.is_searching_settings() {
+            true => self.leave_field(),
+            false => self.close_panel(),
         }
     }
 
     /// Closes the panel that was opened last.
     fn close_panel(&mut self) {
+        self.panels.has_selection = self.selected().is_some();
         match self.panels.opened_last() {
-            Some(Opened::Settings) => self.panels.has_settings = false,
+            Some(Opened::Settings) => self.close_settings(),
+            Some(Opened::Selection) => self.hand.deselect(),
             Some(Opened::Plots) => self.toggle_plots(),
             Some(Opened::Lessons) => self.toggle_lessons(),
             None => {}
@@ -242,6 +246,13 @@ impl Session {
             _ => return,
         };
         self.say(words.to_owned());
+    }
+
+    /// A search that is filled is not there when they open again: it would hide the most.
+    fn close_settings(&mut self) {
+        self.panels.has_settings = false;
+        self.panels.settings_search.clear();
+        self.leave_field();
     }
 
     /// Opens the lessons, or closes them. Where they have no room beside the settings, those close.

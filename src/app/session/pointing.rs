@@ -46,6 +46,10 @@ impl Session {
         if is_pressed && (self.is_over_panels() || self.is_covered()) {
             return;
         }
+        if is_pressed && self.is_writing() {
+            // A field has what is written in it before what is selected changes, and with that what the field is of.
+            self.show_panels();
+        }
         self.pointer.press(button, state);
         if button != MouseButton::Left {
             return;

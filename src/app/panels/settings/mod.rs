@@ -6,6 +6,7 @@ mod sections;
 use egui::{Align2, Area, Id, Rect, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo};
 
 use super::theme::{colors, floating};
+use super::typed::takes_words;
 use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
 use crate::app::player::MethodSetting;
@@ -71,6 +72,11 @@ impl Sink<'_> {
     }
 }
 
+/// The field that a search is written in.
+pub(in crate::app) fn settings_search_id() -> Id {
+    Id::unique("settings search")
+}
+
 /// Shows it along the lower edge of a room, in two columns. Returns where it begins `[points]`.
 pub(super) fn show_below(
     context: &egui::Context,
@@ -129,7 +135,9 @@ fn panel(
                         search.clear();
                     }
                     let hint = "search: wind, sweeps";
-                    let field = ui.add(TextEdit::singleline(search).hint_text(hint).desired_width(f32::INFINITY));
+                    let field = TextEdit::singleline(search).id(settings_search_id()).hint_text(hint);
+                    let field = ui.add(field.desired_width(f32::INFINITY));
+                    takes_words(&field);
                     field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, SEARCH));
                     if is_wanted {
                         field.request_focus();
