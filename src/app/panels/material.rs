@@ -202,6 +202,11 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         kinds(ui, matter, sink);
     }
     number(ui, ("stiffness", " N/m"), matter.stiffness, sink, |x| Some(MatterChange::Stiffness(x)));
+    if let Some(sags) = facts.bearings.told(None, None)
+        && let Some(by) = sagging(ui, sags)
+    {
+        sink.set(&by, MatterChange::Stiffness(sags.1));
+    }
     number(ui, ("damping", " N s/m"), matter.damping, sink, |x| Some(MatterChange::Damping(x)));
     breaks(ui, matter, sink);
     number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
@@ -216,6 +221,19 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         number(ui, ("width", " m"), matter.width, sink, |x| Some(MatterChange::Width(x)));
         visible(ui, matter, sink);
     }
+}
+
+/// Says that a body would sag by some share of its height, and offers the stiffness that bears it `[N/m]`. Returns the offer, if it is taken.
+pub(super) fn sagging(ui: &mut Ui, (share, stiffness): (f64, f64)) -> Option<Response> {
+    let words = match share {
+        share if share < 1.0 => {
+            format!("too heavy for its springs: it would sag by {:.0} % of its height", 100.0 * share)
+        }
+        _ => "too heavy for its springs: its own weight would crush it".to_owned(),
+    };
+    ui.add(Label::new(RichText::new(words).color(colors(ui).away)).wrap());
+    let offer = ui.button(format!("{} N/m bear it", short(stiffness)));
+    Some(offer.on_hover_text("so stiff springs let it sag by a tenth of its height")).filter(Response::clicked)
 }
 
 /// What is selected: a body by its name, several counted, with their points.

@@ -57,7 +57,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::action::{Action, Primitive, Showing, Tool};
-use super::matter::{Matter, MatterChange};
+use super::matter::{Bearings, Matter, MatterChange};
 use super::player::{Figures, MethodSetting};
 use super::plots::Plots;
 use super::tools::{Brush, Drives, Links, PushWay};
@@ -258,6 +258,8 @@ pub(super) struct Facts {
     pub(super) draws_lasso: bool,
     /// What is selected is made of.
     pub(super) matter: Option<Arc<Matter>>,
+    /// How soft bodies bear their weight: what is selected, or all while there is a brush in the hand.
+    pub(super) bearings: Arc<Bearings>,
     /// Where that is seen `[points]`.
     pub(super) chosen_at: Option<egui::Rect>,
     /// Some of it is in a group.

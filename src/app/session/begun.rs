@@ -114,6 +114,7 @@ impl Session {
             figures: Figures::default(),
             settings: SceneChange::default(),
             matter: None,
+            bearings: Default::default(),
             tints: Arc::default(),
         };
         match session.player.is_open() {

@@ -40,6 +40,7 @@ impl Session {
         self.panels_dirty = false;
         self.panels_at = Some(Instant::now());
         self.move_plots();
+        self.weigh();
         let facts = self.facts();
         (self.figures, self.settings) = (self.shown().figures.clone(), self.shown().settings.clone());
         self.matter.clone_from(&self.player.shown().matter);
@@ -156,6 +157,7 @@ impl Session {
             brush: self.hand.brush(),
             draws_lasso: self.hand.draws_lasso(),
             matter: self.shown().matter.clone().filter(|_| !self.inspected.is_empty()),
+            bearings: Arc::clone(&self.bearings.1),
             chosen_at: self.selection_seen(),
             is_grouped: self.is_grouped(),
             drawn_color: body_color(&self.shown().view(), &self.look, &self.inspected.points),

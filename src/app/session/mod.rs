@@ -40,7 +40,7 @@ use super::import::Import;
 use super::keys::{Down, Held};
 use super::leftovers::{Leftover, look};
 use super::loading::Loading;
-use super::matter::Matter;
+use super::matter::{Bearings, Matter};
 use super::meter::Meter;
 use super::opening::{Free, Over};
 use super::panels::{At, Misfits, PanelState, theme};
@@ -81,6 +81,9 @@ enum Framing {
     /// By hand.
     Free,
 }
+
+/// What it depends on whether bodies bear their weight: the topology, gravity, and whose it is.
+type Borne = (u64, Option<[f64; 3]>, Option<Chosen>);
 
 /// The scene, its player and its window.
 pub(super) struct Session {
@@ -210,6 +213,8 @@ pub(super) struct Session {
     figures: Figures,
     settings: SceneChange,
     matter: Option<Arc<Matter>>,
+    /// How soft bodies bear their weight, and of which topology and gravity that is.
+    bearings: (Option<Borne>, Arc<Bearings>),
     /// How points are drawn, and which are hidden, as panels say it.
     tints: Arc<[Tint]>,
 }

@@ -1,11 +1,13 @@
 //! What is done with what is selected: groups, its matter.
 
+use std::sync::Arc;
+
 use glam::{DVec2, DVec3};
 use winit::window::CursorIcon;
 
 use super::Session;
 use crate::app::action::Tool;
-use crate::app::matter::{Among, MatterChange};
+use crate::app::matter::{Among, Bearings, MatterChange};
 use crate::app::panels::MatterAt;
 use crate::app::player::Order;
 use crate::app::tools::{Chosen, Handle, Held, Scope, hidden_bodies};
@@ -81,6 +83,23 @@ impl Session {
             self.panels_dirty = true;
             self.panels.matter_at = MatterAt::default();
         }
+    }
+
+    /// Looks how what is selected bears its weight, or what the brush could paint, where that is asked for and may be another.
+    pub(super) fn weigh(&mut self) {
+        let chosen = (self.hand.tool() != Tool::Paint).then(|| self.inspected.clone());
+        let shown = self.player.shown();
+        let is_asked = chosen.as_ref().is_none_or(|chosen| !chosen.points.is_empty());
+        let of = is_asked.then(|| (shown.topology, shown.settings.gravity, chosen));
+        if of == self.bearings.0 {
+            return;
+        }
+        let all = if is_asked { Bearings::of(shown) } else { Bearings::default() };
+        let bearings = match &of {
+            Some((.., Some(chosen))) => all.among(&chosen.points),
+            _ => all,
+        };
+        self.bearings = (of, Arc::new(bearings));
     }
 
     /// Where what is selected is seen `[points]`: the box around its points, some of many, and its obstacles.
