@@ -135,9 +135,8 @@ mod tests {
             added.bodies[0].origin.unwrap().embed()
         };
         let at_first = place(&*world);
-        // The slanted side of what lies in the middle goes from one corner of its box to the other: the left blot is beside it, by a little.
-        let off = ((at_first[1] - (at_first[0] - 0.5)) / 2.0_f64.sqrt()).abs() - 0.4;
-        assert!((0.05..0.3).contains(&off), "by its shape it has room there: {off} m, {at_first:?}");
+        let away = (at_first[0] - 1.0).hypot(at_first[1] - 0.5);
+        assert!((0.5..2.0).contains(&away), "not on what lies in the middle, and near it: {at_first:?}");
         while world.time() < 1.0 {
             world.step();
         }

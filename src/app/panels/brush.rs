@@ -170,7 +170,7 @@ mod tests {
         };
         screen.click("mass");
         assert_eq!(told(&mut screen), None, "1 kg/m^2 is borne");
-        screen.facts.brush.numbers.density.value = 20.0;
+        screen.facts.brush.numbers.density.value = 100.0;
         let offer = told(&mut screen).unwrap();
         screen.click(&offer);
         let numbers = screen.facts.brush.numbers;

@@ -11,6 +11,7 @@ use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
 use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, NEVER, Preset, Span};
+use crate::sim::Limit;
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 226.0;
@@ -208,6 +209,10 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         sink.set(&by, MatterChange::Stiffness(sags.1));
     }
     number(ui, ("damping", " N s/m"), matter.damping, sink, |x| Some(MatterChange::Damping(x)));
+    limits(ui, matter, sink);
+    number(ui, ("relaxation", ""), matter.relaxation, sink, |x| {
+        (0.0 < x && x <= 1.0).then_some(MatterChange::Relaxation(x))
+    });
     breaks(ui, matter, sink);
     number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
     share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
@@ -378,6 +383,29 @@ fn share(ui: &mut Ui, name: &str, most: f64, span: Option<Span>, sink: &mut Sink
     if by.changed() {
         sink.set(&by, change(value));
     }
+}
+
+/// On which sides of their lengths bonds act.
+fn limits(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+    if matter.bonds == 0 {
+        return;
+    }
+    row(ui, "they act", |ui, _| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for ((limit, name, words), count) in [
+            (Limit::Both, "both ways", "against being longer and shorter"),
+            (Limit::Max, "pull", "as strings: against being longer only"),
+            (Limit::Min, "push", "as stops: against being shorter only"),
+        ]
+        .into_iter()
+        .zip(matter.limits)
+        {
+            let by = ui.selectable_label(count == matter.bonds, name).on_hover_text(words);
+            if by.clicked() && count < matter.bonds {
+                sink.set(&by, MatterChange::Limit(limit));
+            }
+        }
+    });
 }
 
 /// Whether bonds break, and at what strain.

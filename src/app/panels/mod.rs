@@ -82,7 +82,7 @@ pub(super) use plots::{PlotsAt, figure, lie as plots_lie};
 pub(super) use presses::listen;
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
 pub(super) use settings::settings_search_id;
-pub(super) use settings::{Setting, Settings};
+pub(super) use settings::{Pushing, Setting, Settings};
 pub(super) use sheet::show as sheet;
 pub(super) use transport::speed;
 

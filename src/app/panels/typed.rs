@@ -81,13 +81,13 @@ mod tests {
         let mut frame = |events: Vec<Event>| {
             let screen_rect = Some(egui::Rect::from_min_size(pos2(0.0, 0.0), egui::vec2(400.0, 300.0)));
             let mut fields = [egui::Rect::NOTHING; 2];
-            let output = context.run_ui(RawInput { events, screen_rect, ..RawInput::default() }, |ui| {
+            let mut output = context.run_ui(RawInput { events, screen_rect, ..RawInput::default() }, |ui| {
                 fields[0] = ui.add(DragValue::new(&mut value).update_while_editing(false)).rect;
                 let field = ui.add(TextEdit::singleline(&mut words));
                 takes_words(&field);
                 fields[1] = field.rect;
             });
-            drop(output);
+            output.textures_delta.clear();
             (fields, value, words.clone())
         };
         let fields = frame(Vec::new()).0;

@@ -6,6 +6,7 @@ use super::beside::Companions;
 use super::watch::{Measured, Probes};
 use crate::app::matter::{Among, MatterChange};
 use crate::app::tools::{HaulWay, PinWay};
+use crate::app::warnings::refused;
 use crate::history::{Do, History, Refusal, Why};
 use crate::scene::{AddKeys, BudgetKeys, MethodKeys, SolverName, ViewKeys};
 use crate::sim::{CommandError, Cursor};
@@ -191,7 +192,7 @@ impl From<Refusal> for Note {
     fn from(refusal: Refusal) -> Self {
         match refusal.reason {
             Why::World(CommandError::Held) => Note::Held,
-            why => Note::Refused(why.to_string()),
+            why => Note::Refused(refused(&why)),
         }
     }
 }

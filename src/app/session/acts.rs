@@ -334,9 +334,10 @@ impl Session {
 
     /// Something is set of the scene. The strength of the hover force is the hand's to give, which may hold it away now.
     fn set(&mut self, Setting { act, name, goes_on }: Setting) {
-        if let Do::Mouse(MouseChange { strength: Some(strength), .. }) = act {
+        if let Do::Mouse(MouseChange { strength: Some(strength), radius, .. }) = act {
             self.hand.set_strength(Some(strength));
-            if self.hand.is_calm() {
+            // One that is only just to be is there at once.
+            if self.hand.is_calm() && radius.is_none() {
                 return;
             }
         }

@@ -12,7 +12,7 @@ use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::opening::Over;
-use crate::app::panels::{self, At, Facts, Laid, Settings, parameters, theme};
+use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, theme};
 use crate::app::tools::{Mark, Role, Scope, probe};
 use crate::lessons::heading_of;
 use crate::render::{Look, Overlay, RenderError, View, body_color};
@@ -183,6 +183,7 @@ impl Session {
             settings: Settings {
                 parameters: self.parameters(),
                 scene: self.shown().settings.clone(),
+                pushing: self.shown().mouse.as_ref().map(Pushing::of),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
             },
         }
@@ -209,7 +210,6 @@ impl Session {
             return Vec::new();
         }
         let shown = self.shown();
-        let scale = f64::from(self.egui.egui_ctx().pixels_per_point());
         let step = shown.point_count() / MOST_SEEN + 1;
         let own = |place: usize| self.tiles.camera(place, &self.camera, self.area);
         let cameras: Vec<_> = (0..self.tiles.count()).map(own).collect();
@@ -233,15 +233,13 @@ impl Session {
         let corners = corners.take(MOST_SEEN).map(|[x, y]| [*x, *y, 0.0]);
         let all = (0..shown.point_count()).step_by(step).flat_map(seen);
         let all = all.chain(middles.chain(corners).flat_map(pixel));
-        let point = |[x, y]: [f64; 2]| Pos2::new((x / scale) as f32, (y / scale) as f32);
         // Where one of what is looked at lies, all else weighs less.
         let marked = self.marked_points().into_iter().flat_map(|at| std::iter::repeat_n(at, MOST_SEEN));
-        all.map(point).chain(marked).collect()
+        all.map(|pixel| self.point_of(pixel)).chain(marked).collect()
     }
 
     /// Where the points are seen that are probed or selected `[points]`, a few of many.
     pub(super) fn marked_points(&self) -> Vec<Pos2> {
-        let scale = f64::from(self.egui.egui_ctx().pixels_per_point());
         let own = |place: usize| self.tiles.camera(place, &self.camera, self.area);
         let cameras: Vec<_> = (0..self.tiles.count()).map(own).collect();
         let selected = self.inspected.points.iter().copied();
@@ -252,7 +250,7 @@ impl Session {
             let place = glam::DVec3::from(self.shown().place(point.index()));
             cameras.iter().filter_map(move |camera| camera.screen_from_world(place)).collect::<Vec<_>>()
         });
-        seen.map(|[x, y]| Pos2::new((x / scale) as f32, (y / scale) as f32)).collect()
+        seen.map(|pixel| self.point_of(pixel)).collect()
     }
 
     /// The numbers that the scene names, while its settings are open.

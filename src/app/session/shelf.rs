@@ -275,14 +275,14 @@ mod tests {
         player.play(false);
         player.ask(Order::Bound(BYTES));
         assert!(!player.is_used(), "looking on is nothing done");
-        let pin = || vec![Do::Pin(vec![PointId(0)])];
-        player.give(pin(), None);
+        let pin = |point| vec![Do::Pin(vec![PointId(point)])];
+        player.give(pin(0), None);
         assert!(player.is_used(), "a hand that only grabs has done something");
         player.say_used(false);
         player.ask(Order::Undo(None));
         wait_for(&mut player, |_, notes| notes.contains(&Note::NothingToUndo));
         assert!(!player.is_used());
-        player.give(pin(), Some("pin"));
+        player.give(pin(1), Some("pin"));
         player.say_used(false);
         player.ask(Order::Undo(None));
         wait_for(&mut player, |_, notes| !notes.is_empty());

@@ -49,6 +49,7 @@ impl Hand {
             Doing::Moving(hold, under) => self.end_move(scope, (hold, at), under),
             Doing::Carrying(hold, what) => selecting::moved(scope, (hold, at), &what),
             Doing::Handling(grip) => self.end_grip(scope, grip, at),
+            Doing::Turning(grip) => self.end_turn(scope, grip, at),
             Doing::Marking(region) => {
                 self.mark(scope, &region, at);
                 Deed::default()
