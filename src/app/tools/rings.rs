@@ -53,6 +53,8 @@ pub(super) struct Rings {
     /// The middle of what is selected, and the radius of the rings about it `[m]`.
     middle: DVec3,
     radius: f64,
+    /// Planes have no size.
+    is_endless: bool,
 }
 
 /// A handle that is being dragged, from this pixel `[px]`, of rings that stay as they were.
@@ -80,7 +82,8 @@ impl Rings {
         let middle = 0.5 * (low + high);
         let metre = metre(scope, middle)?;
         let [least, most] = RADII.map(|radius| radius * scope.scale / metre);
-        Some(Rings { middle, radius: (0.5 * AROUND * low.distance(high)).clamp(least, most) })
+        let is_endless = chosen.is_ground(scope);
+        Some(Rings { is_endless, middle, radius: (0.5 * AROUND * low.distance(high)).clamp(least, most) })
     }
 
     /// The middle of what is selected `[m]`.
@@ -100,6 +103,9 @@ impl Rings {
 
     /// The knob that scales `[px]`.
     fn knob(&self, scope: Scope<'_>) -> Option<DVec2> {
+        if self.is_endless {
+            return None;
+        }
         let middle = DVec2::from(scope.camera.screen_from_world(self.middle)?);
         let far = self.radius * metre(scope, self.middle)? + OFF * scope.scale;
         Some(middle + far * DVec2::new(0.5_f64.sqrt(), -0.5_f64.sqrt()))
@@ -172,7 +178,7 @@ impl RingGrip {
 
     /// By which angle a ring is turned: as the pointer goes around in its plane; along it, where it is seen from its side.
     fn angle(&self, scope: Scope<'_>, axis: usize, to: DVec2) -> Option<f64> {
-        let (normal, Rings { middle, radius }) = (AXES[axis].0, self.rings);
+        let (normal, Rings { middle, radius, .. }) = (AXES[axis].0, self.rings);
         let around = |at: DVec2| {
             let cursor = scope.camera.cursor(at.to_array());
             let [origin, direction] = [cursor.origin, cursor.direction].map(DVec3::from);
