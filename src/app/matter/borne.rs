@@ -189,10 +189,8 @@ mod tests {
         for (from, to) in
             [(r#""kind": "spring", "stiffness": 600, "damping": 2"#, r#""kind": "rigid""#), ("-9.81", "0")]
         {
-            let text = format!(
-                r#"{{"wobble": 1, "gravity": [0, -9.81], "bodies": [{{"make": "lattice", "columns": 4, "rows": 4, "spacing": 0.2,
-                "material": {{"kind": "spring", "stiffness": 600, "damping": 2, "mass": 2}}}}]}}"#
-            );
+            let text = r#"{"wobble": 1, "gravity": [0, -9.81], "bodies": [{"make": "lattice", "columns": 4, "rows": 4, "spacing": 0.2,
+                "material": {"kind": "spring", "stiffness": 600, "damping": 2, "mass": 2}}]}"#;
             let mut stage = Stage::new(Scene::parse(&text.replace(from, to), "x.json").unwrap().into()).unwrap();
             assert_eq!(Bearings::of(&shown(&mut stage)).told(Some(1e3), None), None, "{to}");
         }

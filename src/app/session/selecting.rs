@@ -90,7 +90,7 @@ impl Session {
         let chosen = (self.hand.tool() != Tool::Paint).then(|| self.inspected.clone());
         let shown = self.player.shown();
         let is_asked = chosen.as_ref().is_none_or(|chosen| !chosen.points.is_empty());
-        let of = is_asked.then(|| (shown.topology, shown.settings.gravity, chosen));
+        let of = is_asked.then_some((shown.topology, shown.settings.gravity, chosen));
         if of == self.bearings.0 {
             return;
         }

@@ -192,11 +192,12 @@ impl RingGrip {
         // The place of the ring that was taken.
         let places = self.rings.places(axis);
         let pixel = |place: DVec3| scope.camera.screen_from_world(place).map(DVec2::from);
-        let seen = places.iter().filter_map(|&place| Some((pixel(place)?.distance(self.from), place)));
-        let (_, taken) = seen.min_by(|a, b| {
-            let deep = |place: DVec3| scope.camera.depth(place);
-            (a.0 - b.0).abs().lt(&1.0).then(|| deep(a.1).total_cmp(&deep(b.1))).unwrap_or(a.0.total_cmp(&b.0))
-        })?;
+        let seen: Vec<(f64, DVec3)> =
+            places.iter().filter_map(|&place| Some((pixel(place)?.distance(self.from), place))).collect();
+        let least = seen.iter().fold(f64::INFINITY, |least, (far, _)| least.min(*far));
+        // Of two that are seen at the same pixel the one in front.
+        let near = seen.into_iter().filter(|(far, _)| *far < least + 1.0).map(|(_, place)| place);
+        let taken = near.min_by(|a, b| scope.camera.depth(*a).total_cmp(&scope.camera.depth(*b)))?;
         let along = normal.cross(taken - middle).normalize();
         let step = 1e-3 * radius;
         let way = (pixel(taken + step * along)? - pixel(taken)?) / step;
