@@ -5,6 +5,7 @@ mod asking;
 mod beside;
 #[cfg(test)]
 mod beside_tests;
+mod bonds;
 mod brush;
 mod color;
 #[cfg(test)]
