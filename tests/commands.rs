@@ -85,12 +85,10 @@ fn islands_that_an_edit_does_not_name_keep_their_bits() {
             "move",
             Command::Move(Motion {
                 points: numbers(8..12),
-                obstacles: Vec::new(),
                 by: [0.3, 2.0, 0.0],
                 turn: 0.4,
                 scale: [1.2; 3],
-                about: None,
-                over: None,
+                ..Motion::default()
             }),
         ),
         (
@@ -329,15 +327,7 @@ fn obstacles_come_move_and_go() {
     assert_eq!((added.obstacles, world.obstacle_numbers()), (0..1, [&[][..], &[0][..]]));
     steps(&mut *world, 1.5);
     assert!(now(&*world).position[0][1].abs() < 1e-6, "it lies on the slab");
-    let down = Motion {
-        points: Vec::new(),
-        obstacles: vec![0],
-        by: [0.0, -1.0, 0.0],
-        turn: 0.0,
-        scale: [1.0; 3],
-        about: None,
-        over: None,
-    };
+    let down = Motion { obstacles: vec![0], by: [0.0, -1.0, 0.0], ..Motion::default() };
     world.apply(&Command::Move(down)).unwrap();
     steps(&mut *world, 1.5);
     assert!((now(&*world).position[0][1] + 1.0).abs() < 1e-6, "and where that went");
@@ -376,15 +366,7 @@ fn a_refused_command_leaves_the_world_whole() {
         mass: vec![1.0],
         ..Addition::default()
     };
-    let nowhere = Motion {
-        points: vec![PointId(99)],
-        obstacles: Vec::new(),
-        by: [0.0; 3],
-        turn: 0.0,
-        scale: [1.0; 3],
-        about: None,
-        over: None,
-    };
+    let nowhere = Motion { points: vec![PointId(99)], ..Motion::default() };
     let flat = Motion { points: vec![PointId(0)], scale: [0.0; 3], ..nowhere.clone() };
     for command in [
         Command::Add(Box::new(bad)),
@@ -698,15 +680,7 @@ fn a_part_of_a_rigid_body_is_not_moved_against_its_lengths() {
     let (before, lengths) = (now(&*world), world.bonds().rest_lengths().to_vec());
     let mut refusals = 0;
     for (points, by) in [(8..14, [0.3, 0.8, 0.0]), (8..14, [-3.0, 2.0, 0.0]), (0..9, [6.0, 0.5, 0.0])] {
-        let motion = Motion {
-            points: numbers(points),
-            obstacles: Vec::new(),
-            by,
-            turn: 0.0,
-            scale: [1.0; 3],
-            about: None,
-            over: None,
-        };
+        let motion = Motion { points: numbers(points), by, ..Motion::default() };
         let mut copy = world.boxed_clone();
         match copy.apply(&Command::Move(motion)) {
             Err(CommandError::Invalid(why)) => {
@@ -722,12 +696,10 @@ fn a_part_of_a_rigid_body_is_not_moved_against_its_lengths() {
     world
         .apply(&Command::Move(Motion {
             points: numbers(0..24),
-            obstacles: Vec::new(),
             by: [5.0, 1.0, 0.0],
             turn: 1.0,
             scale: [1.5; 3],
-            about: None,
-            over: None,
+            ..Motion::default()
         }))
         .unwrap();
     assert!(now(&*world).max_strain < 1e-6, "the whole body may be moved");
@@ -894,7 +866,7 @@ fn a_scale_along_each_axis_and_a_turn_are_one_map_of_points_bonds_angles_and_obs
         turn,
         scale: [factors[0], factors[1], 1.0],
         about: Some([about[0], about[1], 0.0]),
-        over: None,
+        ..Motion::default()
     };
     assert!(world.apply(&Command::Move(motion.clone())).unwrap().is_something);
     let sample = now(&*world);

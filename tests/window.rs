@@ -417,7 +417,7 @@ fn the_gallery_opens_scenes_and_undo_goes_back() {
     app.move_mouse(1030, 575);
     std::thread::sleep(Duration::from_millis(300));
     display.xdotool(&["click", "1"]);
-    app.wait_for_title("wobble · stability-1");
+    app.wait_for_title("wobble · A brake that pushes");
     app.key("ctrl+z");
     app.wait_for_title("wobble · rope");
     app.quit();

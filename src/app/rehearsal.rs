@@ -4,7 +4,7 @@ use egui::{Context, Ui};
 
 use super::action::{Action, Tool};
 use super::matter::Among;
-use super::panels::{self, Facts, Met, PanelState, Setting, Settings, Sheet, Wish, parameters, theme};
+use super::panels::{self, Facts, Met, PanelState, Pushing, Setting, Settings, Sheet, Wish, parameters, theme};
 use super::player::{Note, Order, Shown, Stage};
 use super::tools::PushWay;
 use crate::history::{History, HistoryError};
@@ -189,6 +189,7 @@ impl Rehearsal {
             settings: Settings {
                 parameters: parameters(&self.named, &self.shown, push),
                 scene: self.shown.settings.clone(),
+                pushing: self.shown.mouse.as_ref().map(Pushing::of),
                 push,
             },
             ..Facts::default()

@@ -1,5 +1,8 @@
 //! Warnings and refusals of worlds as a window says them: not in the words of files.
 
+use crate::history::Why;
+use crate::sim::{CommandError, ModelError, Solver};
+
 /// What numbers in brackets may be of.
 const NUMBERED: [&str; 4] = ["point", "bond", "triangle", "angle"];
 
@@ -17,23 +20,48 @@ const CHOOSE: &str = "choose \"auto\" as the solver in the settings (G)";
 
 /// Why something cannot be done, in the words of who plays: what files call keys is named as the window does, and numbers that nobody sees
 /// are left out.
-pub(super) fn refused(why: &str) -> String {
-    let mut words = why.replace("leave `solver` out", CHOOSE).replace("leave that out, or use another solver", CHOOSE);
-    if let Some((before, others)) = words.split_once(": use ") {
-        words = format!("{before}: choose {others} as the solver in the settings (G)");
+pub(super) fn refused(why: &Why) -> String {
+    match why {
+        Why::World(CommandError::Model(error)) => unfit(error),
+        _ => said(&why.to_string()),
     }
-    if let Some((before, after)) = words.clone().split_once("the loop of source ") {
-        let rest = after.split_once(' ').map_or("", |(_, rest)| rest);
-        words = format!("{before}this scene runs the loop of its source as it is printed, which {rest}");
+}
+
+/// The same of what no world can be made of.
+fn unfit(error: &ModelError) -> String {
+    let instead = |others: &str| format!("choose {others} as the solver in the settings (G)");
+    match error {
+        ModelError::NotPrinted { what, .. } => {
+            format!("this scene runs the loop of its source as it is printed, which has no {what}: {CHOOSE}")
+        }
+        ModelError::NoConvex { solver } => {
+            format!("{} does not meet balls and boxes in space: {CHOOSE}", called(*solver))
+        }
+        ModelError::NoContact { solver } => format!("{} knows no contact: {CHOOSE}", called(*solver)),
+        ModelError::NoForm { what, solver, others } => {
+            format!("{} knows no {what}: {}", called(*solver), instead(others))
+        }
+        ModelError::Refused { kind, solver, others, .. } => {
+            format!("a bond is {kind}, which {} refuses: {}", called(*solver), instead(others))
+        }
+        other => said(&other.to_string()),
     }
-    words = words.replace("solver as-printed", "the loop of the source, as it is printed,");
-    // What a list of a file calls it by.
-    if let Some((path, rest)) = words.clone().split_once(": ")
-        && path.contains(['[', '.'])
-        && !path.contains(' ')
-    {
-        words = rest.to_owned();
+}
+
+/// A solver, as one says it.
+fn called(solver: Solver) -> String {
+    match solver {
+        Solver::AsPrinted(_) => "the loop of the source, as it is printed,".to_owned(),
+        _ => format!("solver {solver}"),
     }
+}
+
+/// Words of a file without the path that they begin with there, numbers and code.
+pub(super) fn said(words: &str) -> String {
+    let words = match words.split_once(": ") {
+        Some((path, rest)) if path.contains(['[', '.']) && !path.contains(' ') => rest,
+        _ => words,
+    };
     without_numbers(&words.replace('`', "\""))
 }
 
@@ -91,15 +119,15 @@ mod tests {
         use crate::app::player::{Note, Order, Stage};
         use crate::history::{Do, MoveKeys, SetKeys};
         use crate::scene::{AddKeys, BodyKeys, KindName, MakerName, Material, Meeting, gallery};
+        let rk4 = ModelError::Refused { bond: 12, kind: "rigid", solver: Solver::Rk4, others: "verlet or path" };
         assert_eq!(
-            refused("the loop of source 001 has no obstacle: leave that out, or use another solver"),
-            format!("this scene runs the loop of its source as it is printed, which has no obstacle: {CHOOSE}")
-        );
-        assert_eq!(
-            refused("bond 12 is rigid, which solver rk4 refuses: use verlet or path"),
+            refused(&Why::World(rk4.into())),
             "a bond is rigid, which solver rk4 refuses: choose verlet or path as the solver in the settings (G)"
         );
-        assert_eq!(refused("the pins are 3 m apart"), "the pins are 3 m apart");
+        let none = ModelError::NoContact { solver: Solver::Rk4 };
+        assert_eq!(refused(&Why::World(none.into())), format!("solver rk4 knows no contact: {CHOOSE}"));
+        assert_eq!(refused(&Why::Words("the pins are 3 m apart".to_owned())), "the pins are 3 m apart");
+        assert_eq!(said("bodies[3].mass: `mass` is 0, and point 4 has none"), "\"mass\" is 0, and a point has none");
         // What tools ask for in the scenes of the sources as they are printed.
         let body = BodyKeys {
             make: MakerName::Disc,
@@ -123,11 +151,10 @@ mod tests {
         for entry in gallery().iter().filter(|entry| entry.name.ends_with("as-printed")) {
             for act in &asked {
                 let mut stage = Stage::new(entry.scene().unwrap().into()).unwrap();
-                let why = match stage.obey(Order::Give(vec![act.clone()], Some("x"))) {
+                let words = match stage.obey(Order::Give(vec![act.clone()], Some("x"))) {
                     Some(Note::Refused(why) | Note::Added(Some(why))) => why,
                     _ => continue,
                 };
-                let words = refused(&why);
                 for file in ["`", "as-printed", "source 0", "leave", " use "] {
                     assert!(!words.contains(file), "{}: {words}", entry.name);
                 }

@@ -100,8 +100,10 @@ object! {
         optional {
             /// How far `[m]`, 0 if not said.
             by: Vector,
-            /// Anticlockwise about z `[rad]`, 0 if not said.
+            /// Anticlockwise about the axis `[rad]`, 0 if not said.
             turn: f64,
+            /// The axis of the turn, of any length above 0, in space: z if not said.
+            axis: Vector,
             /// > 0, 1 if not said: one factor, or in the plane two, along x and y.
             scale: Factors,
             /// The place that stays where it is but for `by` `[m]`: the middle of what is moved if not said.

@@ -76,12 +76,19 @@ fn selection(keys: &DeleteKeys) -> Selection {
 
 /// Errors: a vector of another dimension.
 fn motion(keys: &MoveKeys, scene: &Scene) -> Result<Motion, String> {
-    let MoveKeys { by, turn, scale, about, over, points: list, obstacles } = keys;
+    let MoveKeys { by, turn, axis, scale, about, over, points: list, obstacles } = keys;
     Ok(Motion {
         points: points(list),
         obstacles: obstacles.clone(),
         by: by.map_or(Ok([0.0; 3]), |by| vector("by", &by, scene))?,
         turn: turn.unwrap_or(0.0),
+        axis: match axis {
+            None => Motion::UPRIGHT,
+            Some(_) if scene.dimensions() == 2 => {
+                return Err("axis: in the plane all turns are about z: leave it out".to_owned());
+            }
+            Some(axis) => vector("axis", axis, scene)?,
+        },
         scale: match scale {
             None => [1.0; 3],
             Some(Factors::One(factor)) => [*factor; 3],

@@ -222,6 +222,19 @@ impl Lesson {
     }
 }
 
+/// What the scene of a step is called that is changed for it.
+fn own_name(lesson: &str, step: usize) -> String {
+    format!("{lesson}-{}", step + 1)
+}
+
+/// The heading of the step whose own scene is called so.
+pub fn heading_of(scene: &str) -> Option<&'static str> {
+    let (lesson, number) = scene.rsplit_once('-')?;
+    let place = number.parse::<usize>().ok()?.checked_sub(1)?;
+    let step = lessons().iter().find(|other| other.name == lesson)?.steps.get(place)?;
+    (step.patch.is_some() && own_name(lesson, place) == scene).then_some(&step.heading)
+}
+
 impl Step {
     fn scene(&self, name: &str, step: usize) -> Result<Scene, LessonError> {
         let entry = gallery().iter().find(|entry| entry.name == self.scene).ok_or_else(|| LessonError::NoScene {
@@ -233,8 +246,27 @@ impl Step {
         let file = |source| LessonError::File { name: name.to_owned(), source };
         let mut keys: Value = serde_json::from_str(entry.json).map_err(file)?;
         patch::merge(&mut keys, patch);
-        let own = format!("{name}-{}", step + 1);
+        let own = own_name(name, step);
         patch::merge(&mut keys, &serde_json::json!({ "name": own }));
         Ok(Scene::parse(&keys.to_string(), &format!("{own}.json"))?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{heading_of, lessons};
+
+    #[test]
+    fn every_scene_that_a_step_changed_is_called_by_the_heading_of_that_step_and_no_other_is() {
+        for lesson in lessons() {
+            for (place, step) in lesson.steps.iter().enumerate() {
+                let scene = lesson.scene(place).and_then(Result::ok);
+                let heading = scene.and_then(|scene| heading_of(scene.name()));
+                assert_eq!(heading, step.patch.is_some().then_some(&*step.heading), "{} {place}", lesson.name);
+            }
+        }
+        for other in ["ring", "pictures-0", "pictures-99", "pictures-06", "nothing-1", "-1"] {
+            assert_eq!(heading_of(other), None, "{other}");
+        }
     }
 }

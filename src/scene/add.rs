@@ -2,14 +2,16 @@
 
 use std::sync::Arc;
 
+use glam::DVec2;
+
 use super::error::{Fault, SceneError};
-use super::free_place::{Extent, around, free_place};
 use super::keys::{AddKeys, BodyKeys, MakerName, ObstacleKeys, PictureKeys, Scene, Vector};
 use super::obstacle::outlines;
 use super::pictures::inline_picture;
+use super::room::{Drawing, in_view_or_not};
 use super::start;
 use crate::picture::Picture;
-use crate::sim::{Dynamics, Polygon};
+use crate::sim::Dynamics;
 
 impl Scene {
     /// A body of a picture, which the keys hold themselves, as it is added to `world`, which began as this scene: where nothing is now, inside the walls and of what
@@ -48,10 +50,8 @@ impl Scene {
         let error = |fault: Fault| self.source.error(fault);
         let file = self.source.keep(Arc::clone(picture));
         let cut = PictureKeys { file, origin: None, ..PictureKeys::of_body(keys) };
-        let ink = Polygon { loops: outlines(&cut, &self.source).map_err(error)?, restitution: 0.0, friction: 0.0 };
-        let mut things = extents(world);
-        things.extend(around(&ink));
-        let origin = free_place(self, world.polygons(), &things, seen);
+        let ink = Drawing::default().with([outlines(&cut, &self.source).map_err(error)?].into_iter());
+        let origin = placed(world, &ink, seen);
         let file = inline_picture(picture).map_err(error)?;
         let cut = PictureKeys { file, origin: Some(Vector::Plane(origin)), ..cut };
         let obstacle = ObstacleKeys { picture: Some(cut), ..ObstacleKeys::default() };
@@ -82,49 +82,17 @@ impl Scene {
     }
 
     /// Where the only body of this scene finds room in a world.
-    fn find_room(&self, world: &dyn Dynamics, seen: Extent) -> Result<[f64; 2], Fault> {
+    fn find_room(&self, world: &dyn Dynamics, seen: [[f64; 2]; 2]) -> Result<[f64; 2], Fault> {
         let body = start::make(&self.bodies[0], self)?;
-        let mut things = extents(world);
-        things.extend(hull(body.positions.iter().map(|x| [x[0], x[1]])));
-        Ok(free_place(self, world.polygons(), &things, seen))
+        let places: Vec<DVec2> = body.positions.iter().map(|x| DVec2::new(x[0], x[1])).collect();
+        let bonds = body.links.iter().map(|link| [link.a, link.b]);
+        Ok(placed(world, &Drawing::bodies(&places, bonds, body.triangles.iter().copied()), seen))
     }
 }
 
-/// The box around some places; none of no places.
-fn hull(places: impl Iterator<Item = [f64; 2]>) -> Option<Extent> {
-    places.fold(None, |extent, [x, y]| {
-        let [low, high] = extent.unwrap_or([[x, y]; 2]);
-        Some([[low[0].min(x), low[1].min(y)], [high[0].max(x), high[1].max(y)]])
-    })
-}
-
-/// What each body of a world in the plane takes up now: points that bonds connect are a body.
-fn extents(world: &dyn Dynamics) -> Vec<Extent> {
-    let (positions, count) = (world.positions(), world.point_count());
-    let mut parent: Vec<u32> = (0..count as u32).collect();
-    for [a, b] in world.bonds().ends() {
-        let [a, b] = [a, b].map(|end| root(&mut parent, end.0));
-        parent[a.max(b) as usize] = a.min(b);
-    }
-    let mut extents: Vec<Option<Extent>> = vec![None; count];
-    let mut is_gone = vec![false; count];
-    world.gone().iter().for_each(|point| is_gone[point.0 as usize] = true);
-    for i in (0..count).filter(|&i| !is_gone[i]) {
-        let at = [positions.get(2 * i), positions.get(2 * i + 1)];
-        let extent = &mut extents[root(&mut parent, i as u32) as usize];
-        let corners = extent.unwrap_or([at; 2]);
-        *extent = hull(corners.into_iter().chain([at]));
-    }
-    extents.into_iter().flatten().collect()
-}
-
-/// The lowest point that a point is connected with; what is passed on the way is shortened.
-fn root(parent: &mut [u32], mut i: u32) -> u32 {
-    while parent[i as usize] != i {
-        parent[i as usize] = parent[parent[i as usize] as usize];
-        i = parent[i as usize];
-    }
-    i
+/// Where the origin of what lies about (0, 0) goes: see [`in_view_or_not`].
+fn placed(world: &dyn Dynamics, own: &Drawing, seen: [[f64; 2]; 2]) -> [f64; 2] {
+    in_view_or_not(world, own, seen.map(DVec2::from)).to_array()
 }
 
 #[cfg(test)]
@@ -149,7 +117,8 @@ mod tests {
     fn a_body_is_put_where_the_world_has_room_now() {
         let scene = Scene::parse(
             r#"{"wobble": 1, "points": {"position": [[0, 0], [1, 0], [1, 1], [5, 5]], "velocity": [[4, 0], [4, 0], [4, 0], [0, 0]]},
-                "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}], "bounds": {"min": [-6, -3], "max": [9, 9]}}"#,
+                "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 0, "b": 2}], "triangles": [[0, 1, 2]],
+                "bounds": {"min": [-6, -3], "max": [9, 9]}}"#,
             "x.json",
         )
         .unwrap();
@@ -159,7 +128,6 @@ mod tests {
             ..BodyKeys::cut(&Settings::default(), 2.0, &picture)
         };
         let mut world = scene.world(None).unwrap();
-        assert_eq!(extents(&*world), [[[0.0, 0.0], [1.0, 1.0]], [[5.0, 5.0]; 2]]);
         let seen = [[-2.0, -2.0], [4.0, 3.0]];
         let place = |world: &dyn Dynamics| {
             let added = scene.body_to_add(world, (&picture, keys()), seen, false).unwrap();
@@ -167,7 +135,8 @@ mod tests {
             added.bodies[0].origin.unwrap().embed()
         };
         let at_first = place(&*world);
-        assert!((at_first[0] - 1.0).hypot(at_first[1] - 0.5) > 1.0, "not on what lies in the middle: {at_first:?}");
+        let away = (at_first[0] - 1.0).hypot(at_first[1] - 0.5);
+        assert!((0.5..2.0).contains(&away), "not on what lies in the middle, and near it: {at_first:?}");
         while world.time() < 1.0 {
             world.step();
         }

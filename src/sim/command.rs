@@ -17,7 +17,7 @@ use super::force::area::Areas;
 use super::force::mouse::{Cursor, Profile, Region};
 use super::force::steady::Force;
 use super::force::wind::Wind;
-use super::model::Method;
+use super::model::{Method, ModelError};
 
 /// One action on a world. Places have three components, z = 0 in the plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -168,8 +168,10 @@ pub struct Motion {
     pub obstacles: Vec<u32>,
     /// How far `[m]`.
     pub by: [f64; 3],
-    /// About z, anticlockwise `[rad]`.
+    /// About the axis, anticlockwise to whoever it points at `[rad]`.
     pub turn: f64,
+    /// Of the turn: of any length above 0, in the plane z.
+    pub axis: [f64; 3],
     /// Factors along x, y and z `[1]`, > 0, before it is turned; in space all the same.
     pub scale: [f64; 3],
     /// About this place `[m]`; `None`: the mean of the points, of the corners of the obstacles where there are none.
@@ -177,6 +179,27 @@ pub struct Motion {
     /// The obstacles took so long on the way `[s]`, > 0: what is in their way is pushed ahead, with their speed. `None`: they are put there,
     /// and whole bodies are put beside them.
     pub over: Option<f64>,
+}
+
+impl Default for Motion {
+    /// Nothing goes anywhere.
+    fn default() -> Self {
+        Motion {
+            points: Vec::new(),
+            obstacles: Vec::new(),
+            by: [0.0; 3],
+            turn: 0.0,
+            axis: Motion::UPRIGHT,
+            scale: [1.0; 3],
+            about: None,
+            over: None,
+        }
+    }
+}
+
+impl Motion {
+    /// The axis of turns in the plane, and of those that name none.
+    pub const UPRIGHT: [f64; 3] = [0.0, 0.0, 1.0];
 }
 
 /// One number for all, or one each.
@@ -393,6 +416,9 @@ pub enum CommandError {
     /// A grab of what is a pin, or as taut between pins as rigid bonds are, all of it.
     #[error("what is in reach is held by pins: `unpin` lets one go")]
     Held,
+    /// What there would be is nothing that a world can be made of.
+    #[error(transparent)]
+    Model(#[from] ModelError),
     /// A number outside its range, or anything else that the command excludes.
     #[error("{0}")]
     Invalid(String),

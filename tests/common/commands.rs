@@ -120,8 +120,7 @@ impl Generator {
                 by: [self.number(-0.5, 0.5), self.number(0.0, 0.5), 0.0],
                 turn: self.number(-0.5, 0.5),
                 scale: [self.number(0.8, 1.2); 3],
-                about: None,
-                over: None,
+                ..Motion::default()
             }),
             15 => Command::Set(Change::Points {
                 points: self.points(world),

@@ -244,8 +244,7 @@ fn circles_that_are_moved_scaled_and_deleted_are_still_circles() {
     let contacts = world.counters().contacts;
     // Larger, further apart and turned by a little, and 0.1 m lower.
     let (by, about) = ([0.0, -0.1, 0.0], Some([0.0; 3]));
-    let motion =
-        Motion { points: Vec::new(), obstacles: vec![0, 1], by, turn: 0.1, scale: [1.1; 3], about, over: None };
+    let motion = Motion { obstacles: vec![0, 1], by, turn: 0.1, scale: [1.1; 3], about, ..Motion::default() };
     world.apply(&Command::Move(motion)).unwrap();
     let rests = go(&mut *world, 6.0);
     let (sine, cosine) = 0.1_f64.sin_cos();

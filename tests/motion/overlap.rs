@@ -61,15 +61,7 @@ fn a_body_that_is_moved_into_a_wall_is_put_beside_it_as_a_whole() {
         let wall = solid(vec![rectangle([3.0, -9.0], [3.5, 9.0])]);
         let mut world = build(&Model { polygons: vec![wall], ..square([0.0, 0.0], is_rigid) }).unwrap();
         let points = (0..36).map(PointId).collect();
-        let motion = Motion {
-            points,
-            obstacles: Vec::new(),
-            by: [2.4, 1.0, 0.0],
-            turn: 0.0,
-            scale: [1.0; 3],
-            about: None,
-            over: None,
-        };
+        let motion = Motion { points, by: [2.4, 1.0, 0.0], ..Motion::default() };
         world.apply(&Command::Move(motion)).unwrap();
         let until = world.time() + 0.5;
         let end = run_to(&mut *world, until);
@@ -96,7 +88,7 @@ fn a_pin_that_is_moved_into_a_wall_is_put_beside_it() {
         let mut world = build(&hung(6)).unwrap();
         let by = [1.2, -0.1, 0.0];
         let points = (0..moved).map(PointId).collect();
-        let motion = Motion { points, obstacles: Vec::new(), by, turn: 0.0, scale: [1.0; 3], about: None, over: None };
+        let motion = Motion { points, by, ..Motion::default() };
         world.apply(&Command::Move(motion)).unwrap();
         assert!(world.warnings().iter().any(|text| text.contains("moved out")), "{:?}", world.warnings());
         let start = world.sample(world.time());

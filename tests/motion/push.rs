@@ -44,15 +44,7 @@ fn drag_until_jam(
     let start = world.time();
     let by = [velocity[0] * EVERY, velocity[1] * EVERY, 0.0];
     for k in 1..=(seconds / EVERY).round() as u32 {
-        let motion = Motion {
-            points: Vec::new(),
-            obstacles: vec![0],
-            by,
-            turn: 0.0,
-            scale: [1.0; 3],
-            about: None,
-            over: Some(EVERY),
-        };
+        let motion = Motion { obstacles: vec![0], by, over: Some(EVERY), ..Motion::default() };
         let applied = world.apply(&Command::Move(motion)).unwrap();
         assert_eq!(applied.gone < 1.0, applied.jam.is_some());
         jam = applied.jam;

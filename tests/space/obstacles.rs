@@ -135,13 +135,12 @@ fn commands_and_saved_worlds_keep_balls_and_boxes() {
     assert_eq!(world.obstacle_numbers(), [&[0][..], &[1, 2][..]]);
     let before: Vec<Convex> = world.convex().to_vec();
     let motion = Motion {
-        points: Vec::new(),
         obstacles: vec![1, 2],
         by: [0.5, 0.0, 0.0],
         turn: std::f64::consts::FRAC_PI_2,
         scale: [2.0; 3],
         about: Some([0.0; 3]),
-        over: None,
+        ..Motion::default()
     };
     world.apply(&Command::Move(motion)).unwrap();
     let Figure::Ball { center, radius } = world.convex()[0].figure else { panic!("it was a ball") };

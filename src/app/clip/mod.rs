@@ -3,7 +3,6 @@
 mod dress;
 mod keys;
 mod led;
-mod raster;
 mod room;
 mod space;
 #[cfg(test)]

@@ -7,7 +7,7 @@ use super::painted::Painted;
 use super::preset::{Preset, Stuff};
 use crate::history::{Do, OneOrEach, PenaltyOrNone, SetKeys};
 use crate::picture::{Coat, Tint};
-use crate::scene::{AddKeys, KindName, PenaltyKeys, SkinKeys};
+use crate::scene::{AddKeys, KindName, LimitName, PenaltyKeys, SkinKeys};
 use crate::sim::{Bond, BondKind, Dynamics, Limit, PointId};
 
 /// Stiffness of springs that were rigid before, over the mass of their body `[1/s^2]`, and damping over stiffness `[s]`.
@@ -28,6 +28,10 @@ pub enum MatterChange {
     Damping(f64),
     /// Strain at which bonds break `[1]`.
     Breaks(f64),
+    /// On which sides of their lengths bonds act.
+    Limit(Limit),
+    /// The share of its error that a relaxed bond takes `[1]`, in (0, 1].
+    Relaxation(f64),
     /// Of angles that bend `[N m]`.
     Bending(f64),
     /// Of skins and obstacles `[1]`.
@@ -60,6 +64,8 @@ impl MatterChange {
             MatterChange::Stiffness(_) => "stiffness",
             MatterChange::Damping(_) => "damping",
             MatterChange::Breaks(_) => "break strain",
+            MatterChange::Limit(_) => "where bonds act",
+            MatterChange::Relaxation(_) => "relaxation",
             MatterChange::Bending(_) => "bending",
             MatterChange::Friction(_) => "friction",
             MatterChange::Restitution(_) => "restitution",
@@ -103,6 +109,20 @@ pub(in crate::app) fn commands(
         MatterChange::Breaks(strain) => {
             let bonds = Some(numbers(&among.bonds_of(world), |_| true));
             vec![set(SetKeys { bonds, break_strain: one(strain.min(NEVER)), ..SetKeys::default() })]
+        }
+        MatterChange::Limit(limit) => {
+            let bonds = Some(numbers(&among.bonds_of(world), |bond| bond.limit != limit));
+            let limit = match limit {
+                Limit::Both => LimitName::Both,
+                Limit::Max => LimitName::Max,
+                Limit::Min => LimitName::Min,
+            };
+            vec![set(SetKeys { bonds, limit: Some(limit), ..SetKeys::default() })]
+        }
+        MatterChange::Relaxation(share) => {
+            let is_relaxed = |bond: &Bond| matches!(bond.kind, BondKind::Relaxed { .. });
+            let bonds = Some(numbers(&among.bonds_of(world), is_relaxed));
+            vec![set(SetKeys { bonds, relaxation: one(share), ..SetKeys::default() })]
         }
         MatterChange::Bending(stiffness) => {
             let angles = Some(among.bends_of(world).iter().map(|angle| angle.number).collect());

@@ -3,7 +3,7 @@
 use super::Among;
 use super::extent::areas;
 use crate::picture::Tint;
-use crate::sim::{Bond, BondKind, Dynamics, Obstacle, PointId};
+use crate::sim::{Bond, BondKind, Dynamics, Limit, Obstacle, PointId};
 
 /// A strain at which bonds break that none comes to `[1]`: files have no word for never.
 pub(in crate::app) const NEVER: f64 = 1e9;
@@ -65,6 +65,10 @@ pub struct Matter {
     /// Of its springs `[N/m]`, `[N s/m]`.
     pub(in crate::app) stiffness: Option<Span>,
     pub(in crate::app) damping: Option<Span>,
+    /// Bonds that act on both sides of their lengths, against being longer, against being shorter.
+    pub(in crate::app) limits: [usize; 3],
+    /// Of relaxed bonds: the share of its error that each takes `[1]`.
+    pub(in crate::app) relaxation: Option<Span>,
     /// Strain at which bonds break `[1]`; [`NEVER`] or more: they do not.
     pub(in crate::app) breaks: Option<Span>,
     /// Of angles that bend `[N m]`.
@@ -104,6 +108,11 @@ impl Matter {
         };
         let springs: Vec<[f64; 2]> = bonds.iter().filter_map(spring).collect();
         let count = |is: fn(&BondKind) -> bool| bonds.iter().filter(|(_, bond)| is(&bond.kind)).count();
+        let acts = |limit: Limit| bonds.iter().filter(|(_, bond)| bond.limit == limit).count();
+        let relaxed = bonds.iter().filter_map(|(_, bond)| match bond.kind {
+            BondKind::Relaxed { relaxation, .. } => Some(relaxation),
+            _ => None,
+        });
         let skins: Vec<[f64; 2]> = match world.contact().filter(|_| world.dimensions() == 2) {
             None => Vec::new(),
             Some(contact) => points
@@ -133,6 +142,8 @@ impl Matter {
                 springs.len(),
                 count(|kind| matches!(kind, BondKind::Relaxed { .. })),
             ],
+            limits: [Limit::Both, Limit::Max, Limit::Min].map(acts),
+            relaxation: Span::of(relaxed),
             stiffness: Span::of(springs.iter().map(|spring| spring[0])),
             damping: Span::of(springs.iter().map(|spring| spring[1])),
             breaks: Span::of(bonds.iter().map(|(_, bond)| bond.break_strain.min(NEVER))),

@@ -1,5 +1,6 @@
 //! What bodies are made of, as it is shown and changed: of what is selected, or of what a brush went over.
 
+mod borne;
 mod change;
 mod extent;
 mod facts;
@@ -9,6 +10,7 @@ mod preset;
 #[cfg(test)]
 mod tests;
 
+pub(super) use borne::Bearings;
 pub(super) use change::{MatterChange, commands};
 pub(super) use facts::{Coloring, Matter, NEVER, Span};
 pub(super) use led::led;

@@ -59,6 +59,7 @@ fn a_change_is_seen_changes_nothing_else_and_is_undone_as_one() {
         one(70.0),
         MatterChange::Damping(3.0),
         MatterChange::Breaks(0.3),
+        MatterChange::Limit(crate::sim::Limit::Max),
         MatterChange::Friction(0.9),
         MatterChange::Restitution(0.5),
         MatterChange::Color([1, 2, 3]),
@@ -81,6 +82,9 @@ fn a_change_is_seen_changes_nothing_else_and_is_undone_as_one() {
             MatterChange::Damping(x) => {
                 Matter { damping: after.damping, ..before.clone() }.clone_if(same(after.damping) == Some(x))
             }
+            // Its area is worked out from where its corners are then: bonds that do not hold apart say nothing of it.
+            MatterChange::Limit(_) => Matter { limits: [0, before.bonds, 0], area: after.area, ..before.clone() }
+                .clone_if((after.area - before.area).abs() < 1e-6),
             MatterChange::Breaks(x) => {
                 Matter { breaks: after.breaks, ..before.clone() }.clone_if(same(after.breaks) == Some(x))
             }

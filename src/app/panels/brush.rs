@@ -2,10 +2,10 @@
 
 use egui::{Area, DragValue, Id, Rect, RichText, Slider, Ui};
 
-use super::material::{WIDTH, presets, short};
+use super::material::{WIDTH, presets, sagging, short};
 use super::theme::{colors, floating};
 use super::{Facts, Wish};
-use crate::app::matter::{Painted, Switched};
+use crate::app::matter::{Bearings, Painted, Switched};
 use crate::app::tools::{Brush, RADII};
 
 /// How fast a number changes as it is dragged, as a share of it for each point, and the number that a drag from 0 goes by.
@@ -22,7 +22,7 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
             ui.set_width(WIDTH);
             ui.spacing_mut().slider_width = 120.0;
             ui.label(RichText::new("Material brush").color(colors(ui).text).strong());
-            all(ui, &mut brush);
+            all(ui, &mut brush, &facts.bearings);
         });
     });
     if brush != facts.brush {
@@ -30,7 +30,7 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
     }
 }
 
-fn all(ui: &mut Ui, brush: &mut Brush) {
+fn all(ui: &mut Ui, brush: &mut Brush, bearings: &Bearings) {
     let is_named = !brush.numbers.is_any();
     ui.label(RichText::new("drag over bodies: they become").color(colors(ui).weak));
     if let (_, Some(preset)) = presets(ui, Some(brush.preset).filter(|_| is_named)) {
@@ -62,6 +62,14 @@ fn all(ui: &mut Ui, brush: &mut Brush) {
     ui.separator();
     let [least, most] = RADII;
     ui.add(Slider::new(&mut brush.radius, least..=most).max_decimals(0).suffix(" px").text("radius"));
+    // Below all else: nothing moves away under the pointer.
+    let Painted { density, stiffness, .. } = &mut brush.numbers;
+    let given = |of: &Switched<f64>| of.is_on.then_some(of.value);
+    let is_weight_painted = density.is_on || stiffness.is_on;
+    let sags = bearings.told(given(density), given(stiffness)).filter(|_| is_weight_painted);
+    if let Some(sags) = sags.filter(|sags| sagging(ui, *sags).is_some()) {
+        *stiffness = Switched { is_on: true, value: sags.1 };
+    }
 }
 
 /// A number that is switched on by its check box, or by being changed.
@@ -141,5 +149,32 @@ mod tests {
         screen.click("Steel");
         assert_eq!((screen.facts.brush.name().as_str(), screen.facts.brush.preset), ("Steel", Preset::Steel));
         assert!(!screen.facts.brush.numbers.is_any());
+    }
+
+    #[test]
+    fn a_mass_that_bodies_do_not_bear_is_told_before_and_one_click_makes_them_bear_it() {
+        let scene = crate::scene::Scene::parse(
+            r#"{"wobble": 1, "gravity": [0, -9.81], "bodies": [{"make": "lattice", "columns": 6, "rows": 6, "spacing": 0.2,
+                "material": {"kind": "spring", "stiffness": 600, "damping": 2, "mass": 2}}]}"#,
+            "x.json",
+        );
+        let mut stage = crate::app::player::Stage::new(scene.unwrap().into()).unwrap();
+        let mut shown = crate::app::player::Shown::default();
+        stage.show(&mut shown);
+        let facts = Facts { bearings: Bearings::of(&shown).into(), ..Facts::default() };
+        let mut screen = Screen { context: egui::Context::default(), facts };
+        (0..2).for_each(|_| _ = screen.frame(Vec::new()));
+        let told = |screen: &mut Screen| {
+            let texts = screen.frame(Vec::new());
+            texts.into_iter().map(|(text, _)| text).find(|text| text.contains("bear it"))
+        };
+        screen.click("mass");
+        assert_eq!(told(&mut screen), None, "1 kg/m^2 is borne");
+        screen.facts.brush.numbers.density.value = 100.0;
+        let offer = told(&mut screen).unwrap();
+        screen.click(&offer);
+        let numbers = screen.facts.brush.numbers;
+        assert!(numbers.stiffness.is_on && numbers.stiffness.value > 600.0, "{numbers:?}");
+        assert_eq!(told(&mut screen), None, "it is painted along with the mass");
     }
 }

@@ -4,6 +4,7 @@ use egui::{Align, Key, Label, Layout, Rect, RichText, Role, ScrollArea, Sense, T
 
 use super::finding::{found, instead};
 use super::theme::colors;
+use super::typed::takes_words;
 use super::{Facts, PanelState, Wish, sheet};
 use crate::scene::Entry;
 
@@ -24,6 +25,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
         let search =
             TextEdit::singleline(&mut state.search).id(search_id()).hint_text("search").desired_width(f32::INFINITY);
         let field = ui.add(search);
+        takes_words(&field);
         field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, SEARCH));
         if std::mem::take(&mut state.is_fresh) {
             field.request_focus();

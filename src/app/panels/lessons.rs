@@ -39,6 +39,13 @@ pub(in crate::app) struct At {
     pub(in crate::app) step: usize,
 }
 
+impl At {
+    /// What the step is called.
+    pub(in crate::app) fn heading(self) -> Option<&'static str> {
+        Some(&lessons().get(self.lesson)?.steps.get(self.step)?.heading)
+    }
+}
+
 /// What another scene is to the lesson that is open, or was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::app) enum Met {
@@ -79,12 +86,6 @@ impl Lessons {
     pub(in crate::app) fn open_at(&self) -> Option<At> {
         let lesson = self.lesson.filter(|_| self.is_open)?;
         Some(At { lesson, step: self.step(lesson) })
-    }
-
-    /// What the step is called that is open.
-    pub(in crate::app) fn heading(&self) -> Option<&'static str> {
-        let at = self.open_at()?;
-        Some(&lessons().get(at.lesson)?.steps.get(at.step)?.heading)
     }
 
     /// A scene is there that no step asked for: a lesson whose scene it is not closes, and one that was left comes back with its own.

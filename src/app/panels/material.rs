@@ -6,11 +6,12 @@ use egui::{
     Sense, Slider, Stroke, Ui,
 };
 
+use super::bonds::{breaks, kinds, limits};
 use super::theme::{colors, floating};
 use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
 use crate::app::count::counted;
-use crate::app::matter::{Coloring, Matter, MatterChange, NEVER, Preset, Span};
+use crate::app::matter::{Coloring, Matter, MatterChange, Preset, Span};
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 226.0;
@@ -31,11 +32,9 @@ const SPEED: f64 = 0.01;
 const FIRST: f64 = 0.01;
 /// What soft ground pushes with at first `[N/m]`, `[N s/m]`.
 const PUSHES: [f64; 2] = [1000.0, 10.0];
-/// What bonds break at when they are first to break `[1]`.
-const BREAKS: f64 = 0.5;
 
 /// Where changes go to.
-struct Sink<'a> {
+pub(super) struct Sink<'a> {
     /// What is being dragged.
     gesture: &'a mut Option<Id>,
     wishes: &'a mut Vec<Wish>,
@@ -43,7 +42,7 @@ struct Sink<'a> {
 
 impl Sink<'_> {
     /// What is dragged on is one edit.
-    fn set(&mut self, by: &Response, change: MatterChange) {
+    pub(super) fn set(&mut self, by: &Response, change: MatterChange) {
         let goes_on = *self.gesture == Some(by.id);
         *self.gesture = by.ctx.input(|input| input.pointer.any_down()).then_some(by.id);
         self.wishes.push(Wish::Matter(change, goes_on));
@@ -202,7 +201,16 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         kinds(ui, matter, sink);
     }
     number(ui, ("stiffness", " N/m"), matter.stiffness, sink, |x| Some(MatterChange::Stiffness(x)));
+    if let Some(sags) = facts.bearings.told(None, None)
+        && let Some(by) = sagging(ui, sags)
+    {
+        sink.set(&by, MatterChange::Stiffness(sags.1));
+    }
     number(ui, ("damping", " N s/m"), matter.damping, sink, |x| Some(MatterChange::Damping(x)));
+    limits(ui, matter, sink);
+    number(ui, ("relaxation", ""), matter.relaxation, sink, |x| {
+        (0.0 < x && x <= 1.0).then_some(MatterChange::Relaxation(x))
+    });
     breaks(ui, matter, sink);
     number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
     share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
@@ -216,6 +224,19 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         number(ui, ("width", " m"), matter.width, sink, |x| Some(MatterChange::Width(x)));
         visible(ui, matter, sink);
     }
+}
+
+/// Says that a body would sag by some share of its height, and offers the stiffness that bears it `[N/m]`. Returns the offer, if it is taken.
+pub(super) fn sagging(ui: &mut Ui, (share, stiffness): (f64, f64)) -> Option<Response> {
+    let words = match share {
+        share if share < 1.0 => {
+            format!("too heavy for its springs: it would sag by {:.0} % of its height", 100.0 * share)
+        }
+        _ => "too heavy for its springs: its own weight would crush it".to_owned(),
+    };
+    ui.add(Label::new(RichText::new(words).color(colors(ui).away)).wrap());
+    let offer = ui.button(format!("{} N/m bear it", short(stiffness)));
+    Some(offer.on_hover_text("so stiff springs let it sag by a tenth of its height")).filter(Response::clicked)
 }
 
 /// What is selected: a body by its name, several counted, with their points.
@@ -266,7 +287,7 @@ pub(super) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>,
 }
 
 /// A field beside its name, by which what reads aloud calls it: all names are as wide, so that fields stand below each other.
-fn row<T>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui, Id) -> T) -> T {
+pub(super) fn row<T>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui, Id) -> T) -> T {
     ui.horizontal(|ui| {
         let size = egui::vec2(NAMES, ui.spacing().interact_size.y);
         let layout = egui::Layout::left_to_right(egui::Align::Center);
@@ -277,30 +298,6 @@ fn row<T>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui, Id) -> T) -> T {
         add(ui, label.inner.id)
     })
     .inner
-}
-
-/// Springs or rigid bonds.
-fn kinds(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
-    let [rigid, springs, relaxed] = matter.kinds;
-    if rigid + springs + relaxed == 0 {
-        return;
-    }
-    row(ui, "bonds", |ui, _| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        let words = "bonds are springs";
-        let springy = ui.selectable_label(springs > 0 && rigid + relaxed == 0, "springy").on_hover_text(words);
-        let stiff = ui.selectable_label(rigid > 0 && springs + relaxed == 0, "rigid");
-        let stiff = stiff.on_hover_text("bonds keep their lengths");
-        if springy.clicked() && rigid + relaxed > 0 {
-            sink.set(&springy, MatterChange::Springy);
-        }
-        if stiff.clicked() && springs + relaxed > 0 {
-            sink.set(&stiff, MatterChange::Rigid);
-        }
-    });
-    if rigid.min(springs) > 0 {
-        row(ui, "", |ui, _| _ = ui.label(RichText::new("some of each").color(colors(ui).weak)));
-    }
 }
 
 /// A number without an upper end, which says so where it is not the same everywhere.
@@ -360,32 +357,6 @@ fn share(ui: &mut Ui, name: &str, most: f64, span: Option<Span>, sink: &mut Sink
     if by.changed() {
         sink.set(&by, change(value));
     }
-}
-
-/// Whether bonds break, and at what strain.
-fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
-    let Some(span) = matter.breaks else { return };
-    let mut tears = span.least < NEVER;
-    row(ui, "", |ui, _| {
-        let by = ui.checkbox(&mut tears, "tears");
-        if by.changed() {
-            sink.set(&by, MatterChange::Breaks(if tears { BREAKS } else { NEVER }));
-        }
-        // What was just asked for is not there yet.
-        if !tears || span.least >= NEVER {
-            return;
-        }
-        let mut percent = 100.0 * span.least;
-        let field = DragValue::new(&mut percent).speed(0.5).range(0.1..=1000.0).max_decimals(1).prefix("at ");
-        let field = match span.same() {
-            Some(_) => field.suffix(" %"),
-            None => field.suffix(" % or more"),
-        };
-        let by = ui.add(field.update_while_editing(false)).on_hover_text("stretched so far they tear");
-        if by.changed() {
-            sink.set(&by, MatterChange::Breaks(percent / 100.0));
-        }
-    });
 }
 
 /// Whether planes push out what has got into them, in place of contact, and how.

@@ -5,6 +5,7 @@ mod asking;
 mod beside;
 #[cfg(test)]
 mod beside_tests;
+mod bonds;
 mod brush;
 mod color;
 #[cfg(test)]
@@ -49,6 +50,7 @@ mod sheet;
 pub(super) mod theme;
 mod top;
 mod transport;
+mod typed;
 mod waiting;
 
 use std::collections::BTreeMap;
@@ -56,7 +58,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::action::{Action, Primitive, Showing, Tool};
-use super::matter::{Matter, MatterChange};
+use super::matter::{Bearings, Matter, MatterChange};
 use super::player::{Figures, MethodSetting};
 use super::plots::Plots;
 use super::tools::{Brush, Drives, Links, PushWay};
@@ -80,7 +82,8 @@ pub(super) use places::{Laid, covered, kept_in};
 pub(super) use plots::{PlotsAt, figure, lie as plots_lie};
 pub(super) use presses::listen;
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
-pub(super) use settings::{Setting, Settings};
+pub(super) use settings::settings_search_id;
+pub(super) use settings::{Pushing, Setting, Settings};
 pub(super) use sheet::show as sheet;
 pub(super) use transport::speed;
 
@@ -186,6 +189,8 @@ pub(super) struct PanelState {
     pub(super) sheet: Option<Sheet>,
     pub(super) hides_panels: bool,
     pub(super) has_settings: bool,
+    /// Something is selected, and shown to be.
+    pub(super) has_selection: bool,
     /// Panels that stay open, the one that was opened last at the end.
     pub(super) opened: Vec<Opened>,
     /// Where the panel of what is selected stands.
@@ -254,6 +259,8 @@ pub(super) struct Facts {
     pub(super) draws_lasso: bool,
     /// What is selected is made of.
     pub(super) matter: Option<Arc<Matter>>,
+    /// How soft bodies bear their weight: what is selected, or all while there is a brush in the hand.
+    pub(super) bearings: Arc<Bearings>,
     /// Where that is seen `[points]`.
     pub(super) chosen_at: Option<egui::Rect>,
     /// Some of it is in a group.
@@ -303,6 +310,7 @@ pub(super) struct Facts {
 /// Shows the panels; returns what was asked for, and what they leave to the world.
 pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> (Vec<Wish>, Laid) {
     let mut wishes = Vec::new();
+    state.has_selection = facts.matter.is_some();
     state.keep_order();
     if !state.hides_panels {
         transport::show(ui, &mut state.lessons.left, facts, &mut wishes);

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use egui::{Align, Button, Key, Label, Layout, RichText, Role, ScrollArea, TextEdit, WidgetInfo};
 
 use super::theme::colors;
+use super::typed::takes_words;
 use super::{PanelState, Wish, sheet};
 use crate::app::fetch::ENDINGS;
 
@@ -47,6 +48,7 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
             .desired_width(f32::INFINITY)
             .lock_focus(true);
         let mut field = field.show(ui);
+        takes_words(&field.response);
         field.response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
         if std::mem::take(&mut state.is_fresh) {
             to_end(ui, &mut field.state, &state.path);

@@ -9,6 +9,8 @@ pub(in crate::app) enum Opened {
     Settings,
     Plots,
     Lessons,
+    /// What is selected has one: it closes with that.
+    Selection,
 }
 
 impl PanelState {
@@ -17,6 +19,7 @@ impl PanelState {
             Opened::Settings => self.has_settings,
             Opened::Plots => self.plots.is_some(),
             Opened::Lessons => self.lessons.is_open,
+            Opened::Selection => self.has_selection,
         }
     }
 
@@ -24,7 +27,7 @@ impl PanelState {
     pub(super) fn keep_order(&mut self) {
         let mut list = std::mem::take(&mut self.opened);
         list.retain(|panel| self.is_open(*panel));
-        for panel in [Opened::Lessons, Opened::Plots, Opened::Settings] {
+        for panel in [Opened::Lessons, Opened::Plots, Opened::Settings, Opened::Selection] {
             if self.is_open(panel) && !list.contains(&panel) {
                 list.push(panel);
             }
@@ -44,7 +47,9 @@ impl PanelState {
     /// The one that was opened last, of those that are seen.
     pub(in crate::app) fn opened_last(&mut self) -> Option<Opened> {
         self.keep_order();
-        self.opened.last().copied().filter(|_| !self.hides_panels)
+        // What is selected is marked in the world too.
+        let is_seen = |panel: &&Opened| !self.hides_panels || **panel == Opened::Selection;
+        self.opened.iter().rev().find(is_seen).copied()
     }
 }
 
@@ -67,6 +72,12 @@ mod tests {
         state.hides_panels = false;
         state.lessons.is_open = false;
         assert_eq!(state.opened_last(), Some(Opened::Settings));
+        state.has_selection = true;
+        assert_eq!(state.opened_last(), Some(Opened::Selection));
+        state.hides_panels = true;
+        assert_eq!(state.opened_last(), Some(Opened::Selection), "it is seen in the world");
+        (state.hides_panels, state.has_selection) = (false, false);
+        assert_eq!(state.opened_last(), Some(Opened::Settings), "what another tool keeps selected is not in its way");
         state.has_settings = false;
         assert_eq!(state.opened_last(), None);
     }

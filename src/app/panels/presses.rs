@@ -3,11 +3,13 @@
 //! The panels' library looks where the pointer is at the end of a frame and what is held down then: of a press, a drag and a release that
 //! come in one frame it sees nothing but a click somewhere else. So each of them gets a pass of its own.
 
+use super::typed::Numbers;
 use egui::{Context, Event, Plugin, RawInput, Ui};
 
 /// Gives a context this way of hearing events.
 pub(in crate::app) fn listen(context: &Context) {
     context.add_plugin(Presses::default());
+    context.add_plugin(Numbers);
 }
 
 /// Events that later passes will hear of.

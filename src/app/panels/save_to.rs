@@ -6,6 +6,7 @@ use egui::{Button, Label, RichText, Role, TextEdit, WidgetInfo};
 
 use super::open_from::meant;
 use super::theme::colors;
+use super::typed::takes_words;
 use super::{PanelState, Wish, sheet};
 
 /// What the sheet keeps.
@@ -31,6 +32,7 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         ui.add_space(4.0);
         let hint = "the path of the file that is to be written";
         let field = ui.add(TextEdit::singleline(&mut state.path).hint_text(hint).desired_width(f32::INFINITY));
+        takes_words(&field);
         field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
         if std::mem::take(&mut state.is_fresh) {
             field.request_focus();

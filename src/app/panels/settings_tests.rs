@@ -32,7 +32,7 @@ struct Screen {
 
 impl Screen {
     fn new(stage: &mut Stage) -> Self {
-        let settings = Settings { scene: shown(stage).settings, push: Some([20.0, 1.0]), parameters: Vec::new() };
+        let settings = Settings { scene: shown(stage).settings, push: Some([20.0, 1.0]), ..Settings::default() };
         let facts = Facts { settings, dimensions: 2, ..Facts::default() };
         let mut screen = Screen { context: egui::Context::default(), state: PanelState::default(), facts };
         // The first two frames find their sizes.
@@ -236,4 +236,93 @@ fn numbers_that_a_scene_names_are_read_from_the_world_and_set_by_their_sliders()
     let world = stage.history().world();
     let is_set = |bond: crate::sim::Bond| matches!(bond.kind, crate::sim::BondKind::Spring { stiffness: k, .. } if k == stiffness);
     assert!(world.bonds().iter().all(is_set));
+}
+
+impl Screen {
+    /// Clicks on words; returns what that asks for.
+    fn click(&mut self, words: &str) -> Vec<Setting> {
+        let at = self.find(words).unwrap_or_else(|| panic!("{words} is not there"));
+        super::pointer::click(at).into_iter().flat_map(|events| self.frame(events).0).collect()
+    }
+
+    /// Where words stand.
+    fn find(&mut self, words: &str) -> Option<Pos2> {
+        let mut wishes = Vec::new();
+        let screen_rect = Some(egui::Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 1600.0)));
+        let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+        let mut output = self.context.run_ui(input, |ui| {
+            let room = ui.available_rect_before_wrap();
+            settings::show(ui.ctx(), room, &mut self.state, &self.facts, &mut wishes);
+        });
+        output.textures_delta.clear();
+        let is_it = |shape: &Shape| match shape {
+            Shape::Text(text) if text.galley.text() == words => Some(text.pos + 0.5 * text.galley.size()),
+            _ => None,
+        };
+        output.shapes.iter().find_map(|clipped| is_it(&clipped.shape))
+    }
+}
+
+#[test]
+fn the_region_of_the_push_and_how_it_falls_off_are_set_one_by_one_and_undone() {
+    let mut stage = stage();
+    let now = |stage: &Stage| stage.history().world().mouse_force().map(super::Pushing::of);
+    for (name, search, region, profile) in [
+        ("square", "region", crate::sim::Region::Square, crate::sim::Profile::Smooth),
+        ("not at all", "falls off", crate::sim::Region::Round, crate::sim::Profile::Linear),
+    ] {
+        let mut screen = Screen::new(&mut stage);
+        screen.state.settings_search = search.to_owned();
+        screen.facts.settings.pushing = now(&stage);
+        let before = now(&stage);
+        let [set] = &screen.click(name)[..] else { panic!("{name}") };
+        assert_eq!(stage.obey(Order::Give(vec![set.act.clone()], Some(set.name))), None);
+        assert_eq!(now(&stage), Some(super::Pushing { region, profile, has_track: false }), "{name}");
+        screen.facts.settings.pushing = now(&stage);
+        assert!(screen.click(name).is_empty(), "{name}: it is so");
+        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "push"));
+        assert_eq!(now(&stage), before);
+    }
+}
+
+#[test]
+fn a_scene_without_a_push_can_have_one_and_one_on_a_track_follows_the_pointer() {
+    let bare = r#"{"wobble": 1, "points": {"position": [[0, 1]]}}"#;
+    let tracked = r#"{"wobble": 1, "points": {"position": [[0, 1]]},
+        "mouse": {"strength": 20, "radius": 1, "track": [[0, 0, 0], [9, 1, 1]]}}"#;
+    for (text, button) in [(bare, "add one"), (tracked, "follow the pointer")] {
+        let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        let mut screen = Screen::new(&mut stage);
+        screen.state.settings_search = "push".to_owned();
+        screen.facts.settings.push = None;
+        screen.facts.settings.pushing = stage.history().world().mouse_force().map(super::Pushing::of);
+        let [set] = &screen.click(button)[..] else { panic!("{button}") };
+        assert_eq!(stage.obey(Order::Give(vec![set.act.clone()], Some(set.name))), None);
+        let force = stage.history().world().mouse_force().cloned();
+        assert!(force.is_some_and(|force| force.track.knots.is_empty() && force.radius > 0.0), "{button}");
+        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(..))));
+    }
+}
+
+#[test]
+fn areas_are_kept_or_not_and_skins_are_as_thick_as_is_said() {
+    let text = r#"{"wobble": 1, "contact": {"radius": 0.02}, "bodies": [{"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.5,
+        "material": {"kind": "spring", "stiffness": 300, "mass": 4}}]}"#;
+    let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+    let mut screen = Screen::new(&mut stage);
+    screen.state.settings_search = "areas".to_owned();
+    let before = shown(&mut stage).settings;
+    for (name, is_done) in [("areas are kept", "areas"), ("one another", "contact"), ("skin", "contact")] {
+        let [set] = &screen.click(name)[..] else { panic!("{name}") };
+        assert_eq!(set.name, is_done);
+        assert_eq!(stage.obey(Order::Give(vec![set.act.clone()], Some(set.name))), None, "{name}");
+        let now = shown(&mut stage).settings;
+        match name {
+            "areas are kept" => assert!(now.areas.flatten().is_some_and(|areas| areas.stiffness.is_infinite())),
+            "one another" => assert!(now.contact.flatten().is_some_and(|contact| !contact.with_others)),
+            _ => assert!(now.contact.flatten().is_some_and(|contact| contact.radius.is_none()), "as the rules choose"),
+        }
+        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(..))));
+        assert_eq!(shown(&mut stage).settings, before, "{name}");
+    }
 }

@@ -72,7 +72,7 @@ fn what_is_put_beside_a_running_world_catches_up_from_its_start_and_goes_away_ag
     assert_eq!(with.figures.time, alone.figures.time, "the world waits for nothing, and did not go on");
     let printed = Companions::These(vec![BesideKeys::by(SolverName::AsPrinted)]);
     let note = stage.obey(Order::Beside(printed));
-    assert!(matches!(note, Some(Note::Refused(why)) if why.contains("`as-printed")));
+    assert!(matches!(note, Some(Note::Refused(why)) if why.contains("as-printed")));
     assert_eq!(shown(&mut stage).beside.len(), 1);
     stage.obey(Order::Beside(Companions::These(Vec::new())));
     assert!(shown(&mut stage).beside.is_empty());

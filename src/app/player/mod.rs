@@ -101,6 +101,8 @@ pub struct Player {
     /// The orders of edits that are not known to be saved, and the last one that asked for a file with all of them.
     edits: Vec<u64>,
     saving: u64,
+    /// Something was done in it, or undone, since it was opened.
+    is_used: bool,
 }
 
 impl Player {
@@ -127,6 +129,7 @@ impl Player {
             advances: 0,
             edits: Vec::new(),
             saving: 0,
+            is_used: false,
         }
     }
 
@@ -178,6 +181,7 @@ impl Player {
             self.playing = self.shown.figures.playing;
         }
         let notes = std::mem::take(&mut papers.notes);
+        self.is_used |= notes.iter().any(|note| matches!(note, Note::Undone(..) | Note::Redone(..)));
         // The scene is told of when there is something of it to draw.
         let opened = if self.is_open() { papers.scene.take() } else { None };
         News { is_new, opened, notes, failure: papers.failure.take() }
@@ -197,6 +201,7 @@ impl Player {
         if order.is_edit() {
             self.edits.push(self.serial);
         }
+        self.is_used |= order.is_deed();
         if let Order::Save(_) | Order::Moment(_) = order {
             self.saving = self.serial;
         }
@@ -268,6 +273,16 @@ impl Player {
     /// Whether something was built or changed since it was saved last. What is recorded to a file is saved as it is done.
     pub fn is_unsaved(&self) -> bool {
         !self.edits.is_empty() && self.record.is_none()
+    }
+
+    /// Whether something was done in it since it was opened, or since this was said of it.
+    pub fn is_used(&self) -> bool {
+        self.is_used
+    }
+
+    /// Says whether something was done in it.
+    pub fn say_used(&mut self, is_used: bool) {
+        self.is_used = is_used;
     }
 
     /// What was to be saved last is.

@@ -6,6 +6,7 @@ use super::beside::Companions;
 use super::watch::{Measured, Probes};
 use crate::app::matter::{Among, MatterChange};
 use crate::app::tools::{HaulWay, PinWay};
+use crate::app::warnings::refused;
 use crate::history::{Do, History, Refusal, Why};
 use crate::scene::{AddKeys, BudgetKeys, MethodKeys, SolverName, ViewKeys};
 use crate::sim::{CommandError, Cursor};
@@ -128,6 +129,14 @@ impl Order {
         }
     }
 
+    /// Whether somebody does something to the world by it, edit or not: what only looks at it, or lets time go by, is nothing done.
+    pub(super) fn is_deed(&self) -> bool {
+        let is_hand =
+            matches!(self, Order::Give(commands, None) if !commands.is_empty()) || matches!(self, Order::Press(true));
+        let is_gone = matches!(self, Order::GoTo(..) | Order::ToBranch(..) | Order::Reset | Order::LeadPins(_));
+        self.is_edit() || is_hand || is_gone || matches!(self, Order::Give(_, Some(_)) | Order::Exact | Order::TakeBack)
+    }
+
     /// Whether the world goes to another time by it, where what was done is done already.
     pub(super) fn goes(&self) -> bool {
         matches!(
@@ -183,7 +192,7 @@ impl From<Refusal> for Note {
     fn from(refusal: Refusal) -> Self {
         match refusal.reason {
             Why::World(CommandError::Held) => Note::Held,
-            why => Note::Refused(why.to_string()),
+            why => Note::Refused(refused(&why)),
         }
     }
 }

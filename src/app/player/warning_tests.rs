@@ -32,7 +32,7 @@ fn a_body_that_is_moved_into_a_wall_says_so_once() {
     let keys = MoveKeys { points: (0..9).collect(), by: Some(Vector::Plane([0.0, -1.3])), ..MoveKeys::default() };
     assert_eq!(stage.obey(Order::Give(vec![Do::Move(Box::new(keys))], Some("move"))), None);
     let lines = warned(&mut stage);
-    assert!(lines.len() == 1 && lines[0].contains("lay inside an obstacle"), "{lines:?}");
+    assert!(lines.len() == 1 && lines[0].contains("lay inside a wall:"), "{lines:?}");
     assert_eq!(warned(&mut stage), [""; 0], "told already");
     for order in [Order::Undo(None), Order::Redo(None), Order::Reset] {
         stage.obey(order);

@@ -85,7 +85,8 @@ impl Session {
             Action::Paste => self.paste(),
             Action::Save => self.save(),
             Action::Screenshot => self.take_screenshot(),
-            Action::Settings => self.panels.has_settings = !self.panels.has_settings,
+            Action::Settings if self.panels.has_settings => self.close_settings(),
+            Action::Settings => self.panels.has_settings = true,
             Action::FindSetting => (self.panels.has_settings, self.panels.finds_setting) = (true, true),
             Action::Plots => self.toggle_plots(),
             Action::Lessons => self.toggle_lessons(),
@@ -196,16 +197,19 @@ impl Session {
         if self.import.is_some() {
             return self.put_away();
         }
-        // In a field of a panel Esc ends what is written.
-        if !self.is_writing() {
-            self.close_panel();
+        // In a field of a panel Esc gives up what is written: at once, so that the next one closes whatever came between.
+        match self.is_writing() && !self.is_searching_settings() {
+            true => self.leave_field(),
+            false => self.close_panel(),
         }
     }
 
     /// Closes the panel that was opened last.
     fn close_panel(&mut self) {
+        self.panels.has_selection = self.selected().is_some();
         match self.panels.opened_last() {
-            Some(Opened::Settings) => self.panels.has_settings = false,
+            Some(Opened::Settings) => self.close_settings(),
+            Some(Opened::Selection) => self.hand.deselect(),
             Some(Opened::Plots) => self.toggle_plots(),
             Some(Opened::Lessons) => self.toggle_lessons(),
             None => {}
@@ -243,6 +247,13 @@ impl Session {
         self.say(words.to_owned());
     }
 
+    /// A search that is filled is not there when they open again: it would hide the most.
+    fn close_settings(&mut self) {
+        self.panels.has_settings = false;
+        self.panels.settings_search.clear();
+        self.leave_field();
+    }
+
     /// Opens the lessons, or closes them. Where they have no room beside the settings, those close.
     fn toggle_lessons(&mut self) {
         let panels = &mut self.panels;
@@ -276,6 +287,7 @@ impl Session {
             let playing = self.player.is_playing();
             let camera = self.camera;
             let keeping = self.keeping();
+            self.teaches = self.taught;
             self.put_on(Player::open(start, keeping, self.wake_up()));
             self.player.play(playing);
             self.camera = camera;
@@ -321,9 +333,10 @@ impl Session {
 
     /// Something is set of the scene. The strength of the hover force is the hand's to give, which may hold it away now.
     fn set(&mut self, Setting { act, name, goes_on }: Setting) {
-        if let Do::Mouse(MouseChange { strength: Some(strength), .. }) = act {
+        if let Do::Mouse(MouseChange { strength: Some(strength), radius, .. }) = act {
             self.hand.set_strength(Some(strength));
-            if self.hand.is_calm() {
+            // One that is only just to be is there at once.
+            if self.hand.is_calm() && radius.is_none() {
                 return;
             }
         }

@@ -255,8 +255,7 @@ impl Session {
 
     /// What is seen of the plane at a place of the panels `[points]`.
     fn world_at(&self, at: egui::Pos2) -> [f64; 2] {
-        let scale = self.egui.egui_ctx().pixels_per_point();
-        let pixel = self.in_first([at.x, at.y].map(|x| f64::from(x * scale)));
+        let pixel = self.in_first(self.pixel_of(at));
         self.camera.world_from_screen(pixel).truncate().to_array()
     }
 

@@ -73,7 +73,6 @@ impl Session {
             inspected: Chosen::default(),
             copied: None,
             duplicated: None,
-            has_undone: false,
             cursor_icon: CursorIcon::Default,
             base: None,
             panels: PanelState::default(),
@@ -112,9 +111,11 @@ impl Session {
             looks_again: None,
             opening_since: None,
             teaches: None,
+            taught: None,
             figures: Figures::default(),
             settings: SceneChange::default(),
             matter: None,
+            bearings: Default::default(),
             tints: Arc::default(),
         };
         match session.player.is_open() {

@@ -3,19 +3,26 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use super::shelf::Left;
 use super::{Framing, Session};
 use crate::app::action::Tool;
+use crate::app::panels::At;
 use crate::app::player::{Player, too_many_to_meet};
 use crate::app::tools::Chosen;
 use crate::app::warnings::seen;
 use crate::history::Start;
+use crate::lessons::heading_of;
 use crate::render::Trails;
 use crate::scene::{MOST_MEETING, Scene, SolverName, gallery};
 
 impl Session {
     /// Opens another scene, or a recording, in place of this one, which can be gone back to.
     pub(super) fn open(&mut self, start: Start) {
+        self.open_for(start, None);
+    }
+
+    /// The same, for a step of a lesson.
+    pub(super) fn open_for(&mut self, start: Start, step: Option<At>) {
+        self.teaches = step;
         let keeping = self.keeping();
         let is_another = start.scene().name() != self.scene.name();
         let player = Player::open(start, keeping, self.wake_up());
@@ -32,11 +39,12 @@ impl Session {
         // Whoever opens something else wants that.
         self.panels.notes.offer = None;
         self.take_leave();
-        let last = std::mem::replace(&mut self.player, player);
-        let recorded = last.record().map(|path| path.display().to_string());
+        let last = self.exchange(player);
+        self.taught = None;
+        let recorded = last.player.record().map(|path| path.display().to_string());
         // What nobody has seen yet is not gone back to, unless something is to be kept of it.
-        if self.opening_since.is_none() || last.record().is_some() {
-            self.shelf.keep(Left::now(last, self.camera));
+        if self.opening_since.is_none() || recorded.is_some() {
+            self.shelf.keep(last);
         }
         self.await_it();
         self.begin();
@@ -61,7 +69,8 @@ impl Session {
 
     /// The window is called by what is open in it.
     pub(super) fn call_window(&self) {
-        let name = self.player.start().name().unwrap_or(self.scene.name());
+        let own = heading_of(self.scene.name()).unwrap_or(self.scene.name());
+        let name = self.player.start().name().unwrap_or(own);
         self.window.set_title(&format!("wobble · {name}"));
     }
 
@@ -95,7 +104,6 @@ impl Session {
         self.hand.let_go();
         (self.asked, self.duplicated) = (None, None);
         self.inspected = Chosen::default();
-        self.has_undone = false;
         self.driving.clear();
         self.close_sheet();
         (self.rewinds, self.last_frame, self.told, self.gone_by) = (false, None, None, None);
@@ -143,7 +151,11 @@ impl Session {
         self.wants_hint &= self.place == Some(0);
         self.place_hint();
         match self.teaches.take() {
-            Some(at) => self.lay_out(at),
+            Some(at) => {
+                self.panels.lessons.enter(at);
+                self.taught = Some(at);
+                self.lay_out(at);
+            }
             None => self.leave_lesson(),
         }
         self.touch();

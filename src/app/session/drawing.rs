@@ -11,8 +11,14 @@ use super::trails::AllTrails;
 use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
+<<<<<<< HEAD
 use crate::app::panels::{self, Facts, Laid, Settings, parameters, theme};
+=======
+use crate::app::opening::Over;
+use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, theme};
+>>>>>>> 6a6028fdacdb897c5bbded2e00b24558fdcd821b
 use crate::app::tools::{Mark, Role, Scope, probe};
+use crate::lessons::heading_of;
 use crate::render::{Look, Overlay, RenderError, View, body_color};
 use crate::scene::Parameter;
 use crate::sim::{Cursor, MouseForce};
@@ -38,6 +44,7 @@ impl Session {
         self.panels_dirty = false;
         self.panels_at = Some(Instant::now());
         self.move_plots();
+        self.weigh();
         let facts = self.facts();
         (self.figures, self.settings) = (self.shown().figures.clone(), self.shown().settings.clone());
         self.matter.clone_from(&self.player.shown().matter);
@@ -136,6 +143,7 @@ impl Session {
             brush: self.hand.brush(),
             draws_lasso: self.hand.draws_lasso(),
             matter: self.shown().matter.clone().filter(|_| !self.inspected.is_empty()),
+            bearings: Arc::clone(&self.bearings.1),
             chosen_at: self.selection_seen(),
             is_grouped: self.is_grouped(),
             drawn_color: body_color(&self.shown().view(), &self.look, &self.inspected.points),
@@ -161,6 +169,7 @@ impl Session {
             settings: Settings {
                 parameters: self.parameters(),
                 scene: self.shown().settings.clone(),
+                pushing: self.shown().mouse.as_ref().map(Pushing::of),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
             },
         }
@@ -168,11 +177,14 @@ impl Session {
 
     /// What is open, as it is called in a list: a recording by its file.
     pub(super) fn title(&self) -> String {
+        self.title_of(self.teaches.or(self.taught.filter(|_| self.panels.lessons.is_open)))
+    }
+
+    /// The same, for a step of a lesson or none.
+    pub(super) fn title_of(&self, step: Option<At>) -> String {
         let start = self.player.start();
-        if let Some(heading) = self.panels.lessons.heading() {
-            return heading.to_owned();
-        }
-        let name = start.name().map(str::to_owned);
+        let heading = step.and_then(At::heading).or_else(|| heading_of(self.scene.name()));
+        let name = start.name().or(heading).map(str::to_owned);
         let name = name.or_else(|| self.entry().map(|entry| entry.title.to_owned()));
         let name = name.unwrap_or_else(|| self.scene.name().to_owned());
         if start.is_replayed() { format!("{name} (recording)") } else { name }
@@ -184,7 +196,6 @@ impl Session {
             return Vec::new();
         }
         let shown = self.shown();
-        let scale = f64::from(self.egui.egui_ctx().pixels_per_point());
         let step = shown.point_count() / MOST_SEEN + 1;
         let own = |place: usize| self.tiles.camera(place, &self.camera, self.area);
         let cameras: Vec<_> = (0..self.tiles.count()).map(own).collect();
@@ -208,15 +219,13 @@ impl Session {
         let corners = corners.take(MOST_SEEN).map(|[x, y]| [*x, *y, 0.0]);
         let all = (0..shown.point_count()).step_by(step).flat_map(seen);
         let all = all.chain(middles.chain(corners).flat_map(pixel));
-        let point = |[x, y]: [f64; 2]| Pos2::new((x / scale) as f32, (y / scale) as f32);
         // Where one of what is looked at lies, all else weighs less.
         let marked = self.marked_points().into_iter().flat_map(|at| std::iter::repeat_n(at, MOST_SEEN));
-        all.map(point).chain(marked).collect()
+        all.map(|pixel| self.point_of(pixel)).chain(marked).collect()
     }
 
     /// Where the points are seen that are probed or selected `[points]`, a few of many.
     pub(super) fn marked_points(&self) -> Vec<Pos2> {
-        let scale = f64::from(self.egui.egui_ctx().pixels_per_point());
         let own = |place: usize| self.tiles.camera(place, &self.camera, self.area);
         let cameras: Vec<_> = (0..self.tiles.count()).map(own).collect();
         let selected = self.inspected.points.iter().copied();
@@ -227,7 +236,7 @@ impl Session {
             let place = glam::DVec3::from(self.shown().place(point.index()));
             cameras.iter().filter_map(move |camera| camera.screen_from_world(place)).collect::<Vec<_>>()
         });
-        seen.map(|[x, y]| Pos2::new((x / scale) as f32, (y / scale) as f32)).collect()
+        seen.map(|pixel| self.point_of(pixel)).collect()
     }
 
     /// The numbers that the scene names, while its settings are open.

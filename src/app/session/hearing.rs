@@ -5,7 +5,6 @@ use std::sync::Arc;
 use super::Session;
 use crate::app::panels::{Sheet, is_recording};
 use crate::app::player::{News, Note};
-use crate::app::warnings::refused;
 
 impl Session {
     /// Takes what the player has to tell.
@@ -54,7 +53,6 @@ impl Session {
     pub(super) fn note(&mut self, note: Note) {
         match note {
             Note::Undone(name, seconds) => {
-                self.has_undone = true;
                 let left = &self.player.shown().scenery.warnings;
                 self.panels.notes.take_back(|line| left.iter().any(|other| other == line));
                 self.have_gone(format!("Undid: {name}{}", with_what_followed(seconds)));
@@ -76,10 +74,9 @@ impl Session {
             }
             Note::Added(Some(why)) => {
                 self.adding = None;
-                let why = refused(&why);
                 self.panels.notes.warn(format!("it is in the scene, but bodies pass through each other: {why}"));
             }
-            Note::Came(came, said, why) => self.have_come(came, said, why.as_deref().map(refused)),
+            Note::Came(came, said, why) => self.have_come(came, said, why),
             Note::Before(list) => self.plot_before(list),
             Note::Exact => {
                 self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());
@@ -87,7 +84,7 @@ impl Session {
             Note::Held => self.say(HELD_HERE.to_owned()),
             Note::Refused(why) => {
                 self.import = self.adding.take().or_else(|| self.import.take());
-                self.complain(&refused(&why));
+                self.complain(&why);
             }
             Note::Warned(lines) => lines.into_iter().for_each(|line| self.panels.notes.warn(line)),
             Note::Written(path) => {

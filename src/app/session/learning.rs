@@ -12,8 +12,7 @@ impl Session {
         match scene {
             Some(Ok(scene)) => {
                 self.panels.lessons.enter(at);
-                self.teaches = Some(at);
-                self.open(scene.into());
+                self.open_for(scene.into(), Some(at));
             }
             Some(Err(error)) => self.complain(&error.to_string()),
             None => {}
@@ -27,6 +26,7 @@ impl Session {
             Met::Back(at) => self.lay_out(at),
             Met::Left { .. } | Met::Nothing => {}
         }
+        self.taught = self.panels.lessons.open_at();
     }
 
     /// The scene of a step is there: it is shown as the step wants it. The lesson's words stand in place of the caption.

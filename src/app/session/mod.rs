@@ -42,7 +42,7 @@ use super::import::Import;
 use super::keys::{Down, Held};
 use super::leftovers::{Leftover, look};
 use super::loading::Loading;
-use super::matter::Matter;
+use super::matter::{Bearings, Matter};
 use super::meter::Meter;
 use super::opening::{Free, Over};
 use super::panels::{At, Misfits, PanelState, theme};
@@ -73,6 +73,23 @@ const FIRST_FRAME: f64 = 1.0 / 60.0;
 /// Figures are shown anew so often at most: nobody reads faster.
 const FIGURES_EVERY: Duration = Duration::from_millis(100);
 
+<<<<<<< HEAD
+=======
+/// How the camera came to be where it is: it is put there again when the window gets another size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Framing {
+    /// As the scene opens.
+    Opening,
+    /// All points.
+    Fit,
+    /// By hand.
+    Free,
+}
+
+/// What it depends on whether bodies bear their weight: the topology, gravity, and whose it is.
+type Borne = (u64, Option<[f64; 3]>, Option<Chosen>);
+
+>>>>>>> 6a6028fdacdb897c5bbded2e00b24558fdcd821b
 /// The scene, its player and its window.
 pub(super) struct Session {
     pub(super) window: Arc<Window>,
@@ -130,8 +147,6 @@ pub(super) struct Session {
     inspected: Chosen,
     copied: Option<Copied>,
     duplicated: Option<Row>,
-    /// The last that was asked for in this history was to undo an edit.
-    has_undone: bool,
     /// How the pointer looks.
     cursor_icon: CursorIcon,
     /// Strength of the hover force when nothing is led, as the world told it last.
@@ -198,10 +213,14 @@ pub(super) struct Session {
     opening_since: Option<Instant>,
     /// The step of a lesson that it is opened for.
     teaches: Option<At>,
+    /// The step that the present history was opened for.
+    taught: Option<At>,
     /// The figures and settings that panels show.
     figures: Figures,
     settings: SceneChange,
     matter: Option<Arc<Matter>>,
+    /// How soft bodies bear their weight, and of which topology and gravity that is.
+    bearings: (Option<Borne>, Arc<Bearings>),
     /// How points are drawn, and which are hidden, as panels say it.
     tints: Arc<[Tint]>,
 }

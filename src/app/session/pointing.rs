@@ -47,6 +47,10 @@ impl Session {
         if is_pressed && (self.is_over_panels() || self.is_covered()) {
             return;
         }
+        if is_pressed && self.is_writing() {
+            // A field has what is written in it before what is selected changes, and with that what the field is of.
+            self.show_panels();
+        }
         self.pointer.press(button, state);
         if button != MouseButton::Left {
             return;
@@ -158,8 +162,19 @@ impl Session {
 
     /// Where the pointer is for the panels `[points]`.
     pub(super) fn place_of_pointer(&self) -> Option<egui::Pos2> {
+        self.pointer.at.map(|at| self.point_of(at))
+    }
+
+    /// Where the panels have a pixel `[points]`.
+    pub(super) fn point_of(&self, [x, y]: [f64; 2]) -> egui::Pos2 {
+        let scale = f64::from(self.egui.egui_ctx().pixels_per_point());
+        egui::pos2((x / scale) as f32, (y / scale) as f32)
+    }
+
+    /// The pixel at a place of the panels `[px]`.
+    pub(super) fn pixel_of(&self, at: egui::Pos2) -> [f64; 2] {
         let scale = self.egui.egui_ctx().pixels_per_point();
-        self.pointer.at.map(|at| egui::pos2(at[0] as f32 / scale, at[1] as f32 / scale))
+        [at.x, at.y].map(|x| f64::from(x * scale))
     }
 
     /// The hint goes with the pointer.

@@ -1,14 +1,16 @@
 //! What is done with what is selected: groups, its matter.
 
+use std::sync::Arc;
+
 use glam::{DVec2, DVec3};
 use winit::window::CursorIcon;
 
 use super::Session;
 use crate::app::action::Tool;
-use crate::app::matter::{Among, MatterChange};
+use crate::app::matter::{Among, Bearings, MatterChange};
 use crate::app::panels::MatterAt;
 use crate::app::player::Order;
-use crate::app::tools::{Chosen, Handle, Held, Scope, hidden_bodies};
+use crate::app::tools::{Chosen, Handle, Held, Ring, Scope, hidden_bodies};
 use crate::history::{Do, Group};
 use crate::sim::PointId;
 
@@ -83,6 +85,23 @@ impl Session {
         }
     }
 
+    /// Looks how what is selected bears its weight, or what the brush could paint, where that is asked for and may be another.
+    pub(super) fn weigh(&mut self) {
+        let chosen = (self.hand.tool() != Tool::Paint).then(|| self.inspected.clone());
+        let shown = self.player.shown();
+        let is_asked = chosen.as_ref().is_none_or(|chosen| !chosen.points.is_empty());
+        let of = is_asked.then_some((shown.topology, shown.settings.gravity, chosen));
+        if of == self.bearings.0 {
+            return;
+        }
+        let all = if is_asked { Bearings::of(shown) } else { Bearings::default() };
+        let bearings = match &of {
+            Some((.., Some(chosen))) => all.among(&chosen.points),
+            _ => all,
+        };
+        self.bearings = (of, Arc::new(bearings));
+    }
+
     /// Where what is selected is seen `[points]`: the box around its points, some of many, and its obstacles.
     pub(super) fn selection_seen(&self) -> Option<egui::Rect> {
         if self.inspected.is_empty() {
@@ -97,9 +116,8 @@ impl Session {
         let corners = flat.flat_map(|(polygon, _)| &polygon.loops).flatten().map(|&x| DVec2::from(x).extend(0.0));
         let solid = scenery.convex.iter().zip(&scenery.solid_numbers).filter(|(_, number)| is_chosen(number));
         let ends = solid.flat_map(|(convex, _)| convex.figure.extent()).map(DVec3::from);
-        let scale = f64::from(self.egui.egui_ctx().pixels_per_point());
         let seen = points.chain(corners).chain(ends).filter_map(|place| self.camera.screen_from_world(place));
-        let seen = seen.map(|[x, y]| egui::Pos2::new((x / scale) as f32, (y / scale) as f32));
+        let seen = seen.map(|pixel| self.point_of(pixel));
         let around = seen.fold(egui::Rect::NOTHING, |around, at| around.union(egui::Rect::from_min_max(at, at)));
         around.is_finite().then_some(around)
     }
@@ -179,7 +197,11 @@ impl Session {
             Some(Handle::Turn) => CursorIcon::Grab,
             Some(Handle::Corner(corner)) if corner % 2 == 0 => CursorIcon::NeswResize,
             Some(Handle::Corner(_)) => CursorIcon::NwseResize,
-            None => at.map_or(CursorIcon::Default, |at| self.icon_of(tool, at)),
+            None => match at.and_then(|at| self.with_scope(|hand, scope| hand.ring(scope, at))) {
+                Some(Ring::About(_)) => CursorIcon::Grab,
+                Some(Ring::Size) => CursorIcon::NeswResize,
+                None => at.map_or(CursorIcon::Default, |at| self.icon_of(tool, at)),
+            },
         };
         if icon != self.cursor_icon {
             self.cursor_icon = icon;

@@ -1,6 +1,7 @@
 //! Histories that were left for another scene: undo goes back to them, redo forth again.
 
 use super::{Framing, Session};
+use crate::app::panels::At;
 use crate::app::player::{Order, Player};
 use crate::render::Camera;
 
@@ -15,6 +16,9 @@ pub(super) struct Left {
     pub(super) player: Player,
     pub(super) camera: Camera,
     played: bool,
+    /// The step of a lesson that lay beside it, and what it was called.
+    lesson: Option<At>,
+    title: String,
 }
 
 impl Left {
@@ -22,13 +26,13 @@ impl Left {
     pub(super) fn now(mut player: Player, camera: Camera) -> Self {
         let played = player.is_playing();
         player.play(false);
-        Left { player, camera, played }
+        Left { player, camera, played, lesson: None, title: String::new() }
     }
 
     /// It is there again, after a history that plays or does not: what was paused when it was left stays so, and so does whoever looked at
     /// what stood still.
     fn again(self, present_plays: bool) -> (Player, Camera) {
-        let Left { mut player, camera, played } = self;
+        let Left { mut player, camera, played, .. } = self;
         player.play(played && present_plays);
         (player, camera)
     }
@@ -90,33 +94,64 @@ impl Shelf {
     }
 }
 
+/// What undo does where nothing is left to undo in a history.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Leaving {
+    /// There is none before it.
+    Stays,
+    /// It says where the next one leads.
+    Asks,
+    /// That it was opened is undone.
+    Goes,
+}
+
+/// What was done last is undone: whoever has just opened a history is back at once; whoever did something in it, or came here by undo, is told
+/// before.
+fn leaving(has_before: bool, is_used: bool) -> Leaving {
+    match (has_before, is_used) {
+        (false, _) => Leaving::Stays,
+        (true, true) => Leaving::Asks,
+        (true, false) => Leaving::Goes,
+    }
+}
+
 impl Session {
-    /// There is nothing to undo in this history: it was opened, so that is undone. Whoever has just undone all of its edits is told first,
-    /// and asks again.
+    /// There is nothing to undo in this history: it was opened, so that is undone.
     pub(super) fn go_back(&mut self) {
-        let name = self.scene.name().to_owned();
-        if std::mem::take(&mut self.has_undone) && !self.shelf.before.is_empty() {
-            return self.say(format!("all is undone: once more leaves {name} for the scene before it"));
-        }
-        match self.shelf.back() {
-            Some(left) => {
-                let left = self.bring_back(left);
-                self.shelf.after.push(left);
-                self.settle();
-                self.say(format!("Undid: open {name}"));
+        match leaving(self.shelf.has_before(), self.player.is_used()) {
+            Leaving::Stays => self.say("there is nothing to undo".to_owned()),
+            Leaving::Asks => {
+                self.player.say_used(false);
+                let before = self.shelf.before.last().map_or("", |left| &left.title);
+                let words =
+                    format!("nothing is left to undo in {}: undo once more goes back to {before}", self.title());
+                self.say(words);
             }
-            None => self.say("there is nothing to undo".to_owned()),
+            Leaving::Goes => self.leave_back(),
         }
+    }
+
+    /// The history before is there again. It is left only by whoever asks for that.
+    fn leave_back(&mut self) {
+        let Some(left) = self.shelf.back() else { return };
+        let (from, to) = (self.title(), left.title.clone());
+        let left = self.bring_back(left);
+        self.shelf.after.push(left);
+        self.player.say_used(true);
+        self.settle();
+        self.say(format!("Back to {to}: redo opens {from} again"));
     }
 
     /// There is nothing to redo in this history: another was opened from it.
     pub(super) fn go_on(&mut self) {
         match self.shelf.on() {
             Some(left) => {
+                let to = left.title.clone();
                 let left = self.bring_back(left);
                 self.shelf.before.push(left);
+                self.player.say_used(false);
                 self.settle();
-                self.say(format!("Redid: open {}", self.scene.name()));
+                self.say(format!("{to} is open again"));
             }
             None => self.say("there is nothing to redo".to_owned()),
         }
@@ -126,14 +161,20 @@ impl Session {
     pub(super) fn go_to_unsaved(&mut self) {
         if self.shelf.before.iter().any(|left| left.player.is_unsaved()) {
             while !self.player.is_unsaved() && self.shelf.has_before() {
-                self.has_undone = false;
-                self.go_back();
+                self.leave_back();
             }
         } else {
             while !self.player.is_unsaved() && !self.shelf.after.is_empty() {
                 self.go_on();
             }
         }
+    }
+
+    /// The present history is left for this player's: it stands still, with the step of a lesson that lies beside it.
+    pub(super) fn exchange(&mut self, player: Player) -> Left {
+        let title = self.title_of(self.taught);
+        let lesson = self.taught.filter(|_| self.panels.lessons.is_open);
+        Left { lesson, title, ..Left::now(std::mem::replace(&mut self.player, player), self.camera) }
     }
 
     /// Memory is shared out among the histories.
@@ -144,10 +185,11 @@ impl Session {
 
     /// Plays a history that was left, as it was left; returns the one before it.
     pub(super) fn bring_back(&mut self, left: Left) -> Left {
+        let lesson = left.lesson;
         let (player, camera) = left.again(self.player.is_playing());
-        let its = self.camera;
         self.take_leave();
-        let last = Left::now(std::mem::replace(&mut self.player, player), its);
+        let last = self.exchange(player);
+        (self.teaches, self.taught) = (lesson, None);
         let scene = self.player.start().scene().clone();
         self.begin();
         self.arrive(std::sync::Arc::new(scene));
@@ -221,6 +263,30 @@ mod tests {
         assert_eq!((player.shown().figures.time, place(&player)), (time, seen));
         player.ask(Order::Undo(None));
         wait_for(&mut player, |_, notes| matches!(notes, [Note::Undone(name, _)] if name == "pin"));
+    }
+
+    #[test]
+    fn a_scene_is_left_by_undo_at_once_only_where_opening_it_was_the_last_that_was_done() {
+        assert_eq!(leaving(false, false), Leaving::Stays);
+        assert_eq!([false, true].map(|is_used| leaving(true, is_used)), [Leaving::Goes, Leaving::Asks]);
+        let mut player = Player::open(Scene::parse(SCENE, "x.json").unwrap().into(), Keeping::default(), || {});
+        wait_for(&mut player, |player, _| player.is_open());
+        player.advance(0.1, Some(Cursor::at([3.0, 3.0])), false);
+        player.play(false);
+        player.ask(Order::Bound(BYTES));
+        assert!(!player.is_used(), "looking on is nothing done");
+        let pin = |point| vec![Do::Pin(vec![PointId(point)])];
+        player.give(pin(0), None);
+        assert!(player.is_used(), "a hand that only grabs has done something");
+        player.say_used(false);
+        player.ask(Order::Undo(None));
+        wait_for(&mut player, |_, notes| notes.contains(&Note::NothingToUndo));
+        assert!(!player.is_used());
+        player.give(pin(1), Some("pin"));
+        player.say_used(false);
+        player.ask(Order::Undo(None));
+        wait_for(&mut player, |_, notes| !notes.is_empty());
+        assert!(player.is_used(), "what was undone is done in this scene");
     }
 
     #[test]

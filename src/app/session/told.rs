@@ -5,7 +5,7 @@ use winit::event::WindowEvent;
 use super::Session;
 use crate::app::action::Tool;
 use crate::app::keys::{Down, Held};
-use crate::app::panels::Sheet;
+use crate::app::panels::{Sheet, settings_search_id};
 use crate::app::shell::is_for_panels;
 
 impl Session {
@@ -26,6 +26,11 @@ impl Session {
     pub(in crate::app) fn is_writing(&self) -> bool {
         let is_coming = self.panels.is_fresh && self.panels.sheet.is_some_and(|sheet| sheet != Sheet::Help);
         is_coming || self.egui.egui_ctx().text_edit_focused()
+    }
+
+    /// Whether what is typed looks for a setting.
+    pub(super) fn is_searching_settings(&self) -> bool {
+        self.egui.egui_ctx().memory(|memory| memory.has_focus(settings_search_id()))
     }
 
     /// Closes the sheet that is open.

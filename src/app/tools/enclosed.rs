@@ -10,6 +10,8 @@ use crate::sim::{Polygon, segments_pass};
 /// Directions in which a way is looked for, and steps along each, as far as the body and the obstacles are long together.
 const DIRECTIONS: u32 = 24;
 const STEPS: u32 = 32;
+/// What a body stands on has at least this share of its width `[1]`: on less it would balance.
+const STANDS: f64 = 0.5;
 /// Halvings of the last step to where the way ends.
 const HALVINGS: u32 = 10;
 
@@ -58,12 +60,34 @@ impl Cover {
         self.encloses(polygons, by).next().is_some()
     }
 
-    /// The shortest way on that is found from `from` `[m]` to where it has none of them within itself, and `is_free`.
-    pub(super) fn way_off(&self, polygons: &[Polygon], from: DVec2, is_free: impl Fn(DVec2) -> bool) -> Option<DVec2> {
+    /// Whether it would stand on what lies in a box `[m]` as on a needle: its middle is above that, and that is narrow.
+    fn is_balanced(&self, there: [DVec2; 2], up: DVec2) -> bool {
+        let side = up.perp();
+        let along = |ends: [DVec2; 2], axis: DVec2| {
+            let [a, b] = ends.map(|end| end.dot(axis));
+            // The extent of a box along any direction.
+            let (middle, half) = (0.5 * (a + b), 0.5 * (ends[1] - ends[0]).abs().dot(axis.abs()));
+            [middle - half, middle + half]
+        };
+        let ([left, right], own) = (along(there, side), along(self.around, side));
+        let middle = 0.5 * (own[0] + own[1]);
+        let is_above = along(self.around, up)[0] > 0.5 * (along(there, up)[0] + along(there, up)[1]);
+        up != DVec2::ZERO && is_above && (left..=right).contains(&middle) && right - left < STANDS * (own[1] - own[0])
+    }
+
+    /// The shortest way on that is found from `from` `[m]` to where it has none of them within itself, stands on none that is too narrow for it
+    /// (`up` is against gravity), and `is_free`.
+    pub(super) fn way_off(
+        &self,
+        polygons: &[Polygon],
+        (from, up): (DVec2, DVec2),
+        is_free: impl Fn(DVec2) -> bool,
+    ) -> Option<DVec2> {
         let within = self.encloses(polygons, from).flat_map(|polygon| polygon.loops.iter().flatten());
         let [low, high] = hull(within.map(|&corner| DVec2::from(corner)))?;
         let step = (low.distance(high) + self.around[0].distance(self.around[1])) / f64::from(STEPS);
-        let has_room = |by: DVec2| !self.has_any(polygons, by) && is_free(by);
+        let is_balanced = |by: DVec2| self.is_balanced([low - by, high - by], up);
+        let has_room = |by: DVec2| !self.has_any(polygons, by) && !is_balanced(by) && is_free(by);
         // Upwards first: of two ways that are equally long that one is taken.
         let direction = |k: u32| DVec2::Y.rotate(DVec2::from_angle(TAU * f64::from(k) / f64::from(DIRECTIONS)));
         for k in 1..=STEPS {

@@ -38,6 +38,11 @@ impl Scope<'_> {
         Some(Floor { middle, normal, along: [side, normal.cross(side)] })
     }
 
+    /// The place of a plane of space that is seen in the middle `[m]`.
+    pub(super) fn floor_middle(&self, plane: [[f64; 3]; 2]) -> Option<DVec3> {
+        Some(self.floor(plane)?.middle)
+    }
+
     /// The outline of a plane of space: its sides, from end to end `[px]`.
     pub(super) fn rim(&self, plane: [[f64; 3]; 2]) -> Vec<[DVec2; 2]> {
         let Some(Floor { middle, along: [u, v], .. }) = self.floor(plane) else { return Vec::new() };

@@ -286,7 +286,7 @@ impl Change {
         match outcome.refused {
             Some(why) => Deed::words(why.to_owned()),
             None => {
-                Deed { words: outcome.words(), ..self.deed(&with_pins(scope, chosen), about, scope.shown.dimensions) }
+                Deed { words: outcome.told(), ..self.deed(&with_pins(scope, chosen), about, scope.shown.dimensions) }
             }
         }
     }

@@ -7,7 +7,7 @@ use glam::DVec2;
 
 use super::handles::{Frame, Handle};
 use super::tests::{SIZE, scope};
-use super::{Chosen, Deed, Hand, PushWay};
+use super::{Chosen, Deed, Hand, Mark, PushWay, Ring};
 use crate::app::action::{Primitive, Tool};
 use crate::app::clip::Clip;
 use crate::app::matter::{Among, MatterChange, Preset};
@@ -28,12 +28,18 @@ enum Act {
     Cut,
     Erase,
     Build,
+    Block,
+    Cloth,
+    Rim,
     Rope,
     Figure,
     Solid,
+    SolidBox,
+    Slope,
     Polygon,
     Bonds,
     Push,
+    PushBody,
     Turned,
     Move,
     Turn,
@@ -41,6 +47,8 @@ enum Act {
     Muscle,
     Motor,
     Paint,
+    Numbers,
+    Hide,
     Preset,
     Soften,
     Copy,
@@ -63,7 +71,7 @@ use Comes::{Edit as E, Grab as G, Words as W};
 const SCENES: [(&str, &str, Option<usize>); 7] = [
     (
         "soft",
-        r#""bodies": [{"make": "disc", "radius": 1, "spacing": 0.3, "origin": [0, 1], "velocity": [0.5, 0],
+        r#""bodies": [{"make": "picture", "file": "pictures/jelly.png", "height": 2, "spacing": 0.3, "origin": [0, 1], "velocity": [0.5, 0],
         "material": {"kind": "spring", "stiffness": 400, "damping": 2, "mass": 3}}]"#,
         Some(0),
     ),
@@ -88,7 +96,7 @@ const SCENES: [(&str, &str, Option<usize>); 7] = [
     ),
     (
         "rigid",
-        r#""bodies": [{"make": "lattice", "columns": 4, "rows": 3, "spacing": 0.5, "origin": [-0.6, 0],
+        r#""bodies": [{"make": "picture", "file": "pictures/gear.png", "height": 2, "spacing": 0.25, "origin": [0, 0.5],
         "spin": 1, "material": {"kind": "rigid", "mass": 2}}]"#,
         Some(5),
     ),
@@ -97,19 +105,25 @@ const SCENES: [(&str, &str, Option<usize>); 7] = [
 ];
 
 /// Rows: what comes of it in each scene.
-const TABLE: [(Act, [Comes; 7]); 24] = [
+const TABLE: [(Act, [Comes; 7]); 32] = [
     //                soft rope net pile rigid solid space
     (Act::Grab, [G, G, G, G, G, E, G]),
     (Act::Pin, [E, E, E, E, E, W, E]),
     (Act::Cut, [E, E, E, E, E, W, E]),
     (Act::Erase, [E, E, E, E, E, E, E]),
     (Act::Build, [E, E, E, E, E, E, W]),
+    (Act::Block, [E, E, E, E, E, E, W]),
+    (Act::Cloth, [E, E, E, E, E, E, W]),
+    (Act::Rim, [E, E, E, E, E, E, W]),
     (Act::Rope, [E, E, E, E, E, E, W]),
     (Act::Figure, [E, E, E, E, E, E, W]),
     (Act::Solid, [E, E, E, E, E, E, W]),
+    (Act::SolidBox, [E, E, E, E, E, E, W]),
+    (Act::Slope, [E, E, E, E, E, E, W]),
     (Act::Polygon, [E, E, E, E, E, E, W]),
     (Act::Bonds, [E, E, E, E, E, E, W]),
     (Act::Push, [E, E, E, E, E, W, E]),
+    (Act::PushBody, [E, E, E, E, E, W, E]),
     (Act::Turned, [E, E, E, E, E, W, W]),
     (Act::Move, [E, E, E, E, E, E, E]),
     (Act::Turn, [E, E, E, E, E, E, E]),
@@ -117,6 +131,8 @@ const TABLE: [(Act, [Comes; 7]); 24] = [
     (Act::Muscle, [E, E, E, E, E, W, E]),
     (Act::Motor, [E, E, E, E, E, W, W]),
     (Act::Paint, [E, E, E, E, E, W, E]),
+    (Act::Numbers, [E, E, E, E, E, W, E]),
+    (Act::Hide, [E, E, E, E, E, W, E]),
     (Act::Preset, [E, E, E, E, E, E, E]),
     (Act::Soften, [E, W, E, E, W, W, E]),
     (Act::Copy, [E, E, E, E, E, E, E]),
@@ -225,27 +241,39 @@ impl Bench {
             Act::Pin => Tool::Pin,
             Act::Cut => Tool::Cut,
             Act::Erase => Tool::Erase,
-            Act::Build | Act::Rope | Act::Figure | Act::Solid | Act::Polygon | Act::Bonds => Tool::Build,
-            Act::Push | Act::Turned => Tool::Push,
+            Act::Build | Act::Block | Act::Cloth | Act::Rim | Act::Rope | Act::Figure => Tool::Build,
+            Act::Solid | Act::SolidBox | Act::Slope | Act::Polygon | Act::Bonds => Tool::Build,
+            Act::Push | Act::PushBody | Act::Turned => Tool::Push,
             Act::Muscle => Tool::Muscle,
             Act::Motor => Tool::Motor,
-            Act::Paint => Tool::Paint,
+            Act::Paint | Act::Numbers => Tool::Paint,
             _ => Tool::Select,
         };
         hand.take(tool);
         let chosen = self.chosen();
         let among = Among { points: chosen.points.clone(), obstacles: chosen.obstacles.clone(), bonds: None };
         let deed = match act {
-            Act::Build | Act::Rope | Act::Figure | Act::Solid => {
+            Act::Build | Act::Block | Act::Cloth | Act::Rim | Act::Rope | Act::Figure => {
                 hand.choose(match act {
+                    Act::Block => Primitive::Box,
+                    Act::Cloth => Primitive::Cloth,
+                    Act::Rim => Primitive::Rim,
                     Act::Rope => Primitive::Rope,
                     Act::Figure => Primitive::Figure,
-                    Act::Solid => Primitive::SolidCircle,
                     _ => Primitive::Disc,
                 });
                 hand.hold([false, true]);
+                self.drag(&mut hand, [at, far], runs)
+            }
+            Act::Solid | Act::SolidBox | Act::Slope => {
+                hand.choose(match act {
+                    Act::SolidBox => Primitive::SolidBox,
+                    Act::Slope => Primitive::Slope,
+                    _ => Primitive::SolidCircle,
+                });
+                hand.hold([false, true]);
                 // An obstacle takes in no body, and cuts no rope that is held at both ends.
-                let beside = if act == Act::Solid { DVec2::new(0.0, 150.0) } else { DVec2::ZERO };
+                let beside = DVec2::new(0.0, 150.0);
                 self.drag(&mut hand, [at + beside, far + beside], runs)
             }
             Act::Polygon | Act::Bonds => {
@@ -265,6 +293,21 @@ impl Bench {
                 hand.set_push_way(PushWay::Turn);
                 self.drag(&mut hand, [at, far], runs)
             }
+            Act::PushBody => {
+                hand.set_push_way(PushWay::Body);
+                self.drag(&mut hand, [at, far], runs)
+            }
+            Act::Numbers => {
+                let mut brush = hand.brush();
+                brush.numbers.density = crate::app::matter::Switched { is_on: true, value: 2.0 };
+                brush.numbers.color.is_on = true;
+                hand.set_brush(brush);
+                self.drag(&mut hand, [aside, far], runs)
+            }
+            Act::Hide => {
+                let change = MatterChange::Visible(false);
+                return (None, Some(Order::Change { among, change, goes_on: false }));
+            }
             Act::Cut => self.drag(&mut hand, [at - DVec2::new(31.0, 42.0), at + DVec2::new(33.0, 44.0)], runs),
             Act::Muscle => {
                 let ends = self
@@ -279,10 +322,21 @@ impl Bench {
                 let middle = middle.map_or(at, |[a, b]| 0.5 * (a + b));
                 self.drag(&mut hand, [middle; 2], runs)
             }
+            Act::Turn | Act::Scale if self.seen.0.dimensions == 3 => {
+                hand.select(chosen);
+                let meant = if act == Act::Turn { Ring::About(2) } else { Ring::Size };
+                let marks = hand.marks(scope(&self.seen), None);
+                let on = |at: &DVec2| hand.ring(scope(&self.seen), *at) == Some(meant);
+                let places = marks.iter().filter_map(|mark| match mark {
+                    Mark::Line(_, at, ..) | Mark::Square(_, at, _) => Some(*at),
+                    _ => None,
+                });
+                let from = places.into_iter().find(on).unwrap();
+                self.drag(&mut hand, [from, from + DVec2::new(25.0, -20.0)], runs)
+            }
             Act::Turn | Act::Scale => {
                 hand.select(chosen.clone());
                 let handle = if act == Act::Turn { Handle::Turn } else { Handle::Corner(2) };
-                // In space there are no handles: what one would drag is the body.
                 let from = Frame::of(scope(&self.seen), &chosen).map_or(at, |frame| {
                     frame.handles(scope(&self.seen)).into_iter().find(|(other, _)| *other == handle).unwrap().1
                 });
@@ -321,7 +375,7 @@ impl Bench {
             _ => self.drag(&mut hand, [aside; 2], runs),
         };
         let order = match deed.painted {
-            Some(among) => Some(Order::Change { among, change: MatterChange::Preset(Preset::Jelly), goes_on: false }),
+            Some(among) => Some(Order::Change { among, change: hand.brush().change(), goes_on: false }),
             None if deed.commands.is_empty() => None,
             None => Some(Order::Give(deed.commands, deed.edit)),
         };

@@ -49,6 +49,7 @@ mod push;
 mod push_tests;
 mod region;
 mod release;
+mod rings;
 mod room;
 #[cfg(test)]
 mod select_tests;
@@ -88,6 +89,8 @@ use muscles::Swipe;
 pub(super) use pick::Scope;
 pub(super) use push::PushWay;
 use region::Region;
+pub(super) use rings::Ring;
+use rings::RingGrip;
 pub(super) use room::Walls;
 use wind::Blow;
 
@@ -123,6 +126,8 @@ enum Doing {
     Carrying(Hold, Chosen),
     /// What is selected is turned or scaled by a handle.
     Handling(Grip),
+    /// What is selected in space is turned or scaled by a ring.
+    Turning(RingGrip),
     /// Obstacles go after the pointer while time runs.
     Hauling(Haul),
     /// A region is drawn, whose bodies are selected.

@@ -49,6 +49,7 @@ impl Hand {
             Doing::Moving(hold, under) => self.end_move(scope, (hold, at), under),
             Doing::Carrying(hold, what) => selecting::moved(scope, (hold, at), &what),
             Doing::Handling(grip) => self.end_grip(scope, grip, at),
+            Doing::Turning(grip) => self.end_turn(scope, grip, at),
             Doing::Marking(region) => {
                 self.mark(scope, &region, at);
                 Deed::default()
@@ -76,7 +77,7 @@ impl Hand {
 
     /// Ends what is under way without doing it. Returns whether anything was.
     pub(in crate::app) fn cancel(&mut self) -> (bool, Deed) {
-        let was = self.is_busy() || !std::mem::take(&mut self.chosen).is_empty();
+        let was = self.is_busy();
         let deed = match std::mem::take(&mut self.doing) {
             Doing::Grabbing(_) => {
                 self.calm = Some(CALM);
@@ -89,6 +90,11 @@ impl Hand {
             _ => Deed::default(),
         };
         (was, deed)
+    }
+
+    /// Nothing is selected any more.
+    pub(in crate::app) fn deselect(&mut self) {
+        self.chosen = Chosen::default();
     }
 
     /// Takes away what is led, or what lies under the pixel.

@@ -16,8 +16,11 @@ use crate::sim::{Bond, Bonds, Bounds, Model, PointId, Polygon, blocked};
 
 /// Said where an obstacle would take in a body as a whole.
 const SWALLOWED: &str = "a body would be inside it as a whole: move the body first";
-/// Said where a body finds no way out of obstacles.
-const NO_ROOM: &str = "no room here: it would be stuck in the obstacle";
+/// Said where a body finds no way out of obstacles, or of walls alone.
+const NO_ROOM: [&str; 2] =
+    ["no room here: it would be stuck in the obstacle", "no room here: it would be stuck in the wall"];
+/// Said where it is put out of them.
+const OUT: [&str; 2] = ["put out of the obstacle", "put out of the wall"];
 /// Said of a body that is drawn around an obstacle.
 const BESIDE: &str = "put beside the obstacle: a body has none within itself";
 /// Said of one that finds no place beside it.
@@ -26,8 +29,8 @@ const AROUND: &str = "no room here: an obstacle would be within it";
 const HELD: &str = "it lies on what pins hold: neither gives way";
 /// Said of an obstacle that is put between pins.
 const TAUT: &str = "the bonds between two pins cannot go round it: leave them more room, or take a pin away first";
-/// Said of a body with pins that is put into an obstacle.
-const STAYS: &str = "its pins hold it in the obstacle";
+/// Said of a body with pins that is put into an obstacle, or into walls alone.
+const STAYS: [&str; 2] = ["its pins hold it in the obstacle", "its pins hold it in the wall"];
 /// Ways that are shorter are not told of `[logical px]`.
 const LEAST: f64 = 1.0;
 
@@ -88,6 +91,9 @@ pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
     let way = cleared.moves.first().map_or(DVec2::ZERO, |(_, way)| DVec2::from(*way));
     let is_stuck = !cleared.stuck.is_empty();
     let solids = &scope.shown.scenery.polygons;
+    let by_solids = Walls::of(None, &[], solids.clone()).clear(&shape.places, &bonds, &shape.pinned);
+    // What is in the way: an obstacle, or walls alone.
+    let what = usize::from(by_solids.moves.is_empty() && by_solids.stuck.is_empty());
     let cover = Cover::of(&shape).filter(|cover| !is_stuck && cover.has_any(solids, way));
     if let Some(cover) = cover {
         let is_free = |by: DVec2| {
@@ -95,15 +101,25 @@ pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
             let cleared = scope.shown.scenery.walls().clear(&places, &bonds, &shape.pinned);
             cleared.moves.is_empty() && cleared.stuck.is_empty()
         };
-        return match cover.way_off(solids, way, is_free) {
+        return match cover.way_off(solids, (way, up(scope)), is_free) {
             Some(way) => Outcome { way, own: way, said: Some(BESIDE), ..Outcome::default() },
             None => Outcome { refused: Some(AROUND), ..Outcome::default() },
         };
     }
     let way = if way.length() > least { way } else { DVec2::ZERO };
-    let pinned = &shape.pinned;
-    let refused = (is_stuck && pinned.is_empty()).then_some(NO_ROOM);
-    Outcome { way, refused, said: (is_stuck && refused.is_none()).then_some(STAYS), ..Outcome::default() }
+    let refused = (is_stuck && shape.pinned.is_empty()).then_some(NO_ROOM[what]);
+    let stays = (is_stuck && refused.is_none()).then_some(STAYS[what]);
+    let said = stays.or((way != DVec2::ZERO).then_some(OUT[what]));
+    // What is whole and hangs on nothing is put there by the tool, so that the world has nothing to say of it.
+    let is_whole = shape.pinned.is_empty() && keys.bonds.is_empty() && keys.points.is_none();
+    let own = if is_whole { way } else { DVec2::ZERO };
+    Outcome { way, own, refused, said, ..Outcome::default() }
+}
+
+/// Against gravity; nowhere where nothing falls.
+fn up(scope: Scope<'_>) -> DVec2 {
+    let [x, y, _] = scope.shown.settings.gravity.unwrap_or_default();
+    -DVec2::new(x, y).normalize_or_zero()
 }
 
 /// What becomes of the bodies under obstacles that come, or that are moved: those of these numbers. `place` says where a point is then.
@@ -199,14 +215,18 @@ impl Outcome {
         moved.collect()
     }
 
-    /// What is to be known of it, beside its size.
+    /// What is to be known of it once it is done: of bodies that the world puts aside it tells itself.
+    pub(super) fn told(&self) -> Option<String> {
+        self.refused.or(self.said).map(str::to_owned)
+    }
+
+    /// What is to be known of it before, beside its size.
     pub(super) fn words(&self) -> Option<String> {
         let aside = match self.moved.len() {
             0 => None,
             1 => Some("a body is put beside it".to_owned()),
             many => Some(format!("{many} bodies are put beside it")),
         };
-        let out = (self.way != DVec2::ZERO).then(|| "put out of the obstacle".to_owned());
-        self.refused.or(self.said).map(str::to_owned).or(out).or(aside)
+        self.refused.or(self.said).map(str::to_owned).or(aside)
     }
 }

@@ -81,7 +81,9 @@ fn a_click_selects_and_a_drag_moves_by_one_edit() {
         hand.press(scope(&seen), from);
         assert_eq!(hand.cancel(), (true, Deed::default()));
         assert_eq!(hand.release(scope(&seen), to), Deed::default());
-        assert!(hand.cancel().0 && !hand.cancel().0);
+        assert!(!hand.cancel().0 && hand.chosen(scope(&seen)).is_some());
+        hand.deselect();
+        assert!(hand.chosen(scope(&seen)).is_none());
     }
 }
 

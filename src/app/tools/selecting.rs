@@ -8,6 +8,7 @@ use super::handles::{Change, Frame, Grip, Handle};
 use super::marks::{Mark, Role};
 use super::pick::Scope;
 use super::region::Region;
+use super::rings::{Ring, RingGrip, Rings};
 use super::{Deed, Doing, Hand};
 use crate::app::action::Tool;
 
@@ -21,6 +22,11 @@ impl Hand {
         let frame = Frame::of(scope, &self.chosen);
         if let Some((frame, handle)) = frame.and_then(|frame| Some((frame, frame.handle(scope, at)?))) {
             self.doing = Doing::Handling(frame.grip(scope, handle, at));
+            return;
+        }
+        let rings = Rings::of(scope, &self.chosen);
+        if let Some((rings, ring)) = rings.and_then(|rings| Some((rings, rings.ring(scope, at)?))) {
+            self.doing = Doing::Turning(rings.grip(ring, at));
             return;
         }
         let is_free = self.alt || self.draws_lasso;
@@ -75,6 +81,11 @@ impl Hand {
         change.fitted(scope, &chosen, change.about(&frame, grip.handle))
     }
 
+    pub(super) fn end_turn(&self, scope: Scope<'_>, grip: RingGrip, to: DVec2) -> Deed {
+        let Some(chosen) = self.chosen(scope) else { return Deed::default() };
+        grip.turned(scope, to, self.shift).deed(scope, &chosen)
+    }
+
     /// What lies in a region is selected: with what was, while Shift is held; a click selects nothing.
     pub(super) fn mark(&mut self, scope: Scope<'_>, region: &Region, to: DVec2) {
         let ground = || Chosen::at(scope, region.from()).filter(|under| !self.alt && under.is_ground(scope));
@@ -112,6 +123,15 @@ impl Hand {
         }
     }
 
+    /// The handle in space under a pixel, or the one that is held.
+    pub(in crate::app) fn ring(&self, scope: Scope<'_>, at: DVec2) -> Option<Ring> {
+        match &self.doing {
+            Doing::Turning(grip) => Some(grip.ring),
+            Doing::Nothing => Rings::of(scope, &self.chosen(scope)?)?.ring(scope, at),
+            _ => None,
+        }
+    }
+
     /// The outline of what is selected, where a drag would bring it, with its box and its handles.
     pub(super) fn selection_marks(&self, scope: Scope<'_>, chosen: &Chosen, at: Option<DVec2>) -> Vec<Mark> {
         let outline = chosen.outline(scope, Role::Hold);
@@ -138,9 +158,19 @@ impl Hand {
                 let words = Mark::Words(words, format!("{}{more}", change.words()));
                 moved.chain(outcome.others(scope)).chain([words]).collect()
             }
+            (Doing::Turning(grip), Some(at)) => {
+                let turned = grip.turned(scope, at, self.shift);
+                let words = Mark::Words(at + DVec2::new(16.0, -10.0) * scope.scale, turned.words());
+                let rings = Rings::of(scope, chosen).into_iter().flat_map(|rings| rings.marks(scope, Some(grip.ring)));
+                outline.into_iter().chain(turned.preview(scope, chosen)).chain(rings).chain([words]).collect()
+            }
             (Doing::Nothing, _) => {
                 let near = at.and_then(|at| frame?.handle(scope, at));
-                outline.into_iter().chain(frame.iter().flat_map(|frame| frame.marks(scope, near))).collect()
+                let rings = Rings::of(scope, chosen);
+                let ring = at.and_then(|at| rings?.ring(scope, at));
+                let rings = rings.iter().flat_map(|rings| rings.marks(scope, ring));
+                let handles = frame.iter().flat_map(|frame| frame.marks(scope, near)).chain(rings);
+                outline.into_iter().chain(handles).collect()
             }
             _ => outline,
         }

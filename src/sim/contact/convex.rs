@@ -146,15 +146,15 @@ impl Figure {
         (enters < leaves).then_some(enters)
     }
 
-    /// The same scaled about its middle by a factor, turned about z, and put with its middle at a place.
-    pub(crate) fn placed(&self, center: [f64; 3], turn: f64, factor: f64) -> Figure {
+    /// The same scaled about its middle by a factor, turned about an axis, and put with its middle at a place.
+    pub(crate) fn placed(&self, center: [f64; 3], (about, turn): ([f64; 3], f64), factor: f64) -> Figure {
         match *self {
             Figure::Ball { radius, .. } => Figure::Ball { center, radius: radius * factor },
             Figure::Box { min, max, axis, angle } => {
                 let half = scale(sub(max, min), 0.5 * factor);
                 let (axis, angle) = match turn {
                     0.0 => (axis, angle),
-                    _ => Rotation::about([0.0, 0.0, 1.0], turn).after(Rotation::about(axis, angle)).parts(),
+                    _ => Rotation::about(about, turn).after(Rotation::about(axis, angle)).parts(),
                 };
                 Figure::Box { min: sub(center, half), max: add(center, half), axis, angle }
             }
@@ -197,13 +197,14 @@ pub const BOX_EDGES: [[u32; 2]; 12] =
 
 /// A rotation as a unit quaternion.
 #[derive(Clone, Copy, Debug)]
-struct Rotation {
+pub(crate) struct Rotation {
     w: f64,
     v: [f64; 3],
 }
 
 impl Rotation {
-    fn about(axis: [f64; 3], angle: f64) -> Self {
+    /// About an axis of any length above 0 `[rad]`.
+    pub(crate) fn about(axis: [f64; 3], angle: f64) -> Self {
         // Scaled first, so that no square overflows.
         let largest = axis.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
         let axis = scale(axis, 1.0 / largest);
@@ -223,7 +224,7 @@ impl Rotation {
         if sine > 0.0 { (self.v, 2.0 * libm::atan2(sine, self.w)) } else { ([0.0, 0.0, 1.0], 0.0) }
     }
 
-    fn turned(self, x: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn turned(self, x: [f64; 3]) -> [f64; 3] {
         let twice = scale(cross3(self.v, x), 2.0);
         add(add(x, scale(twice, self.w)), cross3(self.v, twice))
     }
@@ -257,7 +258,7 @@ mod tests {
     #[test]
     fn turns_follow_on_each_other() {
         let figure = Figure::Box { min: [-1.0; 3], max: [1.0, 2.0, 3.0], axis: [1.0, 0.0, 0.0], angle: 0.7 };
-        let turned = figure.placed(figure.center(), 0.4, 2.0);
+        let turned = figure.placed(figure.center(), ([0.0, 0.0, 1.0], 0.4), 2.0);
         let (before, after) = (figure.frame().unwrap(), turned.frame().unwrap());
         let (cos, sin) = (0.4_f64.cos(), 0.4_f64.sin());
         for k in 0..3 {
@@ -265,7 +266,7 @@ mod tests {
             assert!(near(after.axes[k], [cos * x - sin * y, sin * x + cos * y, z]));
             assert!((after.half[k] - 2.0 * before.half[k]).abs() < 1e-12);
         }
-        assert_eq!(figure.placed(figure.center(), 0.0, 1.0).frame(), figure.frame());
+        assert_eq!(figure.placed(figure.center(), ([0.0, 0.0, 1.0], 0.0), 1.0).frame(), figure.frame());
     }
 
     #[test]

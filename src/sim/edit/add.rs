@@ -33,7 +33,7 @@ impl<S: Real, const D: usize> World<S, D> {
             model.triangles = without(&model.triangles, &repeated);
         }
         self.add_form(&mut model, addition);
-        model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
+        model.check_surroundings()?;
         if addition.position.is_empty()
             && addition.bonds.is_empty()
             && addition.obstacles.is_empty()
@@ -159,10 +159,10 @@ impl<S: Real, const D: usize> World<S, D> {
             }
         }
         for (k, bond) in bonds.iter().enumerate() {
-            self.model.check_added_bond(k, bond).map_err(|error| invalid(error.to_string()))?;
+            self.model.check_added_bond(k, bond)?;
         }
         for (k, corners) in triangles.iter().enumerate() {
-            check_triangle(k, *corners).map_err(|error| invalid(error.to_string()))?;
+            check_triangle(k, *corners)?;
         }
         for (k, force) in forces.iter().enumerate() {
             self.force_of(k, force)?;
@@ -171,7 +171,7 @@ impl<S: Real, const D: usize> World<S, D> {
             return Err(invalid("there are more forces than numbers for them"));
         }
         for angle in angles {
-            self.model.check_angle(angle).map_err(|error| invalid(error.to_string()))?;
+            self.model.check_angle(angle)?;
         }
         let is_polygon = |obstacle: &Obstacle| matches!(obstacle, Obstacle::Polygon(_));
         if D != 2 && obstacles.iter().any(is_polygon) {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::check::finite;
-use super::{Applied, CommandError, done, invalid};
+use super::{Applied, CommandError, done};
 use crate::sim::bond::PointId;
 use crate::sim::force::steady::Force;
 use crate::sim::model::{Model, check_force};
@@ -18,7 +18,7 @@ impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn force_of(&self, k: usize, force: &Force<3>) -> Result<Force<D>, CommandError> {
         let own = Force { points: force.points.clone(), force: truncate(force.force), torque: force.torque };
         finite("force", &force.force)?;
-        check_force(k, &own).map_err(|error| invalid(error.to_string()))?;
+        check_force(k, &own)?;
         Ok(own)
     }
 
@@ -37,7 +37,7 @@ impl<S: Real, const D: usize> World<S, D> {
             let own = &mut model.forces[place];
             own.force = force.map_or(own.force, truncate);
             own.torque = torque.unwrap_or(own.torque);
-            check_force(self.numbers.forces[place] as usize, own).map_err(|error| invalid(error.to_string()))?;
+            check_force(self.numbers.forces[place] as usize, own)?;
         }
         let detached = self.detach(&self.pushed_by(&places), false);
         self.model = Arc::new(model);

@@ -73,15 +73,7 @@ fn a_ball_that_is_pushed_at_a_loose_sheet_goes_all_of_its_way() {
         let by = [0.03, 0.0, 0.0];
         for k in 0..60 {
             let start = world.time();
-            let motion = Motion {
-                points: Vec::new(),
-                obstacles: vec![1],
-                by,
-                turn: 0.0,
-                scale: [1.0; 3],
-                about: None,
-                over: Some(EVERY),
-            };
+            let motion = Motion { obstacles: vec![1], by, over: Some(EVERY), ..Motion::default() };
             let applied = world.apply(&Command::Move(motion)).unwrap();
             assert!(applied.jam.is_none(), "{is_rigid}, after {k} ways: {:?}", applied.jam.map(|jam| jam.why));
             while world.time() < start + EVERY - 1e-9 {

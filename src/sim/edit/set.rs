@@ -101,7 +101,7 @@ impl<S: Real, const D: usize> World<S, D> {
         for (k, &place) in places.iter().enumerate() {
             let bond =
                 to.applied(changed.get(place), k).map_err(|why| invalid(format!("bond {} {why}", bonds[k].0)))?;
-            self.model.check_added_bond(bonds[k].index(), &bond).map_err(|error| invalid(error.to_string()))?;
+            self.model.check_added_bond(bonds[k].index(), &bond)?;
             changed.set(place, bond);
         }
         let mut changes = vec![false; self.bonds.len()];
@@ -134,7 +134,7 @@ impl<S: Real, const D: usize> World<S, D> {
                 (angle.range, angle.stop) = (range, 0.0);
             }
             angle.drive = to.drive.unwrap_or(angle.drive);
-            self.model.check_angle(angle).map_err(|error| invalid(error.to_string()))?;
+            self.model.check_angle(angle)?;
         }
         let full = self.laid_out(&Model { angles: changed, ..Model::clone(&self.model) });
         let changed = full.form_missing().map_or(full.angles, |(_, angles)| angles);
@@ -191,7 +191,7 @@ impl<S: Real, const D: usize> World<S, D> {
         for (plane, _) in model.planes.iter_mut().zip(planes).filter(|(_, number)| obstacles.contains(number)) {
             plane.penalty = penalty;
         }
-        model.check_surroundings().map_err(|error| invalid(error.to_string()))
+        Ok(model.check_surroundings()?)
     }
 
     fn set_scene(&mut self, change: &SceneChange) -> Result<Applied, CommandError> {
@@ -232,14 +232,14 @@ impl<S: Real, const D: usize> World<S, D> {
         if model == *self.model {
             return Ok(done(false));
         }
-        model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
+        model.check_surroundings()?;
         for (k, bond) in self.bonds.iter().enumerate() {
-            model.check_added_bond(k, &bond).map_err(|error| invalid(error.to_string()))?;
+            model.check_added_bond(k, &bond)?;
         }
         for angle in &model.angles.list {
-            model.check_angle(angle).map_err(|error| invalid(error.to_string()))?;
+            model.check_angle(angle)?;
         }
-        model.check_areas().map_err(|error| invalid(error.to_string()))?;
+        model.check_areas()?;
         if let Some(bounds) = &model.bounds {
             check_surface(bounds.restitution, bounds.friction)?;
         }

@@ -8,7 +8,7 @@ use super::{Applied, CommandError, done, invalid};
 use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::command::Motion;
-use crate::sim::contact::convex::Convex;
+use crate::sim::contact::convex::{Convex, Rotation};
 use crate::sim::contact::polygon::Polygon;
 use crate::sim::contact::surface::Plane;
 use crate::sim::force::angle::{Angle, measured};
@@ -34,17 +34,42 @@ struct Scaled {
 pub(super) struct Placement {
     about: [f64; 3],
     by: [f64; 3],
-    /// The turn about z `[rad]`, and its cos and sin.
+    /// The turn about an axis `[rad]`.
     angle: f64,
-    turn: [f64; 2],
+    axis: [f64; 3],
+    turn: Turn,
     /// Along x, y and z.
     scale: [f64; 3],
 }
 
+/// A turn, ready to be done.
+#[derive(Clone, Copy)]
+enum Turn {
+    /// About z: cos and sin.
+    Upright([f64; 2]),
+    /// About any axis.
+    Free(Rotation),
+}
+
+impl Turn {
+    fn about(axis: [f64; 3], angle: f64) -> Self {
+        match axis == Motion::UPRIGHT {
+            true => Turn::Upright([libm::cos(angle), libm::sin(angle)]),
+            false => Turn::Free(Rotation::about(axis, angle)),
+        }
+    }
+}
+
 impl Placement {
-    fn turned(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
-        let [cos, sin] = self.turn;
-        [cos * x - sin * y, sin * x + cos * y, z]
+    fn new(about: [f64; 3], by: [f64; 3], (axis, angle): ([f64; 3], f64), scale: [f64; 3]) -> Self {
+        Placement { about, by, angle, axis, turn: Turn::about(axis, angle), scale }
+    }
+
+    fn turned(&self, at @ [x, y, z]: [f64; 3]) -> [f64; 3] {
+        match self.turn {
+            Turn::Upright([cos, sin]) => [cos * x - sin * y, sin * x + cos * y, z],
+            Turn::Free(rotation) => rotation.turned(at),
+        }
     }
 
     /// The factor, where it is the same in the plane whichever way one looks.
@@ -60,14 +85,12 @@ impl Placement {
     /// A part of it, from a share of it to another, where it [`has parts`](Self::has_parts): one after the other they are all of it.
     pub(super) fn between(&self, from: f64, to: f64) -> Self {
         let share = to - from;
-        let angle = share * self.angle;
-        Placement {
-            about: add(self.about, scale(self.by, from)),
-            by: scale(self.by, share),
-            angle,
-            turn: [libm::cos(angle), libm::sin(angle)],
-            scale: self.scale.map(|factor| libm::pow(factor, share)),
-        }
+        Placement::new(
+            add(self.about, scale(self.by, from)),
+            scale(self.by, share),
+            (self.axis, share * self.angle),
+            self.scale.map(|factor| libm::pow(factor, share)),
+        )
     }
 
     /// Whether its parts, one after the other, are all of it.
@@ -87,7 +110,7 @@ impl Placement {
 
     fn put_convex(&self, convex: &mut Convex) {
         let center = self.place(convex.figure.center());
-        convex.figure = convex.figure.placed(center, self.angle, self.scale[0]);
+        convex.figure = convex.figure.placed(center, (self.axis, self.angle), self.scale[0]);
     }
 
     /// Places all obstacles of a model.
@@ -133,12 +156,19 @@ const FARTHEST: f64 = 1e9;
 
 impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn shift(&mut self, motion: &Motion) -> Result<Applied, CommandError> {
-        let Motion { points, obstacles, by, turn, scale: factors, about, over } = motion;
+        let Motion { points, obstacles, by, turn, axis, scale: factors, about, over } = motion;
         self.check_points(points)?;
         self.check_obstacles(obstacles)?;
         finite("by, turn, scale and about", by.iter().chain(about.iter().flatten()).chain(factors).chain([turn]))?;
         if let Some(factor) = factors.iter().find(|factor| **factor <= 0.0) {
             return Err(invalid(format!("scale is {factor}: it must be > 0")));
+        }
+        finite("axis", axis.iter())?;
+        if *axis == [0.0; 3] {
+            return Err(invalid("axis has no length: give it a direction"));
+        }
+        if D == 2 && axis[..2] != [0.0; 2] {
+            return Err(invalid("axis is not z: in the plane all turns are about z"));
         }
         if let Some(over) = over.filter(|over| !(*over > 0.0 && over.is_finite())) {
             return Err(invalid(format!("over is {over}: it must be finite and > 0")));
@@ -153,8 +183,7 @@ impl<S: Real, const D: usize> World<S, D> {
             return Ok(done(false));
         }
         let about = about.unwrap_or_else(|| self.middle_of(motion));
-        let placement =
-            Placement { about, by: *by, angle: *turn, turn: [libm::cos(*turn), libm::sin(*turn)], scale: *factors };
+        let placement = Placement::new(about, *by, (*axis, *turn), *factors);
         let mut numbers: Vec<u32> = points.iter().map(|point| point.0).collect();
         numbers.sort_unstable();
         numbers.dedup();
@@ -165,7 +194,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let mut model = Model::clone(&self.model);
         self.place_obstacles(&mut model, obstacles, &placement);
-        model.check_surroundings().map_err(|error| invalid(error.to_string()))?;
+        model.check_surroundings()?;
         let moved = if obstacles.is_empty() { None } else { Some(Self::obstacles_of(&model)?) };
         self.check_lengths(&numbers, &placement)?;
         let is_moved = |i: usize| numbers.binary_search(&(i as u32)).is_ok();

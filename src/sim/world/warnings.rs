@@ -34,8 +34,19 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
+    /// What a body may lie inside of.
+    fn solid(&self) -> &'static str {
+        let has_obstacles = !self.model.polygons.is_empty() || !self.model.convex.is_empty();
+        match (has_obstacles, self.model.bounds.is_some() || !self.model.planes.is_empty()) {
+            (true, true) => "an obstacle or a wall",
+            (true, false) => "an obstacle",
+            (false, _) => "a wall",
+        }
+    }
+
     /// What was put out of obstacles and walls, of points that are counted from `first` on.
     pub(crate) fn warn_of_overlap(&mut self, cleared: &Cleared<D>, first: u32) {
+        let what = self.solid();
         let far = cleared.furthest();
         if let Some((points, _)) = cleared.moves.first().filter(|_| far >= LEAST_TOLD) {
             let point = first + points.first().copied().unwrap_or_default();
@@ -43,14 +54,13 @@ impl<S: Real, const D: usize> World<S, D> {
                 1 if points.len() == 1 => "a point".to_owned(),
                 count => bodies(count),
             };
-            self.warnings.push(format!(
-                "{which} lay inside an obstacle or a wall: moved out as a whole, by up to {far:.3} m (point {point})"
-            ));
+            self.warnings
+                .push(format!("{which} lay inside {what}: moved out as a whole, by up to {far:.3} m (point {point})"));
         }
         if let Some(caught) = cleared.caught.first() {
             let point = first + caught;
             self.warnings.push(format!(
-                "{} lay inside an obstacle or a wall without a way out, or pinned: only points are put out, one by one, as far as \
+                "{} lay inside {what} without a way out, or pinned: only points are put out, one by one, as far as \
                  bonds let them (point {point})",
                 bodies(cleared.caught.len())
             ));

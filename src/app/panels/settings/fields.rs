@@ -5,9 +5,9 @@ use egui::{ComboBox, DragValue, Response, Slider, SliderClamping, Ui};
 use super::super::{Facts, Wish, dial};
 use super::Sink;
 use crate::app::player::MethodSetting;
-use crate::history::{AreasOrNone, Do, SetKeys, Walls, Weather};
+use crate::history::{AreasOrNone, SetKeys, Walls, Weather};
 use crate::scene::{AreaKeys, AreaKindName, BoundsKeys, Meeting, SolverName, Vector, WindKeys};
-use crate::sim::{Areas, BoundsChange, Contact, Method, MouseChange, Solver, Wind};
+use crate::sim::{Areas, BoundsChange, Contact, Method, Solver, Wind};
 
 /// Gravity on the ground `[m/s^2]`.
 const GRAVITY: f64 = 9.81;
@@ -15,7 +15,7 @@ const GRAVITY: f64 = 9.81;
 const FULL: f64 = 20.0;
 
 /// A number with its name before it, by which what reads aloud calls it.
-fn number(ui: &mut Ui, name: &str, (value, speed, unit): (&mut f64, f64, &str)) -> Response {
+pub(super) fn number(ui: &mut Ui, name: &str, (value, speed, unit): (&mut f64, f64, &str)) -> Response {
     let label = ui.label(name);
     let field = DragValue::new(value).speed(speed).max_decimals(2).suffix(unit).update_while_editing(false);
     ui.add(field).labelled_by(label.id)
@@ -161,20 +161,40 @@ pub(super) fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<
     let Some(contact) = contact else { return };
     let mut to = contact;
     let all = [
+        ui.checkbox(&mut to.with_others, "one another").on_hover_text("off: each meets itself alone, and obstacles"),
         ui.checkbox(&mut to.with_itself, "and themselves"),
         slider(ui, "friction", &mut to.friction, 2.0),
         slider(ui, "restitution", &mut to.restitution, 1.0),
     ];
+    let radius = chosen(ui, "skin", (contact.radius, 0.01, 0.0..=1e3), |x| format!("{} m", shown(x, 4)));
+    if let Some((by, radius)) = radius {
+        let thick = Contact { radius, ..contact };
+        sink.scene(&by, "contact", SetKeys { contact: Some(Meeting::As(thick.into())), ..SetKeys::default() });
+    }
     if let Some(by) = all.into_iter().find(Response::changed) {
         sink.scene(&by, "contact", SetKeys { contact: Some(Meeting::As(to.into())), ..SetKeys::default() });
     }
 }
 
 /// How hard bodies are to squeeze, beside what their bonds do.
-pub(super) fn of_areas(ui: &mut Ui, areas: Option<Areas>, sink: &mut Sink<'_>) {
+pub(super) fn of_areas(ui: &mut Ui, (areas, meets): (Option<Areas>, bool), sink: &mut Sink<'_>) {
     let before = areas.unwrap_or_default();
+    let set = |sink: &mut Sink<'_>, by: &Response, to: Option<AreaKeys>| {
+        let areas = to.map_or(AreasOrNone::None(()), AreasOrNone::These);
+        sink.scene(by, "areas", SetKeys { areas: Some(areas), ..SetKeys::default() });
+    };
+    let springs = |stiffness: f64, least: f64| AreaKeys {
+        kind: Some(AreaKindName::Spring),
+        stiffness: Some(stiffness),
+        least: Some(least),
+    };
+    let mut are_kept = before.stiffness.is_infinite();
+    let by = ui.checkbox(&mut are_kept, "areas are kept").on_hover_text("whatever presses on bodies");
+    if by.changed() {
+        let kept = AreaKeys { kind: Some(AreaKindName::Rigid), stiffness: None, least: Some(before.least) };
+        set(sink, &by, are_kept.then_some(kept));
+    }
     if before.stiffness.is_infinite() {
-        ui.weak("areas are kept");
         return;
     }
     let mut stiffness = before.stiffness;
@@ -182,38 +202,24 @@ pub(super) fn of_areas(ui: &mut Ui, areas: Option<Areas>, sink: &mut Sink<'_>) {
     let by = ui.horizontal(|ui| number(ui, "areas resist", (&mut stiffness, speed, " N/m"))).inner;
     let by = by.on_hover_text("against being squeezed or blown up, beside what bonds do");
     if by.changed() && stiffness >= 0.0 {
-        let keys = AreaKeys {
-            kind: Some(AreaKindName::Spring),
-            stiffness: Some(stiffness),
-            least: areas.map(|areas| areas.least),
-        };
-        let areas = if stiffness > 0.0 { AreasOrNone::These(keys) } else { AreasOrNone::None(()) };
-        sink.scene(&by, "areas", SetKeys { areas: Some(areas), ..SetKeys::default() });
+        set(sink, &by, (stiffness > 0.0).then(|| springs(stiffness, before.least)));
+    }
+    let mut least = before.least;
+    let by = ui.add_enabled_ui(meets, |ui| slider(ui, "left of each", &mut least, 0.9)).inner;
+    let by = by.on_hover_text("the share of its area that a triangle keeps in any case, where bodies meet");
+    if by.changed() {
+        set(sink, &by, Some(springs(before.stiffness, least.clamp(0.0, 0.9))));
     }
 }
 
-pub(super) fn of_push(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_>) {
-    ui.strong("Push of the mouse");
-    let [speed, pace] = [0.01 * strength.abs().max(1.0), 0.01 * radius];
-    let both = ui.horizontal_wrapped(|ui| {
-        let strength = number(ui, "strength", (&mut strength, speed, " /s²"));
-        (strength, number(ui, "radius", (&mut radius, pace, " m")))
-    });
-    let (of_strength, of_radius) = both.inner;
-    if of_strength.changed() {
-        let change = MouseChange { strength: Some(strength), ..MouseChange::default() };
-        sink.set(&of_strength, "push", Do::Mouse(change));
-    }
-    if of_radius.changed() && radius > 0.0 {
-        let change = MouseChange { radius: Some(radius), ..MouseChange::default() };
-        sink.set(&of_radius, "push", Do::Mouse(change));
-    }
+/// A number with so many places at most, without zeros at its end.
+fn shown(x: f64, places: usize) -> String {
+    format!("{x:.places$}").trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 pub(super) fn of_method(ui: &mut Ui, method: &Method, facts: &Facts, sink: &mut Sink<'_>) {
     ui.strong("Method");
     of_solver(ui, method.solver, facts, sink);
-    let shown = |x: f64, places: usize| format!("{x:.places$}").trim_end_matches('0').trim_end_matches('.').to_owned();
     let substep =
         chosen(ui, "substep", (method.substep.map(|h| 1e3 * h), 2.0, 1e-4..=100.0), |x| format!("{} ms", shown(x, 4)));
     if let Some((by, to)) = substep {

@@ -1,17 +1,19 @@
 //! What can be set of the scene while it runs: a panel at the right. It shows the world as it is, and returns commands.
 
 mod fields;
+mod push;
 mod sections;
 
 use egui::{Align2, Area, Id, Rect, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo};
 
 use super::theme::{colors, floating};
+use super::typed::takes_words;
 use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
 use crate::app::player::MethodSetting;
 use crate::history::{Do, SetKeys};
 use crate::scene::{Parameter, Vector};
-use crate::sim::SceneChange;
+use crate::sim::{MouseForce, Profile, Region, SceneChange};
 use sections::Section;
 
 /// What the field that a search is written in is called.
@@ -26,8 +28,25 @@ pub(in crate::app) struct Settings {
     pub(in crate::app) scene: SceneChange,
     /// Strength `[1/s^2]` and radius `[m]` of the hover force; `None`: there is none, or it goes along a track.
     pub(in crate::app) push: Option<[f64; 2]>,
+    /// What the hover force is else; `None`: there is none.
+    pub(in crate::app) pushing: Option<Pushing>,
     /// The numbers that the scene names, each as it is now.
     pub(in crate::app) parameters: Vec<(Parameter, Option<f64>)>,
+}
+
+/// Where the hover force acts, and how.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::app) struct Pushing {
+    pub(in crate::app) region: Region,
+    pub(in crate::app) profile: Profile,
+    /// It goes along a track of its own.
+    pub(in crate::app) has_track: bool,
+}
+
+impl Pushing {
+    pub(in crate::app) fn of(force: &MouseForce) -> Self {
+        Pushing { region: force.region, profile: force.profile, has_track: !force.track.knots.is_empty() }
+    }
 }
 
 /// A setting gets another value.
@@ -69,6 +88,11 @@ impl Sink<'_> {
     pub(super) fn vector(&self, v: [f64; 3]) -> Vector {
         Vector::new(v, self.dimensions)
     }
+}
+
+/// The field that a search is written in.
+pub(in crate::app) fn settings_search_id() -> Id {
+    Id::unique("settings search")
 }
 
 /// Shows it along the lower edge of a room, in two columns. Returns where it begins `[points]`.
@@ -129,7 +153,9 @@ fn panel(
                         search.clear();
                     }
                     let hint = "search: wind, sweeps";
-                    let field = ui.add(TextEdit::singleline(search).hint_text(hint).desired_width(f32::INFINITY));
+                    let field = TextEdit::singleline(search).id(settings_search_id()).hint_text(hint);
+                    let field = ui.add(field.desired_width(f32::INFINITY));
+                    takes_words(&field);
                     field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, SEARCH));
                     if is_wanted {
                         field.request_focus();

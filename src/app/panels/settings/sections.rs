@@ -3,7 +3,7 @@
 use egui::{Slider, Ui};
 
 use super::super::{Facts, Wish, parameters};
-use super::{Sink, fields};
+use super::{Sink, fields, push};
 use crate::app::action::Action;
 use crate::app::trailing::TrailSettings;
 use crate::render::Palette;
@@ -47,10 +47,22 @@ impl Section {
         match self {
             Section::Scene => &["this scene"],
             Section::Gravity => &["gravity", "weight", "down", "m/s²"],
-            Section::Bodies => {
-                &["bodies", "meet", "contact", "collisions", "friction", "restitution", "bounce", "areas", "resist"]
+            Section::Bodies => &[
+                "bodies",
+                "meet",
+                "contact",
+                "collisions",
+                "friction",
+                "restitution",
+                "bounce",
+                "areas",
+                "resist",
+                "skin",
+                "thickness",
+            ],
+            Section::Push => {
+                &["push", "mouse", "strength", "radius", "reach", "region", "round", "square", "falls off", "smooth"]
             }
-            Section::Push => &["push", "mouse", "strength", "radius", "reach"],
             Section::Air => &["air", "drag", "wind", "turbulence", "gusts", "seed"],
             Section::Walls => &["walls", "floor", "left", "right", "top", "friction", "restitution", "bounce"],
             Section::Method => &[
@@ -95,7 +107,7 @@ impl Section {
             Section::Scene => settings.parameters.iter().any(|(_, value)| value.is_some()),
             Section::Gravity => scene.gravity.is_some(),
             Section::Bodies => scene.contact.is_some() || facts.dimensions == 2 && scene.areas.is_some(),
-            Section::Push => settings.push.is_some(),
+            Section::Push => true,
             Section::Air => scene.drag_rate.is_some() && scene.wind.is_some(),
             Section::Walls => scene.bounds.is_some(),
             Section::Method => scene.method.is_some(),
@@ -118,10 +130,10 @@ impl Section {
             Section::Bodies => {
                 scene.contact.iter().for_each(|contact| fields::of_contact(ui, *contact, sink));
                 if let Some(areas) = scene.areas.filter(|_| facts.dimensions == 2) {
-                    fields::of_areas(ui, areas, sink);
+                    fields::of_areas(ui, (areas, scene.contact.flatten().is_some()), sink);
                 }
             }
-            Section::Push => settings.push.iter().for_each(|push| fields::of_push(ui, *push, sink)),
+            Section::Push => push::show(ui, facts, sink),
             Section::Air => {
                 if let (Some(drag_rate), Some(wind)) = (scene.drag_rate, scene.wind) {
                     fields::of_air(ui, drag_rate, wind, sink);
@@ -200,7 +212,7 @@ mod tests {
     fn facts(name: &str) -> Facts {
         let entry = gallery().iter().find(|entry| entry.name == name).unwrap();
         let scene = entry.scene().unwrap().world(None).unwrap().settings();
-        let settings = Settings { scene, push: Some([20.0, 1.0]), parameters: Vec::new() };
+        let settings = Settings { scene, push: Some([20.0, 1.0]), ..Settings::default() };
         Facts { settings, dimensions: 2, caption: Some([entry.description, entry.to_try]), ..Facts::default() }
     }
 

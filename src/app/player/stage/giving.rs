@@ -5,6 +5,7 @@ use super::super::order::{Adder, Coming, Note};
 use super::super::rungs::Rung;
 use super::Stage;
 use crate::app::matter::{Among, MatterChange, commands, led};
+use crate::app::warnings::{refused, said};
 use crate::history::{Do, Refusal, SetKeys};
 use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting};
 use crate::sim::Applied;
@@ -61,7 +62,7 @@ impl Stage {
             return (self.history.give(commands, edit), why);
         }
         match self.history.give(meeting.into_iter().chain(commands.iter().cloned()).collect(), edit) {
-            Err(refusal) => (self.history.give(commands, edit), Some(refusal.reason.to_string())),
+            Err(refusal) => (self.history.give(commands, edit), Some(refused(&refusal.reason))),
             given => (given, why),
         }
     }
@@ -135,7 +136,7 @@ impl Stage {
         };
         let mut note = None;
         for entries in lists {
-            note = self.history.set_beside(entries).err().map(|error| Note::Refused(error.to_string()));
+            note = self.history.set_beside(entries).err().map(|error| Note::Refused(said(&error.to_string())));
             if note.is_none() {
                 self.escort.begin();
                 break;

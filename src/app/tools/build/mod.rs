@@ -128,7 +128,7 @@ impl Maker {
                 if self.primitive == Primitive::Figure && !meets {
                     deed.commands.insert(0, apart_from_itself());
                 }
-                deed.words = outcome.words().or(knot::words(knots.len()));
+                deed.words = outcome.told().or(knot::words(knots.len()));
                 deed
             }
             Err(words) => Deed::words(words),

@@ -110,7 +110,7 @@ impl Outline {
             return Step::GoesOn(Some(why.to_owned()));
         }
         let deed = Deed::edit(Primitive::Polygon.name(), Do::Add(Box::new(keys)));
-        Step::Done(Deed { words: outcome.words(), ..deed })
+        Step::Done(Deed { words: outcome.told(), ..deed })
     }
 
     /// Takes the last corner back. Returns whether there is one left.
