@@ -11,12 +11,7 @@ use super::trails::AllTrails;
 use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
-<<<<<<< HEAD
-use crate::app::panels::{self, Facts, Laid, Settings, parameters, theme};
-=======
-use crate::app::opening::Over;
 use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, theme};
->>>>>>> 6a6028fdacdb897c5bbded2e00b24558fdcd821b
 use crate::app::tools::{Mark, Role, Scope, probe};
 use crate::lessons::heading_of;
 use crate::render::{Look, Overlay, RenderError, View, body_color};

@@ -73,23 +73,9 @@ const FIRST_FRAME: f64 = 1.0 / 60.0;
 /// Figures are shown anew so often at most: nobody reads faster.
 const FIGURES_EVERY: Duration = Duration::from_millis(100);
 
-<<<<<<< HEAD
-=======
-/// How the camera came to be where it is: it is put there again when the window gets another size.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Framing {
-    /// As the scene opens.
-    Opening,
-    /// All points.
-    Fit,
-    /// By hand.
-    Free,
-}
-
 /// What it depends on whether bodies bear their weight: the topology, gravity, and whose it is.
 type Borne = (u64, Option<[f64; 3]>, Option<Chosen>);
 
->>>>>>> 6a6028fdacdb897c5bbded2e00b24558fdcd821b
 /// The scene, its player and its window.
 pub(super) struct Session {
     pub(super) window: Arc<Window>,
