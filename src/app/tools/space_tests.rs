@@ -170,7 +170,7 @@ fn a_plane_is_outlined_selected_moved_and_deleted_by_its_front_and_a_drag_over_i
     let [floor, wall] = numbers(&room)[..] else { panic!("{:?}", numbers(&room)) };
     let seen = |room: &Room, at: [f64; 3]| DVec2::from(room.camera.screen_from_world(at.into()).unwrap());
     let [on_floor, on_ball, under, up] =
-        [[0.0, -1.0, 0.5], [1.5, -0.5, 0.0], [-1.0, -1.8, 0.0], [0.0, 3.5, 2.5]].map(|at| seen(&room, at));
+        [[0.4, -1.0, 0.5], [1.5, -0.5, 0.0], [-1.0, -1.8, 0.0], [0.0, 3.5, 2.5]].map(|at| seen(&room, at));
     let picked = |room: &mut Room, at: DVec2| room.with(|_, scope| scope.obstacle(at)).unwrap();
     assert_eq!([picked(&mut room, on_floor), picked(&mut room, under)], [floor; 2], "it lies before the ball under it");
     let ball = picked(&mut room, on_ball);

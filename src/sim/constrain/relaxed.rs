@@ -166,7 +166,7 @@ mod tests {
         };
         // Led by 0.2 m in 0.1 s, it draws 3 kg as far: an impulse of 6 N s at 2 m/s.
         let mut points = Points::new(state(2.0), vec![0.0, 1.0 / 3.0]);
-        points.displacement[0] = [0.2, 0.0];
+        points.displacement = vec![[0.2, 0.0], [0.0, 0.0]];
         let mut bonds: Vec<_> = RelaxedBond::of(&bond, &points.inverse_mass).into_iter().collect();
         let mut sweeper =
             super::super::order::Sweeper::new(crate::sim::solver::Order::Fixed, 2, &mut bonds, RelaxedBond::ends, 1);

@@ -83,7 +83,7 @@ fn plane(vector: &crate::scene::Vector) -> [f64; 2] {
 fn bare(scene: &Scene) -> Scene {
     let (points, bonds) = (None, BondList::new());
     let lists = Scene { points, bonds, bodies: Vec::new(), triangles: Vec::new(), ..scene.clone() };
-    Scene { pin_motion: Vec::new(), texture: None, areas: None, parameters: Vec::new(), ..lists }
+    Scene { pin_motion: Vec::new(), texture: None, areas: None, parameters: Vec::new(), skins: Vec::new(), ..lists }
 }
 
 /// Triples of points that are bonded pairwise.

@@ -12,7 +12,7 @@ use crate::sim::kernels::links::Turned;
 use crate::sim::live::given::Given;
 use crate::sim::live::substep::PUSHED;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot};
+use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// Bodies that go together, in lists of their own: nothing else is read or written while they move.
 ///
@@ -65,11 +65,11 @@ pub(super) struct Cluster<S: Real> {
     pub(super) gone_far: Vec<S>,
     /// What goes together, for what is near each other.
     pub(super) patches: Patches<S>,
-    /// The same of each point against its patch; how far it gets in this substep; and what others may push it by.
+    /// The same of each point against its patch; how far it gets by the end of this substep, and within it.
     pub(super) promised: Vec<S>,
     pub(super) gone_apart: Vec<S>,
     pub(super) goes: Vec<S>,
-    pub(super) pushes: Vec<S>,
+    pub(super) ways: Vec<S>,
     /// The least of what is promised `[m]`.
     pub(super) least_promise: S,
     /// Substeps of a frame that there is work for.
@@ -157,6 +157,21 @@ impl<S: Real> Cluster<S> {
     /// How far contacts may push a point beyond its way within a substep `[m]` without having been seen to push it.
     pub(super) fn pushed(&self) -> S {
         self.least_promise * S::from_f64(PUSHED)
+    }
+
+    /// How far bonds and contacts may lead a point beyond its way within a substep `[m]`: as far as the fastest goes, against all others where
+    /// there is no obstacle.
+    pub(super) fn led(&self) -> S {
+        let fastest = match self.touches.is_empty() {
+            false => self.fastest(),
+            true => {
+                let sum = self.velocity.iter().fold(zero(), |sum, &v| add(sum, v));
+                let mean = scale(sum, S::ONE / S::from_f64(self.velocity.len().max(1) as f64));
+                let apart = |&v: &[S; 3]| dot(sub(v, mean), sub(v, mean));
+                self.velocity.iter().map(apart).fold(S::ZERO, S::max).sqrt()
+            }
+        };
+        self.pushed().max(fastest * self.span)
     }
 
     /// The largest speed `[m/s]`.

@@ -17,8 +17,6 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// Share of a frame after which it is looked anew at the soonest, however fast points are.
 const LEAST_TIME: f64 = 0.25;
-/// The same of what is near each other: little goes far against its neighbours.
-const LEAST_TIME_OF_SKINS: f64 = 1.0;
 
 /// Finds anew what obstacles touch.
 pub(super) fn look_at_obstacles<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
@@ -121,7 +119,7 @@ pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>,
     }
     let bodies: Vec<_> = state.bodies.iter().map(|&body| &common.bodies.list[body]).collect();
     let widest = bodies.iter().fold(S::ZERO, |most, body| most.max(body.radius));
-    let pushed = state.pushed();
+    let pushed = state.led();
     let nearing = promise(state, widest + widest + pushed);
     let mut pairs = std::mem::take(&mut state.pairs);
     pairs.clear();
@@ -187,17 +185,12 @@ pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>,
 /// Promises how far points may go against their patches and those against each other, until it is looked anew. `reach`: how near is near,
 /// beside that `[m]`. Returns of every patch how far others may come towards it.
 fn promise<S: Real>(state: &mut Cluster<S>, reach: S) -> Vec<S> {
-    let time = S::from_f64(LEAST_TIME_OF_SKINS / FRAMES);
+    let time = S::from_f64(LEAST_TIME / FRAMES);
     let mut patches = Patches::over(&state.now);
     let means = patches.means(&state.velocity);
     for (i, (&velocity, promised)) in state.velocity.iter().zip(&mut state.promised).enumerate() {
         let apart = sub(velocity, means[patches.of(i)]);
-        *promised = state.least_promise.max(dot(apart, apart).sqrt() * time);
-    }
-    // What is pushed off by an obstacle is so as fast as it goes.
-    for i in state.touches.iter().flat_map(|touch| touch.points).map(|i| i as usize) {
-        let velocity = state.velocity[i];
-        state.promised[i] = state.promised[i].max(state.least_promise + dot(velocity, velocity).sqrt() * state.span);
+        *promised = state.least_promise + dot(apart, apart).sqrt() * time;
     }
     state.gone_apart.fill(S::ZERO);
     let longest = state.triangles.iter().fold(S::ZERO, |most, &(corners, ..)| {

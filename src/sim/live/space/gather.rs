@@ -82,7 +82,7 @@ impl<S: Real> Space<S> {
             promised: vec![S::ZERO; own],
             gone_apart: vec![S::ZERO; own],
             goes: vec![S::ZERO; own],
-            pushes: vec![S::ZERO; own],
+            ways: vec![S::ZERO; own],
             patches: Patches::default(),
             least_promise: S::INFINITY,
             most_substeps: 0,

@@ -8,10 +8,14 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 /// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs.
 const SLACK: f64 = 1e-3;
 
-/// Kinetic, elastic and gravity's energy `[J]`.
-pub(super) fn energy<S: Real>(state: &Cluster<S>, common: &Common<S>, gravity: [f64; 3]) -> S {
+/// Share of the motion of its own that is taken of it in a step for what springs have as they are. Where that is not enough, they are strained by
+/// what sweeps leave of them: what they can give back counts, else what is large and stiff would stop in mid-air.
+const MOST: f64 = 0.25;
+
+/// Kinetic, elastic and gravity's energy of springs as they are, and of what they can give back `[J]`.
+pub(super) fn energy<S: Real>(state: &Cluster<S>, common: &Common<S>, gravity: [f64; 3]) -> [S; 2] {
     let (kinetic, fall) = moving(state, gravity);
-    kinetic + fall + elastic(state, common)
+    elastic(state, common).map(|elastic| kinetic + fall + elastic)
 }
 
 fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 3]) -> (S, S) {
@@ -30,9 +34,9 @@ fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 3]) -> (S, S) {
     (kinetic, fall - mass * dot(gravity, middle))
 }
 
-/// What springs can give back `[J]`: as in the plane, less of those that are projected.
-fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
-    let mut sum = S::ZERO;
+/// What springs have, and what they can give back `[J]`: as in the plane, less of those that are projected.
+fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> [S; 2] {
+    let [mut all, mut sum] = [S::ZERO; 2];
     let square = state.span * state.span;
     for ((body, base), &touched) in state.members(common).zip(&state.touched) {
         let slow = if are_forces(body, touched, state.span) { S::ZERO } else { square };
@@ -43,15 +47,17 @@ fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
             if !is_slack(link.limit, length, link.rest) {
                 let error = length - link.rest;
                 let share = S::ONE + link.stiffness * slow * (state.w[a] + state.w[b]);
-                sum += S::HALF * link.stiffness / share * error * error;
+                let energy = S::HALF * link.stiffness * error * error;
+                all += energy;
+                sum += energy / share;
             }
         }
     }
-    sum
+    [all, sum]
 }
 
 /// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them.
-pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity): (S, [f64; 3])) {
+pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity): ([S; 2], [f64; 3])) {
     // Springs alone keep their energy, which swings about its mean within a substep.
     if !state.has_pressed {
         return;
@@ -64,8 +70,11 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     }
     let (kinetic, fall) = moving(state, gravity);
     let elastic = elastic(state, common);
-    let excess = kinetic + fall + elastic - before - state.work;
-    if excess <= S::from_f64(SLACK) * (kinetic + elastic) || kinetic == S::ZERO {
+    let [excess, less] = [0, 1].map(|k| {
+        let excess = kinetic + fall + elastic[k] - before[k] - state.work;
+        if excess <= S::from_f64(SLACK) * (kinetic + elastic[k]) { S::ZERO } else { excess }
+    });
+    if excess <= S::ZERO && less <= S::ZERO || kinetic == S::ZERO {
         return;
     }
     let leans = state.touches.iter().any(|touch| touch.pressed > S::ZERO);
@@ -77,7 +86,8 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     }
     let mean = if mass > S::ZERO { scale(momentum, S::ONE / mass) } else { zero() };
     let own = kinetic - S::HALF * mass * dot(mean, mean);
-    let kept = if own > S::ZERO { (S::ONE - excess / own).max(S::ZERO).sqrt() } else { S::ONE };
+    let taken = excess.min(less.max(S::from_f64(MOST) * own)).max(less);
+    let kept = if own > S::ZERO { (S::ONE - taken / own).max(S::ZERO).sqrt() } else { S::ONE };
     for i in 0..state.now.len() {
         if state.w[i] != S::ZERO {
             state.velocity[i] = add(mean, scale(sub(state.velocity[i], mean), kept));

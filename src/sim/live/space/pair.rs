@@ -90,16 +90,18 @@ impl<S: Real> Pair<S> {
     /// Where the point went around the triangle in this substep the side is the other one.
     pub(super) fn follow(&mut self, state: &Cluster<S>) {
         let (before, now) = (self.of(&state.start), self.of(&state.now));
-        if self.side * volume(now) >= S::ZERO || self.side * volume(before) < S::ZERO {
+        if self.side * volume(now) >= S::ZERO {
             return;
         }
-        // What lies in the plane of a triangle beside it changes sides all the time, and never gets to it.
-        let from = nearest(before).from;
+        // Beside a triangle, in whose plane it may lie, a point changes sides all the time, by rounding too: there no side means anything.
+        let found = nearest(before);
         let most = (1..4).fold(S::ZERO, |most, k| {
             let way = sub(sub(now[0], before[0]), sub(now[k], before[k]));
             most.max(dot(way, way))
         });
-        if dot(from, from) > most || passage(before, now) != Passage::Through {
+        let is_beside = !found.is_within && dot(found.from, found.from) > most;
+        let was_right = self.side * volume(before) >= S::ZERO;
+        if is_beside || was_right && passage(before, now) != Passage::Through {
             self.side = -self.side;
         }
     }

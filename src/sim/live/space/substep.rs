@@ -116,76 +116,56 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out. What may touch
-    /// something is pushed by as much as it goes against that.
+    /// Which pairs, and which of what is near obstacles, may touch in this substep: those whose points cannot have gone so far, and will not,
+    /// are left out. What may touch something is pushed by as much as it goes against that, and pushes others.
     fn choose(&mut self) {
-        for (push, way) in self.pushes.iter_mut().zip(&self.way) {
-            *push = dot(*way, *way).sqrt();
-        }
-        self.list_touches();
+        let length = |way: [S; 3]| dot(way, way).sqrt();
+        let mut slack = self.pushed();
+        self.list_touches(slack);
         self.chosen.clear();
         if self.pairs.is_empty() {
             return;
         }
-        let all = std::mem::replace(&mut self.pushes, vec![S::ZERO; self.now.len()]);
         let means = self.patches.means(&self.way);
         self.patches.part(&means);
         for i in 0..self.now.len() {
-            let apart = sub(self.way[i], means[self.patches.of(i)]);
-            self.pushes[i] = dot(apart, apart).sqrt();
-            self.goes[i] = self.gone_apart[i] + self.pushes[i];
+            self.ways[i] = length(sub(self.way[i], means[self.patches.of(i)]));
+            self.goes[i] = self.gone_apart[i] + self.ways[i];
         }
-        self.list_near();
-        let ways = std::mem::replace(&mut self.pushes, vec![S::ZERO; self.now.len()]);
+        self.list_near(slack);
         for &number in &self.chosen {
             let [p, a, b, c] = self.pairs[number as usize].points;
-            let mut common = S::ZERO;
-            for corner in [a, b, c] {
-                let d = sub(means[self.patches.of(p as usize)], means[self.patches.of(corner as usize)]);
-                common = common.max(dot(d, d));
-            }
-            let push = ways[p as usize] + farthest(&ways, [a, b, c]) + common.sqrt();
-            for i in [p, a, b, c] {
-                self.pushes[i as usize] = self.pushes[i as usize].max(push);
-            }
+            let of = |i: u32| means[self.patches.of(i as usize)];
+            let common = length(sub(of(p), of(a))).max(length(sub(of(p), of(b)))).max(length(sub(of(p), of(c))));
+            slack = slack.max(self.ways[p as usize] + farthest(&self.ways, [a, b, c]) + common);
         }
-        for i in self.near.iter().flat_map(|&number| self.touches[number as usize].points).map(|i| i as usize) {
-            self.pushes[i] = self.pushes[i].max(all[i]);
+        for i in self.near.iter().flat_map(|&number| self.touches[number as usize].points) {
+            slack = slack.max(length(self.way[i as usize]));
         }
-        self.goes.iter_mut().zip(&self.pushes).for_each(|(goes, &push)| *goes += push);
-        self.list_near();
-        self.pushes.iter_mut().zip(&all).for_each(|(push, &way)| *push += way);
-        self.list_touches();
+        self.list_near(slack);
+        self.list_touches(slack);
     }
 
-    /// What may touch obstacles where points get so far beyond where they are.
-    fn list_touches(&mut self) {
-        let slack = self.pushed();
-        let Cluster { touches, touch_rooms, near, gone_far, pushes, .. } = self;
-        let reach = |i: u32| gone_far[i as usize] + pushes[i as usize];
-        let may_touch = |number: u32, room: S| {
-            let [p, q, r] = touches[number as usize].points;
-            room <= reach(p).max(reach(q)).max(reach(r)) + slack
-        };
+    /// What may touch obstacles where points get so far beyond their ways.
+    fn list_touches(&mut self, slack: S) {
+        let Cluster { touches, touch_rooms, near, gone_far, way, .. } = self;
+        let reach = |i: u32| gone_far[i as usize] + dot(way[i as usize], way[i as usize]).sqrt();
         near.clear();
         for (number, &room) in (0..).zip(touch_rooms.iter()) {
-            if may_touch(number, room) {
+            let [p, q, r] = touches[number as usize].points;
+            if room <= reach(p).max(reach(q)).max(reach(r)) + slack {
                 near.push(number);
             }
         }
     }
 
-    /// Pairs that may touch where points go so far.
-    fn list_near(&mut self) {
-        let slack = self.pushed();
+    /// Pairs that may touch where points get so far beyond their ways.
+    fn list_near(&mut self, slack: S) {
         let Cluster { pairs, rooms, goes, chosen, patches, .. } = self;
-        let may_touch = |number: u32, room: S| {
-            let [p, a, b, c] = pairs[number as usize].points;
-            room <= goes[p as usize] + farthest(goes, [a, b, c]) + patches.apart(p, [a, b, c]) + slack
-        };
         chosen.clear();
         for (number, &room) in (0..).zip(rooms.iter()) {
-            if may_touch(number, room) {
+            let [p, a, b, c] = pairs[number as usize].points;
+            if room <= goes[p as usize] + farthest(goes, [a, b, c]) + patches.apart(p, [a, b, c]) + slack {
                 chosen.push(number);
             }
         }

@@ -12,9 +12,11 @@ use crate::sim::vector::{add, dot, scale, sub};
 
 /// Share of the gap that may be used up.
 const USED: f64 = 0.9;
-/// Rounds in which motion across planes is cut, and in which ways are halved: after the last of these nothing moves but together.
+/// Rounds in which motion across planes is cut, in which ways are halved, and in which what still passes goes together: after the last of these
+/// nothing moves but together.
 const ROUNDS: u32 = 3;
 const HALVINGS: u32 = 6;
+const STOPS: u32 = 8;
 
 /// Cuts what would pass.
 pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
@@ -89,7 +91,7 @@ fn divide<S: Real>(pair: &Pair<S>, state: &mut Cluster<S>) -> bool {
 
 /// What would still pass goes with all others, more and more. Returns how often it looked at all pairs.
 fn halve<S: Real>(pairs: &[&Pair<S>], state: &mut Cluster<S>) -> u64 {
-    for round in 0..=HALVINGS {
+    for round in 0..=HALVINGS + STOPS {
         let passing: Vec<&Pair<S>> =
             pairs.iter().copied().filter(|pair| closes(pair, state) && is_passed(pair, state)).collect();
         if passing.is_empty() {
@@ -98,12 +100,12 @@ fn halve<S: Real>(pairs: &[&Pair<S>], state: &mut Cluster<S>) -> u64 {
         let mut points: Vec<u32> = passing.iter().flat_map(|pair| pair.points).collect();
         points.sort_unstable();
         points.dedup();
-        if round == HALVINGS {
+        if round == HALVINGS + STOPS {
             points = (0..state.now.len() as u32).collect();
         }
         let is_held = points.iter().any(|&i| state.w[i as usize] == S::ZERO);
         let mean = if is_held { [S::ZERO; 3] } else { momentum(state, &points) };
-        let kept = if round == HALVINGS { S::ZERO } else { S::HALF };
+        let kept = if round >= HALVINGS { S::ZERO } else { S::HALF };
         for i in points.into_iter().map(|i| i as usize).filter(|&i| state.w[i] != S::ZERO) {
             let way = add(mean, scale(sub(state.way[i], mean), kept));
             state.way[i] = way;
@@ -111,7 +113,7 @@ fn halve<S: Real>(pairs: &[&Pair<S>], state: &mut Cluster<S>) -> u64 {
         }
         state.counts.truncations += passing.len() as u64;
     }
-    u64::from(HALVINGS) + 1
+    u64::from(HALVINGS + STOPS) + 1
 }
 
 /// The way that these points go together `[m]`.
