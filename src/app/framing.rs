@@ -17,8 +17,8 @@ pub(super) enum Framing {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Open {
     pub(super) tool: Tool,
-    /// Settings, lessons, plots, figures, the legend of strains; and all panels are hidden.
-    pub(super) panels: [bool; 6],
+    /// Settings, lessons, plots, figures, the legend of strains; all panels are hidden; and a sheet lies over them.
+    pub(super) panels: [bool; 7],
 }
 
 /// What the camera does when panels leave another part of the window.
@@ -95,7 +95,7 @@ mod tests {
     const SIZE: [u32; 2] = [1280, 720];
 
     fn with(tool: Tool, settings: bool) -> Open {
-        Open { tool, panels: [settings, false, false, true, false, false] }
+        Open { tool, panels: [settings, false, false, true, false, false, false] }
     }
 
     #[test]

@@ -206,7 +206,7 @@ impl Session {
 
     /// Closes the panel that was opened last.
     fn close_panel(&mut self) {
-        self.panels.has_selection = self.selected().is_some();
+        self.panels.has_selection = self.with_scope(|hand, scope| hand.chosen(scope)).is_some();
         match self.panels.opened_last() {
             Some(Opened::Settings) => self.close_settings(),
             Some(Opened::Selection) => self.hand.deselect(),

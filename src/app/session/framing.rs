@@ -75,6 +75,7 @@ impl Session {
             !panels.hides_hud,
             has_legend,
             panels.hides_panels,
+            panels.sheet.is_some(),
         ];
         Open { tool: self.hand.tool(), panels }
     }
