@@ -170,7 +170,7 @@ fn a_plane_is_outlined_selected_moved_and_deleted_by_its_front_and_a_drag_over_i
     let [floor, wall] = numbers(&room)[..] else { panic!("{:?}", numbers(&room)) };
     let seen = |room: &Room, at: [f64; 3]| DVec2::from(room.camera.screen_from_world(at.into()).unwrap());
     let [on_floor, on_ball, under, up] =
-        [[0.4, -1.0, 0.5], [1.5, -0.5, 0.0], [-1.0, -1.8, 0.0], [0.0, 3.5, 2.5]].map(|at| seen(&room, at));
+        [[0.0, -1.0, 0.5], [1.5, -0.5, 0.0], [-1.0, -1.8, 0.0], [0.0, 3.5, 2.5]].map(|at| seen(&room, at));
     let picked = |room: &mut Room, at: DVec2| room.with(|_, scope| scope.obstacle(at)).unwrap();
     assert_eq!([picked(&mut room, on_floor), picked(&mut room, under)], [floor; 2], "it lies before the ball under it");
     let ball = picked(&mut room, on_ball);
@@ -183,7 +183,9 @@ fn a_plane_is_outlined_selected_moved_and_deleted_by_its_front_and_a_drag_over_i
     room.drag([low, high]);
     let chosen = room.with(|hand, scope| hand.chosen(scope)).unwrap();
     assert!(chosen.points == [PointId(0)] && !chosen.obstacles.contains(&floor), "{chosen:?}");
-    room.drag([on_floor; 2]);
+    // Beside the rings of what is selected.
+    let beside = seen(&room, [-2.4, -1.0, 0.8]);
+    room.drag([beside; 2]);
     let chosen = room.with(|hand, scope| hand.chosen(scope)).unwrap();
     assert!(chosen.points.is_empty() && chosen.obstacles == [floor]);
     let marks = room.with(|hand, scope| hand.marks(scope, None));
@@ -192,14 +194,14 @@ fn a_plane_is_outlined_selected_moved_and_deleted_by_its_front_and_a_drag_over_i
     assert_eq!((rim, knobs), (4, 0), "its rim, and rings that turn it: what has no end has no size");
     // Once it is selected a drag moves it, as far as the pointer goes.
     let height = |room: &Room| room.shown.scenery.planes[0][0][1];
-    let deed = room.drag([on_floor, on_floor + DVec2::new(0.0, -40.0)]);
+    let deed = room.drag([beside, beside + DVec2::new(0.0, -40.0)]);
     assert!(matches!(deed.commands[..], [Do::Move(_)]), "{deed:?}");
     room.give(&deed);
     assert!((-0.9..-0.3).contains(&height(&room)), "{}", height(&room));
     room.undo();
     assert_eq!(height(&room), -1.0);
     room.hand.take(Tool::Erase);
-    let deed = room.with(|hand, scope| hand.press(scope, on_floor));
+    let deed = room.with(|hand, scope| hand.press(scope, beside));
     room.give(&deed);
     assert_eq!(numbers(&room), [wall]);
     room.undo();
@@ -207,7 +209,7 @@ fn a_plane_is_outlined_selected_moved_and_deleted_by_its_front_and_a_drag_over_i
     // Paused, the hand leaves it alone.
     room.hand.take(Tool::Hand);
     room.hand.stand_still(true);
-    assert!(room.drag([on_floor, on_floor + DVec2::new(0.0, -40.0)]).is_empty());
+    assert!(room.drag([beside, beside + DVec2::new(0.0, -40.0)]).is_empty());
 }
 
 #[test]
