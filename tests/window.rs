@@ -334,10 +334,14 @@ impl App<'_> {
     }
 }
 
+/// The pixels of a region.
+fn pixels([left, top, right, bottom]: [u32; 4]) -> impl Iterator<Item = (u32, u32)> {
+    (left..right).flat_map(move |x| (top..bottom).map(move |y| (x, y)))
+}
+
 /// Pixels of a region that are the same in both pictures are left out.
-fn differing(a: &RgbaImage, b: &RgbaImage, [left, top, right, bottom]: [u32; 4]) -> usize {
-    let all = (left..right).flat_map(|x| (top..bottom).map(move |y| (x, y)));
-    all.filter(|&(x, y)| a.get_pixel(x, y) != b.get_pixel(x, y)).count()
+fn differing(a: &RgbaImage, b: &RgbaImage, region: [u32; 4]) -> usize {
+    pixels(region).filter(|&(x, y)| a.get_pixel(x, y) != b.get_pixel(x, y)).count()
 }
 
 /// Where the bar below lies in a window on this display, without the time in it.
@@ -375,10 +379,9 @@ fn panels_that_open_move_nothing_of_the_view() {
     let app = display.open(&common::file("rim-still.json"));
     app.move_mouse(1090, 600);
     let before = app.wait_until_still();
-    let [left, top, right, bottom] = WORLD;
+    let [left, top, ..] = WORLD;
     let ground = *before.get_pixel(left, top);
-    let all = (left..right).flat_map(|x| (top..bottom).map(move |y| (x, y)));
-    let lines = all.filter(|&(x, y)| *before.get_pixel(x, y) != ground).count();
+    let lines = pixels(WORLD).filter(|&(x, y)| *before.get_pixel(x, y) != ground).count();
     assert!(lines > 200, "there is something to be seen: {lines} pixels of the grid");
     // Plots, settings, the brush with its panel, the selector with its own, and all of them closed.
     for keys in [&["l"][..], &["g"], &["9"], &["6"], &["1", "g", "l"]] {

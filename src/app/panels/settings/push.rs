@@ -58,27 +58,39 @@ fn numbers(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_
 /// The region, and how the push falls off in it. In space all regions are round.
 fn shape(ui: &mut Ui, now: Pushing, sink: &mut Sink<'_>) {
     if sink.dimensions == 2 {
-        ui.horizontal(|ui| {
-            ui.label("region");
-            for (region, name, words) in [
-                (Region::Round, "round", "within the radius of the pointer"),
-                (Region::Square, "square", "as far as the radius to each side"),
-            ] {
-                let by = ui.radio(now.region == region, name).on_hover_text(words);
-                let is_new = by.clicked() && now.region != region;
-                give(is_new.then_some(by), MouseChange { region: Some(region), ..MouseChange::default() }, sink);
-            }
+        let regions = [
+            (Region::Round, "round", "within the radius of the pointer"),
+            (Region::Square, "square", "as far as the radius to each side"),
+        ];
+        one_of(ui, ("region", now.region), regions, sink, |region| MouseChange {
+            region: Some(region),
+            ..MouseChange::default()
         });
     }
+    let profiles = [
+        (Profile::Smooth, "smoothly", "to nothing at the edge of the region"),
+        (Profile::Linear, "not at all", "the farther off, the stronger, up to the edge, where it ends at once"),
+    ];
+    one_of(ui, ("falls off", now.profile), profiles, sink, |profile| MouseChange {
+        profile: Some(profile),
+        ..MouseChange::default()
+    });
+}
+
+/// A row of choices with their names and words, of which one is taken.
+fn one_of<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    (label, now): (&str, T),
+    choices: [(T, &str, &str); 2],
+    sink: &mut Sink<'_>,
+    change: impl Fn(T) -> MouseChange,
+) {
     ui.horizontal(|ui| {
-        ui.label("falls off");
-        for (profile, name, words) in [
-            (Profile::Smooth, "smoothly", "to nothing at the edge of the region"),
-            (Profile::Linear, "not at all", "the farther off, the stronger, up to the edge, where it ends at once"),
-        ] {
-            let by = ui.radio(now.profile == profile, name).on_hover_text(words);
-            let is_new = by.clicked() && now.profile != profile;
-            give(is_new.then_some(by), MouseChange { profile: Some(profile), ..MouseChange::default() }, sink);
+        ui.label(label);
+        for (choice, name, words) in choices {
+            let by = ui.radio(now == choice, name).on_hover_text(words);
+            let is_new = by.clicked() && now != choice;
+            give(is_new.then_some(by), change(choice), sink);
         }
     });
 }

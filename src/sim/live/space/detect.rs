@@ -197,7 +197,7 @@ fn promise<S: Real>(state: &mut Cluster<S>, reach: S) -> Vec<S> {
         let [a, b, c] = three(&state.now, corners);
         [sub(a, b), sub(b, c), sub(c, a)].into_iter().fold(most, |most, side| most.max(dot(side, side)))
     });
-    let of_points = (&state.now[..], &state.velocity[..], &state.promised[..]);
+    let of_points = (&state.now[..], &means[..], &state.promised[..]);
     let nearing = patches.promise(of_points, (time, state.least_promise * S::HALF, reach + longest.sqrt()));
     state.patches = patches;
     nearing

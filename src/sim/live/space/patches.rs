@@ -88,13 +88,13 @@ impl<S: Real> Patches<S> {
 
     /// Promises how far patches may go against each other until it is looked anew: as far as they do in `time` `[s]`, and `least` `[m]` more,
     /// and those that are too far from each other as far as it takes them to get near. `reach`: how near is near, beside what is
-    /// promised of points. Returns of every patch how far those that are near may come towards it.
+    /// promised of points; `means`: the velocities of the patches. Returns of every patch how far those that are near may come towards it.
     pub(super) fn promise(
         &mut self,
-        (places, velocities, promised): (&[[S; 3]], &[[S; 3]], &[S]),
+        (places, means, promised): (&[[S; 3]], &[[S; 3]], &[S]),
         (time, least, reach): (S, S, S),
     ) -> Vec<S> {
-        let rooms = self.rooms((places, velocities, promised));
+        let rooms = self.rooms((places, means, promised));
         let many = rooms.len();
         let mut nearing = vec![S::ZERO; many];
         for (a, own) in rooms.iter().enumerate() {
@@ -111,9 +111,10 @@ impl<S: Real> Patches<S> {
         nearing
     }
 
-    fn rooms(&self, (places, velocities, promised): (&[[S; 3]], &[[S; 3]], &[S])) -> Vec<Room<S>> {
-        let empty = |velocity| Room { low: [S::INFINITY; 3], high: [-S::INFINITY; 3], velocity, promised: S::ZERO };
-        let mut rooms: Vec<Room<S>> = self.means(velocities).into_iter().map(empty).collect();
+    fn rooms(&self, (places, means, promised): (&[[S; 3]], &[[S; 3]], &[S])) -> Vec<Room<S>> {
+        let empty =
+            |&velocity: &[S; 3]| Room { low: [S::INFINITY; 3], high: [-S::INFINITY; 3], velocity, promised: S::ZERO };
+        let mut rooms: Vec<Room<S>> = means.iter().map(empty).collect();
         for ((&patch, x), &promised) in self.of.iter().zip(places).zip(promised) {
             let room = &mut rooms[usize::from(patch)];
             for k in 0..3 {
@@ -196,7 +197,7 @@ mod tests {
         let places = cloth();
         let patches = Patches::over(&places);
         assert!((16..=MOST).contains(&patches.shares.len()), "{}", patches.shares.len());
-        let rooms = patches.rooms((&places, &places, &vec![0.0; places.len()]));
+        let rooms = patches.rooms((&places, &patches.means(&places), &vec![0.0; places.len()]));
         assert!(rooms.iter().all(|room| (0..3).all(|k| room.high[k] - room.low[k] < 1.0)));
         // Few points are one, and so is a single place.
         assert_eq!(Patches::over(&places[..20]).shares.len(), 1);
@@ -224,13 +225,14 @@ mod tests {
         let velocities: Vec<[f64; 3]> = places.iter().map(fast).collect();
         let mut patches = Patches::over(&places);
         let promised = vec![0.01; places.len()];
-        let nearing = patches.promise((&places, &velocities, &promised), (0.01, 0.001, 0.1));
+        let means = patches.means(&velocities);
+        let nearing = patches.promise((&places, &means, &promised), (0.01, 0.001, 0.1));
         let most = nearing.iter().copied().fold(0.0, f64::max);
         // A patch that goes in part does so by its mean.
         assert!((0.006..=0.011).contains(&most), "1 m/s for 0.01 s, and 1 mm: {most}");
         let far = patches.promised(0, [39; 3]);
         assert!(far > 2.0 && far < 3.9, "{far}");
-        let ways = |by: f64| patches.means(&velocities).iter().map(|&v| scale(v, by)).collect::<Vec<_>>();
+        let ways = |by: f64| means.iter().map(|&v| scale(v, by)).collect::<Vec<_>>();
         assert!(!patches.leave(&ways(0.010)) && patches.leave(&ways(0.012)));
         let (half, gone) = (ways(0.006), ways(0.003));
         patches.go(&half);
