@@ -1,7 +1,7 @@
 //! Bodies that may touch each other within a step: their state, side by side, and what is near what.
 
 use super::body::{Bodies, Body};
-use super::bonds::Hold;
+use super::bonds::Held;
 use super::obstacle::Solid;
 use super::pair::{Pair, Sides};
 use super::patches::Patches;
@@ -47,7 +47,7 @@ pub(super) struct Cluster<S: Real> {
     /// Points of skins: place here, and number for ever.
     pub(super) corners: Vec<(u32, u32)>,
     /// Bonds that are projected.
-    pub(super) holds: Vec<Hold<S>>,
+    pub(super) held: Held<S>,
     /// Points near triangles.
     pub(super) pairs: Vec<Pair<S>>,
     /// How far the two of each were from touching when they were found `[m]`.

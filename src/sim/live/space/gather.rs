@@ -2,6 +2,7 @@
 
 use super::Space;
 use super::body::Body;
+use super::bonds::Held;
 use super::cluster::{Cluster, Common, Counts};
 use super::patches::Patches;
 use crate::sim::counters::Counters;
@@ -69,7 +70,7 @@ impl<S: Real> Space<S> {
             triangles: Vec::new(),
             edges: Vec::new(),
             corners: Vec::new(),
-            holds: Vec::new(),
+            held: Held::default(),
             pairs: Vec::new(),
             touches: Vec::new(),
             touch_rooms: Vec::new(),
