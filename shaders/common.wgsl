@@ -23,6 +23,8 @@ struct Frame {
     obstacles: vec4<f32>,
     // Centre and radius of the mouse region [px], and its shape: 1 round, 2 square.
     region: vec4<f32>,
+    // Lower and upper corner of the walls of the plane [m], far away where there are none.
+    walls: vec4<f32>,
     // Size of the target [px].
     viewport: vec2<f32>,
     // What is drawn lies between two states: 0 = previous, 1 = current.

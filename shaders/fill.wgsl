@@ -76,17 +76,27 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     return shadow(out, corner, a, b, position_of(primitive.points[0]), position_of(primitive.points[3]));
 }
 
+// An end of a limb so thick [m], where it lies on a wall that its point may touch: what is drawn of it does not dip into that.
+fn within(place: vec3<f32>, radius: f32) -> vec3<f32> {
+    let low = frame.walls.xy + radius;
+    let kept = clamp(place.xy, low, max(frame.walls.zw - radius, low));
+    // What is beyond a wall is shown where it is.
+    let is_near = all(abs(kept - place.xy) <= vec2(1.01 * radius));
+    return vec3(select(place.xy, kept, is_near), place.z);
+}
+
 // A round stroke whose ends have radii of their own.
 fn limb(plain: Fill, corner: u32, primitive: Primitive, kind: u32) -> Fill {
     let packed = primitive.points[5];
     let parts = vec3<f32>(vec3(packed, packed >> 10u, packed >> 20u) & vec3(1023u)) / 1023.0;
-    let a = mix(position_of(primitive.points[0]), position_of(primitive.points[1]), parts.x);
-    let b = mix(position_of(primitive.points[2]), position_of(primitive.points[3]), parts.y);
+    let larger = bitcast<f32>(primitive.points[4]);
+    let thick = select(vec2(larger, larger * parts.z), vec2(larger * parts.z, larger), (packed >> 30u) == 1u);
+    let a = within(mix(position_of(primitive.points[0]), position_of(primitive.points[1]), parts.x), thick.x);
+    let b = within(mix(position_of(primitive.points[2]), position_of(primitive.points[3]), parts.y), thick.y);
     // Limbs are of the plane, where a metre is as long everywhere.
     let metre = abs(0.5 * frame.clip_from_world[1].y * frame.viewport.y);
     let rim = select(0.0, frame.fill_outline, kind == SKIN);
-    let most = bitcast<f32>(primitive.points[4]) * metre;
-    let radii = select(vec2(most, most * parts.z), vec2(most * parts.z, most), (packed >> 30u) == 1u) + rim;
+    let radii = thick * metre + rim;
     let side = stroke(corner, a, b, plain.color, 2.0 * max(radii.x, radii.y));
     var out = plain;
     // Where bonds are shown through fills, what overlaps would be seen.

@@ -704,3 +704,38 @@ fn scene_is_of_ropes(path: &Path) -> bool {
     let stats: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
     stats["triangles"] == 0
 }
+
+#[test]
+fn a_picture_opens_as_what_stands_out_from_its_ground_or_whole_where_it_has_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let opaque = |name: &str, light: &dyn Fn(f64, f64) -> f64| {
+        let mut grey = Picture::filled(90, 60, [255; 4]);
+        for i in 0..90 * 60 {
+            let value = (255.0 * light((i % 90) as f64 / 90.0, (i / 90) as f64 / 60.0)) as u8;
+            grey.rgba[4 * i..4 * i + 3].fill(value);
+        }
+        Scene::open_picture(&saved(folder.path(), name, &grey), &Watch::default()).unwrap()
+    };
+    let disc = |x: f64, y: f64| (1.5 * (x - 0.5)).hypot(y - 0.5) < 0.3;
+    let area = |scene: &Scene| {
+        let mesh = scene.picture_mesh(0).unwrap();
+        mesh.areas.iter().sum::<f64>() / (90.0 * 60.0)
+    };
+    let share = std::f64::consts::PI * 0.3 * 0.3 / 1.5;
+    let ink = opaque("ink.png", &|x, y| if disc(x, y) { 0.1 } else { 1.0 });
+    let chalk = opaque("chalk.png", &|x, y| if disc(x, y) { 0.9 } else { 0.05 });
+    let photograph = opaque("photograph.png", &|x, y| 0.2 + 0.6 * x * y);
+    for (scene, keys, share) in
+        [(ink, [None, None], share), (chalk, [Some(true), None], share), (photograph.clone(), [None, Some(true)], 1.0)]
+    {
+        let body = &scene.bodies[0];
+        assert_eq!([body.invert, body.whole], keys, "{}", scene.name());
+        assert!((area(&scene) - share).abs() < 0.01, "{}: {}", scene.name(), area(&scene));
+    }
+    let whole = photograph.with_pictures_inside().unwrap();
+    let again = Scene::parse(&whole.to_json().unwrap(), "again.json").unwrap();
+    assert_eq!(again.world(None).unwrap().sample(0.0).position, whole.world(None).unwrap().sample(0.0).position);
+    let path = folder.path().join("photograph.png");
+    let out = wobble(&["mesh", path.to_str().unwrap(), "--whole", "--spacing", "6", "--stats"]);
+    assert!(out.status.success() && String::from_utf8(out.stdout).unwrap().contains("\"components\": 1"));
+}

@@ -12,7 +12,7 @@ use super::panels::THUMBNAIL;
 use crate::render::{Camera, Capture, Gpu, Look, Palette, View};
 use crate::scene::{BodyKeys, EMPTY, Entry, MakerName, Scene, gallery};
 
-/// A scene is shown after so much of its time `[s]`, or what of it is stepped in this time.
+/// A scene is shown as whoever opens it sees it after so long `[s]`, or what of that is stepped in this time.
 const SHOWN_AT: f64 = 0.8;
 const STEPPED_FOR: Duration = Duration::from_millis(40);
 /// Room at the edges, as a share of the height.
@@ -90,8 +90,8 @@ fn thumbnail(
     let scene = coarser(entry.scene().ok()?);
     let mut world = scene.world(None).ok()?;
     let skins = scene.skins().ok()?;
-    let start = Instant::now();
-    while world.time() < SHOWN_AT && start.elapsed() < STEPPED_FOR {
+    let (start, end) = (Instant::now(), SHOWN_AT * scene.rate());
+    while world.time() < end && start.elapsed() < STEPPED_FOR {
         world.step();
     }
     let capture = &mut captures[scene.dimensions() - 2];

@@ -33,17 +33,22 @@ impl Coverage {
 /// Pixels that a thread takes at a time.
 pub(super) const PART: usize = 1 << 16;
 /// Alpha below which a pixel is clear: half.
-const CLEAR: u8 = 128;
+pub(super) const CLEAR: u8 = 128;
 
 /// Coverage of a picture: alpha where any pixel is clear by half or more, else darkness on white paper; averaged, if asked
 /// for; then the threshold.
 ///
 /// Model: darkness = alpha (1 - (54 red + 183 green + 19 blue) / 256), the weights of Rec. 709 on the stored values. Pixels
 /// that are nearly opaque tell nothing of a shape: programs leave some behind.
-/// A picture of one value is all ink when that is above 1/2 (or the given threshold), else it is empty.
+/// A picture of one value is all ink when that is above 1/2 (or the given threshold), else it is empty. Of the whole picture all is ink,
+/// whatever its pixels are.
 ///
 /// Errors: nothing is above the threshold.
 pub fn cover(picture: &Picture, settings: &Settings) -> Result<Coverage, PictureError> {
+    let (width, height) = (picture.width as usize, picture.height as usize);
+    if settings.threshold == Threshold::Whole {
+        return Ok(Coverage { width, height, values: vec![255; width * height], level: 127 });
+    }
     let flip = if settings.invert { 255 } else { 0 };
     let (pixels, _) = picture.rgba.as_chunks::<4>();
     let least = pixels.par_chunks(PART).map(|part| part.iter().fold(255, |least, pixel| pixel[3].min(least)));
@@ -67,7 +72,6 @@ pub fn cover(picture: &Picture, settings: &Settings) -> Result<Coverage, Picture
         histogram(values)
     });
     let counts = counts.reduce(|| [0; 256], |a, b| std::array::from_fn(|k| a[k] + b[k]));
-    let (width, height) = (picture.width as usize, picture.height as usize);
     let counts = if settings.blur == 0 {
         counts
     } else {
@@ -75,7 +79,7 @@ pub fn cover(picture: &Picture, settings: &Settings) -> Result<Coverage, Picture
         histogram(&values)
     };
     let level = match settings.threshold {
-        Threshold::Otsu => otsu(&counts),
+        Threshold::Otsu | Threshold::Whole => otsu(&counts),
         Threshold::At(share) => (share * 255.0).clamp(0.0, 254.0) as u8,
     };
     if counts[usize::from(level) + 1..].iter().all(|&count| count == 0) {

@@ -4,7 +4,7 @@ use super::bits::Bits;
 use super::contour::contours_of;
 use super::coverage::cover;
 use super::nest::keep;
-use super::{Picture, Settings};
+use super::{Picture, Settings, Threshold};
 
 /// Opacity of ink beside paper, of 255: there pixels are mixed of both, so what lies further inside speaks for them. The
 /// darker of them speak louder, for of a line as thin as a pixel there is nothing else.
@@ -12,10 +12,10 @@ const EDGE: [f32; 2] = [1.0, 40.0];
 
 /// An opaque picture with its paper clear, and next to clear where it shows through at edges.
 ///
-/// `None` of a picture that is not opaque, for that says itself what its body is, and of one without ink.
+/// `None` of a picture that is not opaque, for that says itself what its body is, of one that is taken whole, and of one without ink.
 pub fn without_paper(picture: &Picture, settings: &Settings) -> Option<Picture> {
     let (pixels, _) = picture.rgba.as_chunks::<4>();
-    if pixels.iter().any(|pixel| pixel[3] != 255) {
+    if settings.threshold == Threshold::Whole || pixels.iter().any(|pixel| pixel[3] != 255) {
         return None;
     }
     let mut coverage = cover(picture, settings).ok()?;

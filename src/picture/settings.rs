@@ -1,6 +1,6 @@
 //! What is asked of a mesh.
 
-use super::PictureError;
+use super::{Ground, Picture, PictureError};
 
 /// From which coverage on a pixel is ink.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,6 +9,8 @@ pub enum Threshold {
     Otsu,
     /// Above this share of full coverage, 0 to 1.
     At(f64),
+    /// Every pixel is: the whole picture, a rectangle.
+    Whole,
 }
 
 /// How large the triangles are.
@@ -105,7 +107,25 @@ impl Size {
     }
 }
 
+/// Neighbours along the longer side of a picture at first: of shapes cut out of it, and of the whole picture, which has more inside.
+const NEIGHBOURS: f64 = 40.0;
+const NEIGHBOURS_OF_WHOLE: f64 = 24.0;
+
 impl Settings {
+    /// What is asked for where nobody has said anything: what stands out from the picture's ground, or all of it where it has none.
+    pub fn of(picture: &Picture, ground: Ground) -> Self {
+        let threshold = if ground == Ground::Nothing { Threshold::Whole } else { Threshold::Otsu };
+        let size = Size::Spacing(Settings::first_spacing(picture, threshold));
+        Settings { threshold, invert: ground == Ground::Dark, size, ..Settings::default() }
+    }
+
+    /// Distance of neighbours at first `[px]`.
+    pub fn first_spacing(picture: &Picture, threshold: Threshold) -> f64 {
+        let side = f64::from(picture.width.max(picture.height));
+        let count = if threshold == Threshold::Whole { NEIGHBOURS_OF_WHOLE } else { NEIGHBOURS };
+        (side / count).max(2.0)
+    }
+
     /// Distance of neighbours along the boundary `[px]`.
     pub fn spacing(&self) -> f64 {
         match self.size {

@@ -27,6 +27,7 @@ pub(super) struct Frame {
     rim_color: Color,
     obstacles: [f32; 4],
     region: [f32; 4],
+    walls: [f32; 4],
     viewport: [f32; 2],
     mix: f32,
     bond_width: f32,
@@ -47,7 +48,17 @@ pub(super) struct Frame {
     difference_full: f32,
 }
 
-const _: () = assert!(size_of::<Frame>() == 444);
+const _: () = assert!(size_of::<Frame>() == 460);
+
+/// What stands for no wall, in the shaders too `[m]`.
+const FAR: f64 = 1e30;
+
+/// The walls of the plane as they lie from `origin` on: the lower corner, then the upper one `[m]`.
+fn walls(view: &View<'_>, origin: DVec3) -> [f32; 4] {
+    let [low, high] = view.bounds.filter(|_| view.dimensions == 2).unwrap_or([[-FAR; 3], [FAR; 3]]).map(DVec3::from);
+    let [low, high] = [low - origin, high - origin];
+    [low.x, low.y, high.x, high.y].map(|x| x as f32)
+}
 
 impl Frame {
     /// The uniforms of a picture of what lies in `buffers`.
@@ -71,6 +82,7 @@ impl Frame {
             rim_color: look.wall,
             obstacles: [0.0; 4],
             region: region(view, camera).unwrap_or_default(),
+            walls: walls(view, buffers.origin),
             viewport: camera.viewport(),
             mix: view.mix,
             bond_width,

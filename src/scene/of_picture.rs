@@ -10,7 +10,7 @@ use super::keys::{
     OrderName, PatternName, PictureKeys, Scene, StrokesName, Vector, ViewKeys,
 };
 use super::pictures::{LARGEST_FILE, inline};
-use crate::picture::{self, Picture, Settings, Size, Stage, Strokes, Threshold, Watch};
+use crate::picture::{self, Ground, Picture, Settings, Size, Stage, Strokes, Threshold, Watch};
 
 /// What a picture's body is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -84,7 +84,22 @@ impl Matter {
     }
 }
 
+/// Height of a picture where none is said `[m]`.
+const HEIGHT: f64 = 2.0;
+
 impl BodyKeys {
+    /// The keys that cut what stands out from a picture's ground, or all of it where it has none; paper and clear pixels take none.
+    fn standing_out(picture: &Picture) -> Self {
+        match picture::ground(picture) {
+            Ground::Clear | Ground::Light => BodyKeys::default(),
+            Ground::Dark => BodyKeys { invert: Some(true), ..BodyKeys::default() },
+            Ground::Nothing => {
+                let spacing = Settings::of(picture, Ground::Nothing).spacing() * HEIGHT / f64::from(picture.height);
+                BodyKeys { whole: Some(true), spacing: Some(spacing), ..BodyKeys::default() }
+            }
+        }
+    }
+
     /// The keys that cut a picture out by these settings; the whole of it is to be `height` `[m]` high.
     pub fn cut(settings: &Settings, height: f64, picture: &Picture) -> Self {
         let (spacing, max_area, grading) = match settings.size {
@@ -92,6 +107,7 @@ impl BodyKeys {
             Size::Graded { spacing, ratio } => (Some(spacing), None, Some(ratio)),
             Size::MaxArea(area) => (None, Some(area), None),
         };
+        let is_whole = settings.threshold == Threshold::Whole;
         BodyKeys {
             make: MakerName::Picture,
             height: Some(height),
@@ -99,7 +115,8 @@ impl BodyKeys {
             max_area,
             grading,
             threshold: if let Threshold::At(share) = settings.threshold { Some(share) } else { None },
-            invert: settings.invert.then_some(true),
+            invert: (settings.invert && !is_whole).then_some(true),
+            whole: is_whole.then_some(true),
             min_area: Some(settings.min_area),
             blur: (settings.blur > 0).then_some(settings.blur),
             holes: settings.fill_holes.then_some(false),
@@ -176,15 +193,16 @@ impl Scene {
         Scene::around(source, (stem(path), file), keys, matter)
     }
 
-    /// The scene of a picture file as it opens; `watch` sees how far it is.
+    /// The scene of a picture file as it opens: what stands out from the picture's ground, or all of it where it has none; `watch` sees how
+    /// far it is.
     ///
     /// Errors: as of [`Scene::of_picture`]; more points than `watch` wants; it was stopped.
     pub fn open_picture(path: &Path, watch: &Watch) -> Result<Scene, SceneError> {
-        let keys = BodyKeys { pattern: Some(PatternName::Braced), ..BodyKeys::default() };
         let (source, file) = source_of(path);
         let source = Source { watch: watch.clone(), ..source };
         let read = watch.enter(Stage::Read).map_err(|error| Fault::invalid(error.to_string()));
-        read.and_then(|()| source.picture(&file)).map_err(|fault| source.error(fault))?;
+        let picture = read.and_then(|()| source.picture(&file)).map_err(|fault| source.error(fault))?;
+        let keys = BodyKeys { pattern: Some(PatternName::Braced), ..BodyKeys::standing_out(&picture) };
         // The scene is ours: what is wrong is how the picture is cut out, which nobody could say here.
         let scene = Scene::around(source, (stem(path), file), keys, Matter::Soft).and_then(Scene::with_meeting);
         scene.map_err(|error| {
@@ -236,7 +254,7 @@ impl Scene {
             if mesh.bonds.len() == mesh.mesh_bonds || mesh.bonds.len() > MOST_BENT {
                 continue;
             }
-            let height = keys.height.unwrap_or(2.0);
+            let height = keys.height.unwrap_or(HEIGHT);
             if let Some(material) = &mut self.bodies[body].material {
                 let of_strokes = mesh.areas[mesh.mesh_points..].iter().sum::<f64>() / mesh.areas.iter().sum::<f64>();
                 let mass = of_strokes * material.mass.unwrap_or(MASS);
@@ -253,7 +271,7 @@ impl Scene {
         keys: BodyKeys,
         matter: Matter,
     ) -> Result<Scene, SceneError> {
-        let height = keys.height.unwrap_or(2.0);
+        let height = keys.height.unwrap_or(HEIGHT);
         let picture = source.picture(&file).map_err(|fault| source.error(fault))?;
         let ratio = f64::from(picture.width) / f64::from(picture.height);
         let half = ROOM * height * ratio.max(1.0);

@@ -350,6 +350,18 @@ impl Target {
         matches!(self, Target::Meets | Target::Body(_, OfBody::Diagonals, _))
     }
 
+    /// Whether it is of what can be switched off and on while the world runs: of walls, or of how bodies meet.
+    pub fn is_of_switch(&self) -> bool {
+        matches!(
+            self,
+            Target::WallFriction
+                | Target::WallRestitution
+                | Target::Friction
+                | Target::Restitution
+                | Target::ContactRadius
+        )
+    }
+
     /// Whether both set some number.
     fn meets(&self, other: &Target) -> bool {
         let overlap = |a: &RangeInclusive<u32>, b: &RangeInclusive<u32>| a.start() <= b.end() && b.start() <= a.end();

@@ -52,6 +52,7 @@ const CALLS: [(&str, &[&str], &[&str]); 6] = [
             "--grading=1|3",
             "--threshold=0|0.5|1",
             "--invert",
+            "--whole",
             "--min-area=0|5",
             "--blur=0|3",
             "--fill-holes",

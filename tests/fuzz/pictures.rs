@@ -84,7 +84,11 @@ fn with_sums(mut png: Vec<u8>) -> Vec<u8> {
 fn settings(dice: &mut Dice) -> Settings {
     let spacing = if dice.below(20) == 0 { dice.within(-1.0, 1.0) } else { dice.within(2.0, 12.0) };
     Settings {
-        threshold: if dice.below(2) == 0 { Threshold::Otsu } else { Threshold::At(dice.within(0.0, 1.0)) },
+        threshold: match dice.below(8) {
+            0 => Threshold::Whole,
+            1..4 => Threshold::Otsu,
+            _ => Threshold::At(dice.within(0.0, 1.0)),
+        },
         invert: dice.below(3) == 0,
         blur: dice.below(3) as u32,
         fill_holes: dice.below(4) == 0,

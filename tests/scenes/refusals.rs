@@ -310,6 +310,10 @@ fn bodies() {
             ".max_area: stands beside `spacing`: give one of them",
         ),
         (
+            "\"make\": \"picture\", \"file\": \"pictures/ring.png\", \"whole\": true, \"threshold\": 0.5",
+            ".threshold: stands beside `whole`: give one of them",
+        ),
+        (
             "\"make\": \"picture\", \"file\": \"pictures/ring.png\", \"part\": 1",
             ".part: is 1, and the picture has one part: give 0, or leave it out",
         ),

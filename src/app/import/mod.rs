@@ -7,6 +7,8 @@ mod meeting_tests;
 mod painting;
 mod panel;
 mod preview;
+#[cfg(test)]
+mod taken_tests;
 mod wishes;
 mod worker;
 
@@ -14,7 +16,7 @@ use std::sync::Arc;
 
 use super::player::Coming;
 use crate::history::History;
-use crate::picture::{Picture, PictureError, Settings, Size, Watch};
+use crate::picture::{self, Ground, Picture, PictureError, Settings, Size, Watch};
 use crate::scene::{BodyKeys, Cut, KindName, Matter, PatternName, Scene, SceneError};
 use painting::Painting;
 use worker::{Forecast, Worker};
@@ -50,6 +52,8 @@ pub(super) struct Wish {
 pub(super) struct Import {
     name: String,
     picture: Arc<Picture>,
+    /// What its shapes stand out from.
+    ground: Ground,
     /// What the picture is painted with, if it is.
     painting: Option<Painting>,
     wish: Wish,
@@ -62,13 +66,10 @@ pub(super) struct Import {
     texture: Option<egui::TextureHandle>,
 }
 
-/// Neighbours along the longer side of a picture at first.
-const NEIGHBOURS: f64 = 40.0;
-
 impl Import {
     /// Begins with a picture; `wake` is called from another thread when there is something new to show.
     pub(super) fn of_picture(name: String, picture: Arc<Picture>, wake: impl Fn() + Send + 'static) -> Self {
-        let wish = Wish::of(&picture);
+        let wish = Wish::of(&picture, picture::ground(&picture));
         Import::new(name, picture, wake, wish)
     }
 
@@ -134,7 +135,8 @@ impl Import {
     fn new(name: String, picture: Arc<Picture>, wake: impl Fn() + Send + 'static, wish: Wish) -> Self {
         let mut worker = Worker::new(name.clone(), wake);
         worker.ask(&picture, wish);
-        Import { name, picture, painting: None, wish, body: None, worker, forecast: None, texture: None }
+        let ground = picture::ground(&picture);
+        Import { name, picture, ground, painting: None, wish, body: None, worker, forecast: None, texture: None }
     }
 
     /// Takes what the worker has made. Returns whether there is something new to show.
@@ -243,9 +245,8 @@ fn of_body(scene: &Scene) -> Result<Option<Body>, SceneError> {
 
 impl Wish {
     /// What is wished for at first.
-    fn of(picture: &Picture) -> Self {
-        let side = f64::from(picture.width.max(picture.height));
-        let settings = Settings { size: Size::Spacing((side / NEIGHBOURS).max(2.0)), ..Settings::default() };
+    fn of(picture: &Picture, ground: Ground) -> Self {
+        let settings = Settings::of(picture, ground);
         let (matter, young, pattern) = (Matter::Soft, Matter::YOUNG, PatternName::Braced);
         Wish { settings, matter, young, height: 2.0, pattern, apart: false }
     }

@@ -64,11 +64,14 @@ fn picture(ui: &mut egui::Ui, import: &mut Import, side: f32) {
         painting.tools(ui);
     }
     preview::show(ui, import, side.max(preview::LEAST));
+    if import.painting.is_none() {
+        ui.weak("what lies within the green line becomes the body");
+    }
 }
 
 fn sliders(ui: &mut egui::Ui, import: &mut Import) {
     ui.set_width(290.0);
-    wishes::show(ui, &mut import.wish, &import.picture);
+    wishes::show(ui, &mut import.wish, (&import.picture, import.ground));
     ui.separator();
     words(ui, import.forecast.as_ref(), import.painting.is_some());
     // Always there, so that nothing moves under the pointer.

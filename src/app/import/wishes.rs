@@ -1,29 +1,68 @@
 //! How a picture is to be cut out and what of: the sliders of the import panel.
 
+use std::ops::RangeInclusive;
+
 use egui::Slider;
 
 use super::Wish;
 use crate::app::lengths::length;
-use crate::picture::{Picture, Settings, Size, Strokes, Threshold};
+use crate::app::panels::ranged;
+use crate::app::panels::theme::as_high_as_buttons;
+use crate::picture::{Ground, Picture, Settings, Size, Strokes, Threshold};
 use crate::scene::{Matter, PatternName};
 
 /// How many times as far apart points are deep inside as at the boundary, where grading is chosen.
 const RATIO: f64 = 3.0;
 
 /// Shows them; what is turned is changed in the wish.
-pub(super) fn show(ui: &mut egui::Ui, wish: &mut Wish, picture: &Picture) {
+pub(super) fn show(ui: &mut egui::Ui, wish: &mut Wish, (picture, ground): (&Picture, Ground)) {
+    taken(ui, &mut wish.settings, (picture, ground));
+    ui.separator();
     size(ui, &mut wish.settings);
     let metres = wish.settings.spacing() * wish.height / f64::from(picture.height);
     ui.weak(format!("points are {} apart in the world", length(metres)));
-    cut(ui, &mut wish.settings);
+    ui.add_enabled_ui(wish.settings.threshold != Threshold::Whole, |ui| cut(ui, &mut wish.settings));
     ui.separator();
     body(ui, wish);
+}
+
+/// What stands out from the picture's ground, or all of it; and what is known of that ground.
+fn taken(ui: &mut egui::Ui, settings: &mut Settings, (picture, ground): (&Picture, Ground)) {
+    let was_whole = settings.threshold == Threshold::Whole;
+    let first = Settings::first_spacing(picture, settings.threshold);
+    ui.horizontal(|ui| {
+        as_high_as_buttons(ui);
+        ui.label("take");
+        let kinds = [
+            ("what stands out", false, "the shapes of the picture, without their ground"),
+            ("the whole picture", true, "a rectangle of all of it, as one body"),
+        ];
+        for (label, is_whole, hint) in kinds {
+            if ui.selectable_label(is_whole == was_whole, label).on_hover_text(hint).clicked() && is_whole != was_whole
+            {
+                settings.threshold = if is_whole { Threshold::Whole } else { Threshold::Otsu };
+            }
+        }
+    });
+    // A spacing that nobody has chosen goes with what is taken.
+    if settings.size == Size::Spacing(first) {
+        settings.size = Size::Spacing(Settings::first_spacing(picture, settings.threshold));
+    }
+    ui.weak(match (settings.threshold == Threshold::Whole, ground) {
+        (true, Ground::Nothing) => "no even ground that a shape stands out from: all is taken",
+        (true, _) => "all of it, its ground too",
+        (false, Ground::Nothing) => "it has no even ground: what is dark is taken",
+        (false, Ground::Clear) => "its clear pixels are the ground",
+        (false, Ground::Light) => "it stands out from light ground",
+        (false, Ground::Dark) => "it stands out from dark ground",
+    });
 }
 
 /// Triangles all of a size, finer at the boundary, or none larger than an area.
 fn size(ui: &mut egui::Ui, settings: &mut Settings) {
     let spacing = settings.spacing();
     ui.horizontal(|ui| {
+        as_high_as_buttons(ui);
         ui.label("triangles");
         let kinds = [
             ("even", Size::Spacing(spacing), "all of one size"),
@@ -39,11 +78,10 @@ fn size(ui: &mut egui::Ui, settings: &mut Settings) {
     });
     match &mut settings.size {
         Size::Spacing(spacing) | Size::Graded { spacing, .. } => {
-            ui.add(Slider::new(spacing, 2.0..=128.0).logarithmic(true).suffix(" px").text("spacing"));
+            slider(ui, (spacing, 2.0..=128.0), ("spacing", " px"), true);
         }
         Size::MaxArea(area) => {
-            let range = 3.0..=12_000.0;
-            ui.add(Slider::new(area, range).logarithmic(true).suffix(" px²").text("largest area"));
+            slider(ui, (area, 3.0..=12_000.0), ("largest area", " px²"), true);
         }
     }
     // Always there, so that nothing moves under the pointer.
@@ -52,22 +90,30 @@ fn size(ui: &mut egui::Ui, settings: &mut Settings) {
         Size::Graded { ratio, .. } => (ratio, true),
         _ => (&mut even, false),
     };
-    ui.add_enabled(is_graded, Slider::new(ratio, 1.0..=9.0).fixed_decimals(1).text("times as far inside"));
+    ui.add_enabled_ui(is_graded, |ui| {
+        let times = Slider::new(ratio, 1.0..=9.0).fixed_decimals(1).text("times as far inside");
+        ranged::slider(ui, times, 1.0..=9.0, "");
+    });
 }
 
 /// What of the picture is ink.
 fn cut(ui: &mut egui::Ui, settings: &mut Settings) {
-    let mut is_automatic = settings.threshold == Threshold::Otsu;
+    let is_whole = settings.threshold == Threshold::Whole;
+    let mut is_automatic = is_whole || settings.threshold == Threshold::Otsu;
     ui.checkbox(&mut is_automatic, "threshold where the picture splits best");
     let mut threshold = if let Threshold::At(at) = settings.threshold { at } else { 0.5 };
-    ui.add_enabled(!is_automatic, Slider::new(&mut threshold, 0.01..=0.99).text("threshold"));
-    settings.threshold = if is_automatic { Threshold::Otsu } else { Threshold::At(threshold) };
+    let of_threshold = |ui: &mut egui::Ui| slider(ui, (&mut threshold, 0.01..=0.99), ("threshold", ""), false);
+    ui.add_enabled_ui(!is_automatic, of_threshold);
+    if !is_whole {
+        settings.threshold = if is_automatic { Threshold::Otsu } else { Threshold::At(threshold) };
+    }
     ui.checkbox(&mut settings.invert, "invert: what is light or clear is the body");
     ui.checkbox(&mut settings.fill_holes, "fill holes");
-    let range = 0.0..=10_000.0;
-    ui.add(Slider::new(&mut settings.min_area, range).logarithmic(true).suffix(" px²").text("least area"));
-    ui.add(Slider::new(&mut settings.blur, 0..=8).suffix(" px").text("blur, for grainy pictures"));
+    slider(ui, (&mut settings.min_area, 0.0..=10_000.0), ("least area", " px²"), true);
+    let blur = Slider::new(&mut settings.blur, 0..=8).suffix(" px").text("blur, for grainy pictures");
+    ranged::slider(ui, blur, 0.0..=8.0, " px");
     ui.horizontal(|ui| {
+        as_high_as_buttons(ui);
         ui.label("thin strokes");
         for (strokes, label) in [(Strokes::Ropes, "ropes"), (Strokes::Widen, "widen"), (Strokes::Drop, "drop")] {
             ui.selectable_value(&mut settings.strokes, strokes, label);
@@ -75,9 +121,21 @@ fn cut(ui: &mut egui::Ui, settings: &mut Settings) {
     });
 }
 
+/// A slider of a range with its name and its unit; of a wide one, by factors.
+fn slider(
+    ui: &mut egui::Ui,
+    (value, range): (&mut f64, RangeInclusive<f64>),
+    (name, unit): (&str, &str),
+    is_wide: bool,
+) {
+    let slider = Slider::new(value, range.clone()).logarithmic(is_wide).suffix(unit).text(name);
+    ranged::slider(ui, slider, range, unit);
+}
+
 /// What the body is made of.
 fn body(ui: &mut egui::Ui, wish: &mut Wish) {
     ui.horizontal(|ui| {
+        as_high_as_buttons(ui);
         ui.label("made of");
         let kinds = [
             (Matter::Soft, "springs"),
@@ -94,6 +152,7 @@ fn body(ui: &mut egui::Ui, wish: &mut Wish) {
         if !moves {
             ui.disable();
         }
+        as_high_as_buttons(ui);
         ui.label("bonds");
         let patterns = [
             (PatternName::Edges, "sides of triangles", "the body may fold where it is squeezed hard"),
@@ -103,9 +162,10 @@ fn body(ui: &mut egui::Ui, wish: &mut Wish) {
             ui.selectable_value(&mut wish.pattern, pattern, label).on_hover_text(hint);
         }
     });
-    let young = Slider::new(&mut wish.young, 100.0..=100_000.0).logarithmic(true).suffix(" N/m").text("stiffness");
-    ui.add_enabled(wish.matter == Matter::Soft, young);
-    ui.add(Slider::new(&mut wish.height, 0.2..=10.0).logarithmic(true).suffix(" m").text("height"));
+    ui.add_enabled_ui(wish.matter == Matter::Soft, |ui| {
+        slider(ui, (&mut wish.young, 100.0..=100_000.0), ("stiffness", " N/m"), true);
+    });
+    slider(ui, (&mut wish.height, 0.2..=10.0), ("height", " m"), true);
     ui.add_enabled(moves, egui::Checkbox::new(&mut wish.apart, "parts as bodies of their own"));
 }
 

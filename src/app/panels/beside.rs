@@ -18,6 +18,9 @@ const LEAST: f32 = 60.0;
 /// Titles are this wide, in the narrowest parts too `[points]`.
 const LEAST_WIDE: f32 = 90.0;
 
+/// Why methods cannot run a scene is said in lines so long at most `[points]`.
+const WIDEST: f32 = 260.0;
+
 /// What is left beside a tool's panel for a title that stays there instead of going below it, at least; and the margins of a title `[points]`.
 const BESIDE: f32 = 150.0;
 const MARGINS: f32 = 20.0;
@@ -168,6 +171,36 @@ fn choice(ui: &mut Ui, facts: &Facts, solver: SolverName, words: &str) -> bool {
     pressed
 }
 
+/// The solvers that cannot run the scene, behind a line that says why most of them cannot.
+fn others(ui: &mut Ui, facts: &Facts) {
+    let others: Vec<(SolverName, String)> =
+        solvers().filter_map(|solver| Some((solver, reason(why_not(facts, solver)?)))).collect();
+    let Some(((_, first), rest)) = others.split_first() else { return };
+    let count = if rest.is_empty() { "one".to_owned() } else { others.len().to_string() };
+    let alike = |why: &str| others.iter().filter(|(_, other)| other == why).count();
+    let most = others.iter().map(|(_, why)| why.as_str()).max_by_key(|why| alike(why)).unwrap_or(first);
+    let why = if alike(most) == others.len() { most.to_owned() } else { format!("{most}, …") };
+    ui.separator();
+    ui.set_max_width(WIDEST);
+    ui.menu_button(RichText::new(format!("{count} cannot run it: {why}")).color(colors(ui).weak), |ui| {
+        for (solver, why) in others {
+            ui.label(RichText::new(solver.words()).color(colors(ui).text));
+            ui.label(RichText::new(why).color(colors(ui).weak).size(12.0));
+        }
+    });
+}
+
+/// Of why a solver cannot run the scene what is no advice for its file, without its name: "knows no contact".
+fn reason(why: &str) -> String {
+    let why = why.split(": ").next().unwrap_or(why);
+    let named = why.split_once("solver `").and_then(|(before, rest)| Some((before, rest.split_once("` ")?.1)));
+    match named {
+        Some(("", reason)) => reason.to_owned(),
+        Some((before, after)) => format!("{before}it {after}"),
+        None => why.to_owned(),
+    }
+}
+
 /// The menu of what is put beside the scene, and taken away.
 pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let said = "the same start by another method beside this one, under the same mouse";
@@ -195,11 +228,12 @@ pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
         if choice(ui, facts, reference, "a reference: fine steps, 64 bits") {
             wishes.push(Wish::Beside(None));
         }
-        for solver in solvers() {
+        for solver in solvers().filter(|solver| is_open(facts, *solver)) {
             if choice(ui, facts, solver, solver.words()) {
                 wishes.push(Wish::Beside(Some(BesideKeys::by(solver))));
             }
         }
+        others(ui, facts);
     });
     button.on_hover_text(said);
 }

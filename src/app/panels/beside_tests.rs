@@ -72,10 +72,22 @@ fn the_menu_puts_worlds_there_and_takes_them_away() {
 }
 
 #[test]
-fn what_the_scene_refuses_cannot_be_asked_for() {
-    let misfits = [(SolverName::Rk4, Some("a bond is relaxed".to_owned())), (SolverName::Rk2, None)];
+fn what_the_scene_refuses_is_folded_behind_a_line_that_says_why() {
+    let refused = |name: &str| Some(format!("solver `{name}` knows no contact: leave `solver` or `contact` out"));
+    let misfits = [(SolverName::Rk4, refused("rk4")), (SolverName::Euler, refused("euler")), (SolverName::Rk2, None)];
     let facts = Facts { misfits: misfits.into_iter().collect(), ..Facts::default() };
-    assert!(choose(&facts, ["Beside…", "Runge-Kutta, order 4"]).is_empty());
+    let context = egui::Context::default();
+    let open = |words: &str| {
+        let written = settled(&context, &facts);
+        let at = written.iter().find(|(text, _)| text == words).unwrap_or_else(|| panic!("{words}: {written:?}")).1;
+        click(at).into_iter().for_each(|events| assert!(frame(&context, &facts, events).0.is_empty(), "{words}"));
+        settled(&context, &facts)
+    };
+    let has = |written: &Written, words: &str| written.iter().any(|(text, _)| text == words);
+    let menu = open("Beside…");
+    assert!(!has(&menu, "Runge-Kutta, order 4") && has(&menu, "Runge-Kutta, order 2"), "{menu:?}");
+    let folded = open("2 cannot run it: knows no contact");
+    assert!(has(&folded, "Runge-Kutta, order 4") && has(&folded, "knows no contact"), "{folded:?}");
     assert_eq!(
         choose(&facts, ["Beside…", "Runge-Kutta, order 2"]),
         [Wish::Beside(Some(BesideKeys::by(SolverName::Rk2)))]

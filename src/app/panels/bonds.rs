@@ -3,6 +3,7 @@
 use egui::{DragValue, RichText, Ui};
 
 use super::material::{Sink, row};
+use super::ranged;
 use super::theme::colors;
 use crate::app::matter::{Matter, MatterChange, NEVER};
 use crate::sim::Limit;
@@ -71,12 +72,13 @@ pub(super) fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
             return;
         }
         let mut percent = 100.0 * span.least;
-        let field = DragValue::new(&mut percent).speed(0.5).range(0.1..=1000.0).max_decimals(1).prefix("at ");
+        let field = DragValue::new(&mut percent).speed(0.5).max_decimals(1).prefix("at ");
         let field = match span.same() {
             Some(_) => field.suffix(" %"),
             None => field.suffix(" % or more"),
         };
-        let by = ui.add(field.update_while_editing(false)).on_hover_text("stretched so far they tear");
+        let by = ranged::field(ui, field.update_while_editing(false), 0.1..=1000.0, " %");
+        let by = by.on_hover_text("stretched so far they tear");
         if by.changed() {
             sink.set(&by, MatterChange::Breaks(percent / 100.0));
         }

@@ -4,7 +4,7 @@ use egui::{Area, DragValue, Id, Rect, RichText, Slider, Ui};
 
 use super::material::{WIDTH, presets, sagging, short};
 use super::theme::{colors, floating};
-use super::{Facts, Wish};
+use super::{Facts, Wish, ranged};
 use crate::app::matter::{Bearings, Painted, Switched};
 use crate::app::tools::{Brush, RADII};
 
@@ -61,7 +61,8 @@ fn all(ui: &mut Ui, brush: &mut Brush, bearings: &Bearings) {
     });
     ui.separator();
     let [least, most] = RADII;
-    ui.add(Slider::new(&mut brush.radius, least..=most).max_decimals(0).suffix(" px").text("radius"));
+    let radius = Slider::new(&mut brush.radius, least..=most).max_decimals(0).suffix(" px").text("radius");
+    ranged::slider(ui, radius, least..=most, " px");
     // Below all else: nothing moves away under the pointer.
     let Painted { density, stiffness, .. } = &mut brush.numbers;
     let given = |of: &Switched<f64>| of.is_on.then_some(of.value);
@@ -77,9 +78,9 @@ fn number(ui: &mut Ui, (name, unit): (&str, &str), of: &mut Switched<f64>, range
     ui.horizontal(|ui| {
         let label = switch(ui, name, &mut of.is_on);
         let speed = SPEED * of.value.max(LEAST);
-        let field = DragValue::new(&mut of.value).speed(speed).range(range);
+        let field = DragValue::new(&mut of.value).speed(speed);
         let field = field.custom_formatter(|x, _| short(x)).suffix(unit).update_while_editing(false);
-        of.is_on |= ui.add(field).labelled_by(label).changed();
+        of.is_on |= ranged::field(ui, field, range, unit).labelled_by(label).changed();
     });
 }
 

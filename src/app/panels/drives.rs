@@ -3,7 +3,7 @@
 use egui::{Area, Checkbox, ComboBox, Id, Rect, RichText, Slider, Ui};
 
 use super::theme::{colors, floating};
-use super::{Facts, Wish};
+use super::{Facts, Wish, ranged};
 use crate::app::action::Tool;
 use crate::app::tools::Drives;
 use crate::scene::KeyName;
@@ -91,7 +91,8 @@ fn slider(
     range: std::ops::RangeInclusive<f64>,
     unit: &str,
 ) -> egui::Response {
-    ui.add(Slider::new(value, range).max_decimals(2).suffix(unit).text(name))
+    let slider = Slider::new(value, range.clone()).max_decimals(2).suffix(unit).text(name);
+    ranged::slider(ui, slider, range, unit)
 }
 
 /// The keys that have to be held.

@@ -7,9 +7,9 @@ use egui::{
     WidgetInfo,
 };
 
-use super::theme::{colors, floating};
+use super::theme::{as_high_as_buttons, colors, floating};
 use super::{Wish, described};
-use crate::app::action::Action;
+use crate::app::action::{Action, Showing};
 use crate::lessons::{Lesson, Step, lessons};
 use crate::scene::Scene;
 
@@ -72,6 +72,8 @@ pub(in crate::app) struct Lessons {
     steps: BTreeMap<usize, usize>,
     /// The step that was left for another scene, which is gone back to by one click.
     pub(in crate::app) left: Option<At>,
+    /// How a step shows bodies, and how they were shown before it.
+    showing: Option<[Showing; 2]>,
 }
 
 impl Lessons {
@@ -107,6 +109,17 @@ impl Lessons {
             }
             None => Met::Nothing,
         }
+    }
+
+    /// A step shows bodies so, while they are shown as they are `now`.
+    pub(in crate::app) fn show_as(&mut self, wanted: Showing, now: Showing) {
+        let before = self.showing.filter(|[own, _]| *own == now).map_or(now, |[_, before]| before);
+        self.showing = Some([wanted, before]);
+    }
+
+    /// Its scene is left: how bodies are shown from now on, unless somebody has chosen that since.
+    pub(in crate::app) fn show_no_more(&mut self, now: Showing) -> Option<Showing> {
+        self.showing.take().filter(|[own, _]| *own == now).map(|[_, before]| before)
     }
 
     /// The step that a lesson is at.
@@ -173,6 +186,7 @@ fn panel(
 
 fn header(ui: &mut Ui, state: &mut Lessons, title: Option<&str>, wishes: &mut Vec<Wish>) {
     ui.horizontal(|ui| {
+        as_high_as_buttons(ui);
         if state.lesson.is_none() {
             ui.label(RichText::new("Lessons").color(colors(ui).text).strong());
         } else if ui.button("All lessons").clicked() {

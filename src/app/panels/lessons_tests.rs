@@ -7,7 +7,7 @@ use super::lessons::{self, At, Lessons};
 use super::pointer::click;
 use super::theme::{self, colors};
 use super::{Wish, settings};
-use crate::app::action::Action;
+use crate::app::action::{Action, Showing};
 use crate::app::plots::{Plots, Quantity, Subject};
 use crate::lessons::{Plot, lessons};
 use crate::sim::PointId;
@@ -192,4 +192,15 @@ fn plots_show_what_a_step_asks_for() {
     assert_eq!(plots.probes(), [Some(PointId(5).into()), None]);
     let plots = Plots::of(1.0, &Plot::Phase { points: [1, 2], quantity });
     assert_eq!((plots.subject, plots.probes()), (Subject::Phase, [1, 2].map(|point| Some(PointId(point).into()))));
+}
+
+#[test]
+fn what_a_step_shows_goes_with_it_and_what_somebody_chose_since_stays() {
+    let mut lessons = Lessons::default();
+    lessons.show_as(Showing::Strain, Showing::Bodies);
+    lessons.show_as(Showing::Bonds, Showing::Strain);
+    assert_eq!(lessons.show_no_more(Showing::Bonds), Some(Showing::Bodies), "as it was before the first step");
+    assert_eq!(lessons.show_no_more(Showing::Bonds), None, "once");
+    lessons.show_as(Showing::Strain, Showing::Bodies);
+    assert_eq!(lessons.show_no_more(Showing::Bonds), None, "that was chosen by hand");
 }

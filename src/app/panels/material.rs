@@ -7,8 +7,8 @@ use egui::{
 };
 
 use super::bonds::{breaks, kinds, limits};
-use super::theme::{colors, floating};
-use super::{Facts, PanelState, Wish, described};
+use super::theme::{as_high_as_buttons, colors, floating};
+use super::{Facts, PanelState, Wish, described, ranged};
 use crate::app::action::Action;
 use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, Preset, Span};
@@ -26,6 +26,8 @@ const HEAD: f32 = 50.0;
 const USUAL: f32 = 430.0;
 /// Width of the names before fields `[points]`.
 const NAMES: f32 = 74.0;
+/// What stands at the right edge pushes it further off that than this `[points]`.
+const PUSHED: f32 = 40.0;
 /// How fast a number changes as it is dragged, as a share of it for each point.
 const SPEED: f64 = 0.01;
 /// Where a drag of a number that is 0 begins.
@@ -63,11 +65,13 @@ pub(in crate::app) struct MatterAt {
 }
 
 impl MatterAt {
-    /// Where it goes, of `sides`: at the right edge, unless it covers what is selected there and not at the left.
-    fn find(&mut self, room: Rect, [right, left]: [Rect; 2], chosen: Option<Rect>) {
+    /// Where it goes, of `sides`: at the right edge, unless it covers what is selected there and not at the left; where nothing is selected,
+    /// unless other panels push it off that edge.
+    fn find(&mut self, room: Rect, [right, left]: [Rect; 2], (chosen, is_pushed): (Option<Rect>, bool)) {
         if self.room != Some(room.right()) {
             let covers = |side: Rect| chosen.is_some_and(|chosen| side.intersects(chosen));
-            *self = MatterAt { is_left: covers(right) && !covers(left), room: Some(room.right()) };
+            let is_left = if chosen.is_some() { covers(right) && !covers(left) } else { is_pushed };
+            *self = MatterAt { is_left, room: Some(room.right()) };
         }
     }
 }
@@ -88,7 +92,9 @@ pub(super) fn show(
         let known = context.memory(|memory| memory.area_rect(id)).map_or(0.0, |rect| rect.height());
         let size = egui::vec2(WIDTH + FRAME, known.max(USUAL).min(room.height()));
         let right = Rect::from_min_size(room.right_top() - egui::vec2(size.x, 0.0), size);
-        state.matter_at.find(room, [right, Rect::from_min_size(beside_tools, size)], facts.chosen_at);
+        let is_pushed = facts.matter.is_none() && room.right() + PUSHED < context.content_rect().right();
+        let sides = [right, Rect::from_min_size(beside_tools, size)];
+        state.matter_at.find(room, sides, (facts.chosen_at, is_pushed));
     }
     let mut sink = Sink { gesture: &mut state.gesture, wishes };
     let middle = context.content_rect().center().x;
@@ -289,6 +295,7 @@ pub(super) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>,
 /// A field beside its name, by which what reads aloud calls it: all names are as wide, so that fields stand below each other.
 pub(super) fn row<T>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui, Id) -> T) -> T {
     ui.horizontal(|ui| {
+        as_high_as_buttons(ui);
         let size = egui::vec2(NAMES, ui.spacing().interact_size.y);
         let layout = egui::Layout::left_to_right(egui::Align::Center);
         let label = ui.allocate_ui_with_layout(size, layout, |ui| {
@@ -312,12 +319,12 @@ fn number(
     let mut value = span.same().unwrap_or((span.least.max(FIRST) * span.most.max(FIRST)).sqrt());
     row(ui, name, |ui, label| {
         let speed = SPEED * value.max(FIRST);
-        let field = DragValue::new(&mut value).speed(speed).range(0.0..=1e9).update_while_editing(false);
+        let field = DragValue::new(&mut value).speed(speed).update_while_editing(false);
         let field = match span.same() {
             Some(_) => field.custom_formatter(|x, _| short(x)).suffix(unit),
             None => field.custom_formatter(|_, _| "mixed".to_owned()),
         };
-        let by = ui.add(field).labelled_by(label);
+        let by = ranged::field(ui, field, 0.0..=1e9, unit).labelled_by(label);
         let by = match span.same() {
             Some(_) => by,
             None => by.on_hover_text(format!("from {} to {}{unit}", short(span.least), short(span.most))),
@@ -352,7 +359,7 @@ fn share(ui: &mut Ui, name: &str, most: f64, span: Option<Span>, sink: &mut Sink
     };
     let by = row(ui, name, |ui, label| {
         ui.spacing_mut().slider_width = 72.0;
-        ui.add(slider.update_while_editing(false)).labelled_by(label)
+        ranged::slider(ui, slider.update_while_editing(false), 0.0..=most, "").labelled_by(label)
     });
     if by.changed() {
         sink.set(&by, change(value));

@@ -29,13 +29,15 @@ struct Screen {
     state: PanelState,
     facts: Facts,
     width: f32,
+    /// What other panels take of the right edge.
+    edge: f32,
 }
 
 impl Screen {
     fn new(matter: Option<Arc<Matter>>) -> Self {
         let facts = Facts { dimensions: 2, tool: Tool::Select, matter, ..Facts::default() };
         let mut screen =
-            Screen { context: egui::Context::default(), state: PanelState::default(), facts, width: 1280.0 };
+            Screen { context: egui::Context::default(), state: PanelState::default(), facts, width: 1280.0, edge: 0.0 };
         (0..2).for_each(|_| _ = screen.frame(Vec::new()));
         screen
     }
@@ -47,6 +49,7 @@ impl Screen {
         let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
         let mut output = self.context.run_ui(input, |ui| {
             let room = ui.available_rect_before_wrap();
+            let room = room.with_max_x(room.right() - self.edge);
             material::show(ui.ctx(), (room, Pos2::new(80.0, 60.0)), &mut self.state, &self.facts, &mut wishes);
         });
         output.textures_delta.clear();
@@ -221,4 +224,14 @@ fn the_panel_goes_to_the_other_side_where_it_would_cover_what_is_selected() {
     screen.facts.chosen_at = Some(Rect::from_min_max(Pos2::ZERO, Pos2::new(1280.0, 800.0)));
     screen.state.matter_at = Default::default();
     assert_eq!(screen.place("Copy"), at_right, "what lies everywhere is covered anyway");
+}
+
+#[test]
+fn where_nothing_is_selected_it_stands_beside_the_tools_once_settings_take_the_edge() {
+    let mut screen = Screen::new(None);
+    let at_edge = screen.place("All");
+    assert!(at_edge.x > 900.0, "{at_edge}");
+    screen.edge = 280.0;
+    let beside_tools = screen.place("All");
+    assert!(beside_tools.x < 400.0, "not over the middle: {beside_tools}");
 }

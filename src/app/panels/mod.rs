@@ -10,6 +10,8 @@ mod brush;
 mod color;
 #[cfg(test)]
 mod column_tests;
+#[cfg(test)]
+mod cut_tests;
 mod dial;
 mod drives;
 mod finding;
@@ -42,6 +44,7 @@ mod pointer;
 mod presses;
 mod primitives;
 mod push;
+pub(super) mod ranged;
 mod save_to;
 mod settings;
 #[cfg(test)]

@@ -108,10 +108,10 @@ impl Notes {
         let mut top = places.bar_bottom().max(places.room.top() + APART);
         let mut is_read = false;
         if !self.warnings.is_empty() {
-            top = words(context, places.said(context, top), WARNED, |ui| warned(ui, &mut self.warnings));
+            top = words(context, (places, top), WARNED, |ui| warned(ui, &mut self.warnings));
         }
         if let Some(complaint) = &self.complaint {
-            top = words(context, places.said(context, top), COMPLAINT, |ui| {
+            top = words(context, (places, top), COMPLAINT, |ui| {
                 ui.horizontal(|ui| {
                     is_read = ui.button("Close").clicked();
                     ui.label(RichText::new("!").color(colors(ui).away).strong());
@@ -119,19 +119,19 @@ impl Notes {
                 });
             });
         } else if let Some((line, _)) = &self.done {
-            top = words(context, places.said(context, top), DONE, |ui| {
+            top = words(context, (places, top), DONE, |ui| {
                 ui.add(Label::new(RichText::new(line).color(colors(ui).accent)).wrap());
             });
         } else if let Some([seen, to_try]) =
             facts.caption.filter(|_| self.has_caption && self.offer.is_none() && !places.is_covered)
         {
-            top = words(context, places.said(context, top), CAPTION, |ui| {
+            top = words(context, (places, top), CAPTION, |ui| {
                 ui.add(Label::new(RichText::new(seen).color(colors(ui).text)).wrap());
                 ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(colors(ui).weak)).wrap());
             });
             self.caption_end = Some((places.room.width(), top));
             if facts.is_canvas {
-                top = words(context, places.said(context, top), CANVAS, |ui| {
+                top = words(context, (places, top), CANVAS, |ui| {
                     button(ui, "Open the canvas", "paint over the body", Action::Paint, wishes);
                 });
             }
@@ -139,10 +139,11 @@ impl Notes {
         if is_read {
             self.complaint = None;
         }
-        if let Some(line) = &self.offer {
-            words(context, places.said(context, top), OFFER, |ui| offer(ui, line, wishes));
+        // What lies over the world is done with first.
+        if let Some(line) = self.offer.as_ref().filter(|_| !places.is_covered && !facts.waits) {
+            words(context, (places, top), OFFER, |ui| offer(ui, line, wishes));
         }
-        if let Some(at) = self.hint_at {
+        if let Some(at) = self.hint_at.filter(|_| !places.is_covered) {
             let id = Id::unique("hint");
             let size = context.memory(|memory| memory.area_rect(id)).map_or(HINT_SIZE, |rect| rect.size());
             let rect = kept_in(Rect::from_min_size(at + egui::vec2(18.0, 18.0), size), Some(at), places.room);
@@ -199,10 +200,14 @@ fn offer(ui: &mut egui::Ui, line: &str, wishes: &mut Vec<Wish>) {
     });
 }
 
-/// A few words below the middle of an upper edge, in so much width. Returns where what is said next begins `[points]`.
-fn words(context: &egui::Context, (at, width): (egui::Pos2, f32), name: &str, add: impl FnOnce(&mut egui::Ui)) -> f32 {
+/// A few words from a height on, where there is room. Returns where what is said next begins `[points]`.
+fn words(context: &egui::Context, (places, top): (&Places, f32), name: &str, add: impl FnOnce(&mut egui::Ui)) -> f32 {
+    let (at, width) = places.said(context, top);
     let can_be_pressed = [COMPLAINT, WARNED, CANVAS, OFFER].contains(&name);
-    let place = Area::new(Id::unique(name)).pivot(Align2::CENTER_TOP).fixed_pos(at).interactable(can_be_pressed);
+    // Above a sheet: it may be of what is done there.
+    let order = if places.is_covered { egui::Order::Foreground } else { egui::Order::Middle };
+    let place = Area::new(Id::unique(name)).order(order);
+    let place = place.pivot(Align2::CENTER_TOP).fixed_pos(at).interactable(can_be_pressed);
     let shown = place.show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_max_width(width - 20.0);
@@ -225,6 +230,45 @@ mod tests {
         ];
         words.into_iter().for_each(|line| notes.warn(line.to_owned()));
         assert!(notes.warnings.len() == 1 && notes.warnings[0].0 == words[1], "{:?}", notes.warnings);
+    }
+
+    /// Which of what is said is on top where it stands, with a sheet in the middle or without.
+    fn on_top(sheet: Option<Rect>) -> Vec<&'static str> {
+        let context = egui::Context::default();
+        let mut notes = Notes {
+            complaint: Some("it went wrong".to_owned()),
+            offer: Some("a session was cut off".to_owned()),
+            ..Notes::default()
+        };
+        for _ in 0..30 {
+            let screen_rect = Some(Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 720.0)));
+            let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+            let mut output = context.run_ui(input, |ui| {
+                let room = ui.available_rect_before_wrap();
+                let places = Places::new(room, sheet.is_some());
+                notes.show(ui.ctx(), &places, &Facts { waits: sheet.is_some(), ..Facts::default() }, &mut Vec::new());
+                if let Some(sheet) = sheet {
+                    egui::Window::new("sheet").fixed_rect(sheet).show(ui.ctx(), |ui| ui.allocate_space(sheet.size()));
+                }
+            });
+            output.textures_delta.clear();
+        }
+        let is_seen = |name: &&str| {
+            let id = Id::unique(*name);
+            let rect = context.memory(|memory| memory.area_rect(id));
+            rect.is_some_and(|rect| context.layer_id_at(rect.center()).is_some_and(|layer| layer.id == id))
+        };
+        [COMPLAINT, OFFER].into_iter().filter(is_seen).collect()
+    }
+
+    #[test]
+    fn over_a_sheet_what_is_said_of_it_is_seen_and_an_offer_waits() {
+        assert_eq!(on_top(None), [COMPLAINT, OFFER]);
+        let whole = Rect::from_min_max(egui::pos2(20.0, 5.0), egui::pos2(1260.0, 660.0));
+        let narrow = whole.with_min_x(350.0).with_max_x(900.0);
+        for sheet in [whole, narrow] {
+            assert_eq!(on_top(Some(sheet)), [COMPLAINT], "{sheet}");
+        }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use egui::{Response, Slider, SliderClamping, Ui};
 
+use super::ranged;
 use super::settings::Sink;
 use crate::app::player::{Scenery, Shown};
 use crate::history::{Do, OneOrEach, SetKeys, Walls, Weather};
@@ -50,11 +51,13 @@ pub(super) fn value(target: &Target, scene: &SceneChange, push: Option<[f64; 2]>
     }
 }
 
-/// Sliders with names and units; those whose things have gone are left out.
+/// Sliders with names and units; those whose things have gone are left out, and those of what a switch beside them took away wait for it.
 pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &SceneChange, sink: &mut Sink<'_>) {
     ui.strong("Of this scene");
     for (parameter, value) in list {
-        let Some(mut to) = *value else { continue };
+        let [least, most] = [*parameter.range.start(), *parameter.range.end()];
+        let waits = value.is_none() && parameter.target.is_of_switch();
+        let Some(mut to) = value.or(waits.then_some(least)) else { continue };
         if parameter.target.is_switch() {
             let mut meets = to > 0.0;
             let by = ui.checkbox(&mut meets, &parameter.label);
@@ -63,13 +66,14 @@ pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &Scene
             }
             continue;
         }
-        let [least, most] = [*parameter.range.start(), *parameter.range.end()];
         let label = ui.label(&parameter.label);
         ui.spacing_mut().slider_width = 130.0;
         let unit = if parameter.unit.is_empty() { String::new() } else { format!(" {}", parameter.unit) };
-        let slider = Slider::new(&mut to, parameter.range.clone()).clamping(SliderClamping::Edits).suffix(unit);
+        let slider = Slider::new(&mut to, parameter.range.clone()).clamping(SliderClamping::Edits).suffix(&unit);
         let slider = slider.logarithmic(least > 0.0 && most > WIDE * least).max_decimals(3);
-        let by = ui.add(slider.update_while_editing(false)).labelled_by(label.id);
+        let slider = slider.update_while_editing(false);
+        let add = |ui: &mut Ui| ranged::slider(ui, slider, parameter.range.clone(), &unit);
+        let by = ui.add_enabled_ui(!waits, add).inner.labelled_by(label.id);
         if by.changed() {
             set(&by, &parameter.target, to, scene, sink);
         }

@@ -204,6 +204,7 @@ fn is_in_the_way(layer: LayerId) -> bool {
 /// The middle of the upper edge of a line in a room from `top` on, and how wide it may be: in the widest gap between what lies there, as
 /// near to `middle` as may be; below what leaves no gap.
 fn between((room, middle): (Rect, f32), lie: &[Rect], top: f32) -> (egui::Pos2, f32) {
+    let highest = top;
     let mut top = top;
     // Each time it goes below one of them at least.
     for _ in 0..=lie.len() {
@@ -224,7 +225,7 @@ fn between((room, middle): (Rect, f32), lie: &[Rect], top: f32) -> (egui::Pos2, 
         top = low + APART;
     }
     // Where there is no room at all it lies over them.
-    (pos2(middle, top), LEAST_SAID.min(room.width()))
+    (pos2(middle, highest), WIDEST.min(room.width()))
 }
 
 /// The widest part of a room's width that nothing lies in.

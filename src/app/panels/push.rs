@@ -4,7 +4,7 @@ use egui::{Area, Id, Rect, RichText, Slider, SliderClamping};
 
 use super::settings::Setting;
 use super::theme::{colors, floating};
-use super::{Facts, Wish};
+use super::{Facts, Wish, ranged};
 use crate::app::tools::PushWay;
 use crate::history::{Do, SetKeys, Weather};
 use crate::scene::{Vector, WindKeys};
@@ -24,7 +24,7 @@ fn turbulence(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let mut gusts = wind.turbulence;
     let slider = Slider::new(&mut gusts, 0.0..=1.0).clamping(SliderClamping::Edits).max_decimals(2).text("turbulence");
     ui.spacing_mut().slider_width = 96.0;
-    let by = ui.add(slider);
+    let by = ranged::slider(ui, slider, 0.0..=1.0, "");
     if by.changed() {
         let keys = WindKeys {
             velocity: Vector::new(wind.velocity, facts.dimensions),

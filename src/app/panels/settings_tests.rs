@@ -326,3 +326,40 @@ fn areas_are_kept_or_not_and_skins_are_as_thick_as_is_said() {
         assert_eq!(shown(&mut stage).settings, before, "{name}");
     }
 }
+
+#[test]
+fn rows_stay_where_they_are_while_what_they_are_of_is_switched_off() {
+    let text = r#"{"wobble": 1, "contact": {"radius": 0.02}, "bounds": {"min": [-5, -5], "max": [5, 5]}, "bodies": [{"make": "lattice",
+        "columns": 3, "rows": 3, "spacing": 0.5, "material": {"kind": "spring", "stiffness": 300, "mass": 4}}],
+        "parameters": [{"path": "contact", "min": 0, "max": 1, "label": "all meet"},
+            {"path": "contact.friction", "min": 0, "max": 1.5, "label": "rubbing"},
+            {"path": "gravity[1]", "min": -20, "max": 20, "label": "weight"}]}"#;
+    let scene = Scene::parse(text, "x.json").unwrap();
+    let mut stage = Stage::new(scene.clone().into()).unwrap();
+    let mut screen = Screen::new(&mut stage);
+    screen.facts.seen = [[-4.0, -3.0], [4.0, 3.0]];
+    let look = |screen: &mut Screen, stage: &mut Stage| {
+        let now = shown(stage);
+        screen.facts.settings.parameters = parameters::all(&scene.named_parameters(), &now, None);
+        screen.facts.settings.scene = now.settings;
+        (0..2).for_each(|_| _ = screen.frame(Vec::new()));
+    };
+    for (search, switch, rows) in [
+        ("areas", "areas are kept", &["areas resist", "left of each", "one another", "skin"][..]),
+        ("contact", "meet each other", &["one another", "and themselves", "friction", "skin", "areas resist"]),
+        ("walls", "stand", &["left", "top", "friction", "restitution"]),
+        ("this scene", "all meet", &["rubbing", "weight"]),
+    ] {
+        screen.state.settings_search = search.to_owned();
+        look(&mut screen, &mut stage);
+        let places = |screen: &mut Screen| rows.iter().map(|row| screen.find(row)).collect::<Vec<_>>();
+        let before = places(&mut screen);
+        assert!(before.iter().all(Option::is_some), "{search}: {rows:?} {before:?}");
+        for _ in 0..2 {
+            let [set] = &screen.click(switch)[..] else { panic!("{switch}") };
+            assert_eq!(stage.obey(Order::Give(vec![set.act.clone()], Some(set.name))), None, "{switch}");
+            look(&mut screen, &mut stage);
+            assert_eq!(places(&mut screen), before, "{switch}");
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! How the panels look: calm, one colour for what is on or asked for, dark or light as the world is.
 
-use egui::{Color32, Context, CornerRadius, FontId, Margin, Shadow, Stroke, TextStyle, Theme, Visuals};
+use egui::{Color32, Context, CornerRadius, FontId, Margin, Shadow, Stroke, TextStyle, Theme, Ui, Visuals};
 
 use crate::render::Palette;
 
@@ -98,6 +98,13 @@ pub(in crate::app) fn colors(context: &Context) -> &'static Colors {
         Theme::Dark => &DARK,
         Theme::Light => &LIGHT,
     }
+}
+
+/// A row is as high as its buttons from the start: words before them stand in its middle.
+pub(in crate::app) fn as_high_as_buttons(ui: &mut Ui) {
+    let style = ui.style();
+    let high = ui.text_style_height(&TextStyle::Button) + 2.0 * style.spacing.button_padding.y;
+    ui.set_min_height(high);
 }
 
 /// Gives a context the program's look.

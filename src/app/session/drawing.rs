@@ -315,7 +315,7 @@ impl Session {
             return Default::default();
         }
         let (scale, here) = (f64::from(self.look.scale_factor), self.camera_here());
-        let scope = Scope { shown: self.shown(), camera: &self.camera, scale };
+        let scope = Scope { shown: self.shown(), camera: &self.camera, scale, free: self.free.map(glam::DVec2::from) };
         // Over what is selected, which a click on a point or a bond is too.
         let probes: Vec<Mark> = self.probes().flat_map(|(place, point)| probe(scope, place, point)).collect();
         let scope = Scope { camera: &here, ..scope };

@@ -21,7 +21,13 @@ impl Session {
 
     /// A scene is there that no step asked for: a lesson whose scene it is not closes, and one that was left comes back with its own.
     pub(super) fn leave_lesson(&mut self) {
-        match self.panels.lessons.meet(&self.scene) {
+        let met = self.panels.lessons.meet(&self.scene);
+        // What a step shows goes with its scene, whether its words were still open or not.
+        if self.panels.lessons.open_at().is_none() {
+            let before = self.panels.lessons.show_no_more(self.showing());
+            before.into_iter().for_each(|showing| self.show_as(showing));
+        }
+        match met {
             Met::Left { had_plots } if had_plots && self.panels.plots.is_some() => self.forget_plots(),
             Met::Back(at) => self.lay_out(at),
             Met::Left { .. } | Met::Nothing => {}
@@ -33,11 +39,13 @@ impl Session {
     pub(super) fn lay_out(&mut self, at: At) {
         let Some(step) = lessons().get(at.lesson).and_then(|lesson| lesson.steps.get(at.step)) else { return };
         self.panels.notes.has_caption = false;
-        self.show_as(match step.show {
+        let showing = match step.show {
             None => Showing::Bodies,
             Some(Show::Strain) => Showing::Strain,
             Some(Show::Bonds) => Showing::Bonds,
-        });
+        };
+        self.panels.lessons.show_as(showing, self.showing());
+        self.show_as(showing);
         let had = self.panels.plots.is_some();
         match &step.plot {
             Some(plot) => {

@@ -80,7 +80,7 @@ impl Session {
         }
         let (shown, camera, area) = (self.player.shown(), self.camera_here(), self.area);
         let picture = Picture { motion: shown.motion, topology: shown.topology, camera, area };
-        let scope = Scope { shown, camera: &camera, scale: f64::from(self.look.scale_factor) };
+        let scope = Scope { shown, camera: &camera, scale: f64::from(self.look.scale_factor), free: Scope::ANYWHERE };
         self.dirty |= self.lost.look(scope, picture);
     }
 
@@ -158,7 +158,7 @@ mod tests {
         let view = [DVec2::ZERO, DVec2::new(800.0, 600.0)];
         let looked = |lost: &mut Lost, low: [f64; 3], high: [f64; 3]| {
             let camera = Camera::fit([low, high], 2, [800, 600]);
-            let scope = Scope { shown: &shown, camera: &camera, scale: 1.0 };
+            let scope = Scope { shown: &shown, camera: &camera, scale: 1.0, free: Scope::ANYWHERE };
             let picture = Picture { motion: shown.motion, topology: shown.topology, camera, area: [800, 600] };
             assert!(!lost.look(scope, picture), "small worlds are looked at whenever they move");
             lost.nearest.and_then(|point| scope.pixel(point))

@@ -156,7 +156,7 @@ impl Session {
     pub(super) fn with_scope<T>(&mut self, call: impl FnOnce(&mut Hand, Scope<'_>) -> T) -> T {
         let scale = f64::from(self.look.scale_factor);
         let camera = self.camera_here();
-        let scope = Scope { shown: self.player.shown(), camera: &camera, scale };
+        let scope = Scope { shown: self.player.shown(), camera: &camera, scale, free: self.free.map(DVec2::from) };
         call(&mut self.hand, scope)
     }
 

@@ -160,7 +160,7 @@ impl Session {
             return 0;
         }
         let scale = f64::from(self.look.scale_factor);
-        hidden_bodies(Scope { shown: self.shown(), camera: &self.camera, scale }).len()
+        hidden_bodies(Scope { shown: self.shown(), camera: &self.camera, scale, free: Scope::ANYWHERE }).len()
     }
 
     /// How the pointer looks over the world with a tool.

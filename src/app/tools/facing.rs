@@ -74,7 +74,7 @@ mod tests {
         // Also where panels push the middle aside.
         let camera = Camera::new(pose, [900, 700]).moved([60.0, -40.0]);
         let shown = Shown::default();
-        let scope = Scope { shown: &shown, camera: &camera, scale: 1.0 };
+        let scope = Scope { shown: &shown, camera: &camera, scale: 1.0, free: Scope::ANYWHERE };
         let place = DVec3::new(2.0, 1.0, 4.5);
         let from = DVec2::from(camera.screen_from_world(place).unwrap_or_default());
         let to = from + DVec2::new(120.0, -75.0);

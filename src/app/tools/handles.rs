@@ -98,6 +98,12 @@ impl Frame {
         if self.thin(scope) != [true; 2] {
             handles.extend(corners.into_iter().enumerate().map(|(k, at)| (Handle::Corner(k), at)));
         }
+        // A box of which something is seen has all of them where they can be taken.
+        let (low, high) = (corners[3], corners[1]);
+        let is_seen = low.cmplt(scope.free[1]).all() && high.cmpgt(scope.free[0]).all();
+        for (_, at) in handles.iter_mut().filter(|_| is_seen) {
+            *at = scope.kept(*at, RADIUS);
+        }
         handles
     }
 
@@ -137,7 +143,9 @@ impl Frame {
             match handle {
                 Handle::Turn => {
                     let stalk = at + DVec2::new(0.0, RADIUS * scope.scale);
-                    marks.push(Mark::Line(Role::Hold, top, stalk, thin));
+                    if stalk.y < top.y {
+                        marks.push(Mark::Line(Role::Hold, top, stalk, thin));
+                    }
                     marks.push(Mark::Knob(role, at, RADIUS * scope.scale));
                 }
                 Handle::Corner(_) => marks.push(Mark::Square(role, at, HALF * scope.scale)),

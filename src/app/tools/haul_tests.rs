@@ -39,7 +39,7 @@ impl Played {
 
     fn with<T>(&mut self, call: impl FnOnce(&mut Hand, Scope<'_>) -> T) -> T {
         let camera = camera();
-        call(&mut self.hand, Scope { shown: &self.shown, camera: &camera, scale: 1.0 })
+        call(&mut self.hand, Scope { shown: &self.shown, camera: &camera, scale: 1.0, free: Scope::ANYWHERE })
     }
 
     /// A frame with the button down.

@@ -31,7 +31,7 @@ impl Swung {
         for k in 0..count {
             let [x, y] = at(k);
             let pixel = DVec2::from(self.camera.screen_from_world([x, y, 0.0].into()).unwrap());
-            let scope = Scope { shown: &self.shown, camera: &self.camera, scale: 1.0 };
+            let scope = Scope { shown: &self.shown, camera: &self.camera, scale: 1.0, free: Scope::ANYWHERE };
             if let Some(way) = self.hand.lead_on_cursor(scope, (PointId(0), pixel), 1.0 / 60.0) {
                 assert_eq!(self.stage.obey(Order::LeadPins(way)), None);
             }
@@ -54,7 +54,7 @@ impl Swung {
     fn click(&mut self) {
         self.hand.hold_pins(true);
         let pixel = DVec2::from(self.camera.screen_from_world(self.first().extend(0.0)).unwrap());
-        let scope = Scope { shown: &self.shown, camera: &self.camera, scale: 1.0 };
+        let scope = Scope { shown: &self.shown, camera: &self.camera, scale: 1.0, free: Scope::ANYWHERE };
         let deed = self.hand.press(scope, pixel);
         self.hand.release(scope, pixel);
         self.hand.hold_pins(false);
@@ -114,7 +114,7 @@ fn a_rope_is_on_the_cursor_while_the_hand_is_free_alone() {
     let way = |tool: Tool, is_busy: bool| {
         let mut hand = Hand::default();
         hand.take(tool);
-        let scope = Scope { shown: &swung.shown, camera: &swung.camera, scale: 1.0 };
+        let scope = Scope { shown: &swung.shown, camera: &swung.camera, scale: 1.0, free: Scope::ANYWHERE };
         if is_busy {
             hand.press(scope, DVec2::new(20.0, 20.0));
         }
@@ -124,6 +124,6 @@ fn a_rope_is_on_the_cursor_while_the_hand_is_free_alone() {
     assert!(way(Tool::Hand, false).is_some_and(|way| way.follows));
     assert!(way(Tool::Hand, true).is_none() && way(Tool::Cut, false).is_none());
     swung.click();
-    let scope = Scope { shown: &swung.shown, camera: &swung.camera, scale: 1.0 };
+    let scope = Scope { shown: &swung.shown, camera: &swung.camera, scale: 1.0, free: Scope::ANYWHERE };
     assert!(swung.hand.lead_on_cursor(scope, (PointId(0), DVec2::new(400.0, 300.0)), 1.0).is_none());
 }

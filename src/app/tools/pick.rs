@@ -26,6 +26,8 @@ pub(in crate::app) struct Scope<'a> {
     pub(in crate::app) camera: &'a Camera,
     /// Physical pixels in a logical one.
     pub(in crate::app) scale: f64,
+    /// The left upper and the right lower corner of what no panel lies over `[px]`: handles are kept there.
+    pub(in crate::app) free: [DVec2; 2],
 }
 
 /// A point under a pixel.
@@ -39,6 +41,16 @@ pub(in crate::app) struct Hit {
 }
 
 impl Scope<'_> {
+    /// Where nothing lies over anything.
+    pub(in crate::app) const ANYWHERE: [DVec2; 2] = [DVec2::NEG_INFINITY, DVec2::INFINITY];
+
+    /// A pixel, or the nearest one that has so much room about it where nothing lies over it `[logical px]`.
+    pub(super) fn kept(&self, at: DVec2, room: f64) -> DVec2 {
+        let [low, high] = self.free;
+        let room = DVec2::splat(room * self.scale);
+        at.min(high - room).max(low + room)
+    }
+
     /// Where a point is seen `[px]`; `None` of one that was deleted, or is behind the camera.
     pub(in crate::app) fn pixel(&self, point: PointId) -> Option<DVec2> {
         self.camera.screen_from_world(DVec3::from(self.shown.place(point.index()))).map(DVec2::from)

@@ -81,7 +81,11 @@ impl Rings {
         let [low, high] = extent(scope, chosen)?;
         let middle = 0.5 * (low + high);
         let metre = metre(scope, middle)?;
-        let [least, most] = RADII.map(|radius| radius * scope.scale / metre);
+        let pixel = DVec2::from(scope.camera.screen_from_world(middle)?);
+        let [least, most] = RADII.map(|radius| radius * scope.scale);
+        // Where there is less room they are smaller, with room for the knob beside them.
+        let room = (pixel - scope.free[0]).min(scope.free[1] - pixel).min_element() - HALF * scope.scale;
+        let [least, most] = [least, most.min(room).max(least)].map(|radius| radius / metre);
         let is_endless = chosen.is_ground(scope);
         Some(Rings { is_endless, middle, radius: (0.5 * AROUND * low.distance(high)).clamp(least, most) })
     }
@@ -108,7 +112,11 @@ impl Rings {
         }
         let middle = DVec2::from(scope.camera.screen_from_world(self.middle)?);
         let far = self.radius * metre(scope, self.middle)? + OFF * scope.scale;
-        Some(middle + far * DVec2::new(0.5_f64.sqrt(), -0.5_f64.sqrt()))
+        let corners = [[1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]];
+        let places = corners.map(|corner| middle + far * 0.5_f64.sqrt() * DVec2::from(corner));
+        // At the first side that has room for it.
+        let free = places.into_iter().find(|at| scope.kept(*at, HALF) == *at);
+        Some(free.unwrap_or(scope.kept(places[0], HALF)))
     }
 
     /// The handle that a pixel means: of rings that cross there the one whose part in front is nearest.

@@ -383,3 +383,34 @@ fn each_of_a_thousand_bodies_is_outlined_when_all_are_selected() {
     let is_in = |at: DVec2| boxes.iter().any(|[low, high]| at.cmpge(*low).all() && at.cmple(*high).all());
     assert!((0..seen.0.point_count()).step_by(97).all(|point| is_in(pixel(&seen, point))));
 }
+
+#[test]
+fn handles_keep_off_what_lies_over_the_world_and_do_there_what_they_do() {
+    let seen = discs();
+    let mut hand = hand();
+    click(&mut hand, &seen, at(&seen, -2.0, 0.0));
+    // A bar over the upper half of the disc, and a column over its left one.
+    let free = [at(&seen, -2.4, 0.3), at(&seen, 5.0, -5.0)];
+    let scope = super::Scope { free, ..scope(&seen) };
+    let frame = Frame::of(scope, &hand.chosen(scope).unwrap()).unwrap();
+    let handles = frame.handles(scope);
+    assert_eq!(handles.len(), 5);
+    for (handle, place) in &handles {
+        assert!(place.cmpge(free[0]).all() && place.cmple(free[1]).all(), "{handle:?} at {place}");
+        assert_eq!(frame.handle(scope, *place), Some(*handle), "each can be taken");
+    }
+    let corner = handles.iter().find(|(handle, _)| *handle == Handle::Corner(2)).unwrap().1;
+    let still = at(&seen, -3.0, -1.0);
+    assert!(hand.press(scope, corner).is_empty());
+    let deed = hand.release(scope, still + 1.5 * (corner - still));
+    let [Do::Move(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    let factors = match keys.scale {
+        Some(Factors::Each(factors)) => factors,
+        Some(Factors::One(factor)) => [factor; 2],
+        None => panic!("{keys:?}"),
+    };
+    assert!(factors.iter().all(|factor| (factor - 1.5).abs() < 1e-6), "{factors:?}");
+    let out_of_view = super::Scope { free: [at(&seen, 3.0, 4.0), at(&seen, 5.0, 3.0)], ..scope };
+    let far = frame.handles(out_of_view);
+    assert!(far.iter().all(|(_, place)| place.x < out_of_view.free[0].x), "a box out of view stays there: {far:?}");
+}

@@ -39,7 +39,7 @@ impl Room {
     }
 
     fn with<T>(&mut self, call: impl FnOnce(&mut Hand, Scope<'_>) -> T) -> T {
-        call(&mut self.hand, Scope { shown: &self.shown, camera: &self.camera, scale: 1.0 })
+        call(&mut self.hand, Scope { shown: &self.shown, camera: &self.camera, scale: 1.0, free: Scope::ANYWHERE })
     }
 
     fn pixel(&mut self, point: u32) -> DVec2 {
@@ -384,4 +384,26 @@ fn an_axis_without_a_direction_and_one_in_the_plane_are_refused_and_without_one_
     let mut plane = Stage::new(Scene::parse(flat, "x.json").unwrap().into()).unwrap();
     let some = Some(crate::scene::Vector::Plane([1.0, 0.0]));
     assert!(matches!(plane.obey(Order::Give(turn(some), None)), Some(Note::Refused(why)) if why.contains("about z")));
+}
+
+#[test]
+fn rings_and_their_knob_keep_off_what_lies_over_the_world() {
+    let mut room = Room::of(THINGS, Tool::Select);
+    room.hand.select(super::Chosen { points: (0..9).map(PointId).collect(), obstacles: Vec::new() });
+    let of = |scope: Scope<'_>, hand: &mut Hand| {
+        let rings = super::rings::Rings::of(scope, &hand.chosen(scope).unwrap()).unwrap();
+        let marks = rings.marks(scope, None).into_iter().filter_map(|mark| match mark {
+            super::Mark::Line(_, at, ..) | super::Mark::Square(_, at, _) => Some(at),
+            _ => None,
+        });
+        marks.collect::<Vec<DVec2>>()
+    };
+    let open = room.with(|hand, scope| of(scope, hand));
+    let [low, high] = open.iter().fold([open[0]; 2], |[low, high], at| [low.min(*at), high.max(*at)]);
+    // A bar over the upper rim of the rings, and a column over the right one.
+    let free = [DVec2::new(0.0, low.y + 12.0), DVec2::new(high.x - 12.0, 2000.0)];
+    let kept = room.with(|hand, scope| of(Scope { free, ..scope }, hand));
+    for at in kept {
+        assert!(at.y > free[0].y && at.x < free[1].x, "{at} in {free:?}");
+    }
 }

@@ -29,7 +29,7 @@ pub(super) fn shown(scene: Scene) -> (Shown, Camera, Scene) {
 }
 
 pub(super) fn scope((shown, camera, _): &(Shown, Camera, Scene)) -> Scope<'_> {
-    Scope { shown, camera, scale: 1.0 }
+    Scope { shown, camera, scale: 1.0, free: Scope::ANYWHERE }
 }
 
 pub(super) fn pixel(of: &(Shown, Camera, Scene), point: usize) -> DVec2 {

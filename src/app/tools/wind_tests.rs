@@ -20,7 +20,7 @@ fn drag(hand: &mut Hand, stage: &mut Stage, [from, to]: [DVec2; 2]) -> Option<No
     let mut shown = Shown::default();
     stage.show(&mut shown);
     let camera = camera();
-    let scope = Scope { shown: &shown, camera: &camera, scale: 1.0 };
+    let scope = Scope { shown: &shown, camera: &camera, scale: 1.0, free: Scope::ANYWHERE };
     assert!(hand.press(scope, from).is_empty());
     let deed = hand.release(scope, to);
     stage.obey(Order::Give(deed.commands, deed.edit))
@@ -51,7 +51,7 @@ fn an_arrow_is_wind_that_is_felt_changed_by_its_end_taken_away_there_and_undone(
     let mut shown = Shown::default();
     stage.show(&mut shown);
     let camera = camera();
-    let scope = Scope { shown: &shown, camera: &camera, scale: 1.0 };
+    let scope = Scope { shown: &shown, camera: &camera, scale: 1.0, free: Scope::ANYWHERE };
     let said =
         |marks: &[Mark]| marks.iter().any(|mark| matches!(mark, Mark::Words(_, words) if words.contains("11.2 m/s")));
     assert!(said(&hand.marks(scope, Some(DVec2::new(900.0, 900.0)))), "its number stands beside it");

@@ -39,6 +39,9 @@ pub(super) struct Arguments {
     /// What is light, or clear, becomes the body.
     #[arg(long)]
     invert: bool,
+    /// All of the picture becomes the body, a rectangle.
+    #[arg(long, conflicts_with_all = ["threshold", "invert"])]
+    whole: bool,
     /// Specks and holes smaller than so many square pixels are left out.
     #[arg(long, value_name = "PX2", default_value = "12", allow_negative_numbers = true, value_parser = values::at_least_zero)]
     min_area: f64,
@@ -182,7 +185,10 @@ impl Arguments {
 
     fn settings(&self) -> Settings {
         Settings {
-            threshold: self.threshold.map_or(Threshold::Otsu, Threshold::At),
+            threshold: match self.threshold {
+                _ if self.whole => Threshold::Whole,
+                threshold => threshold.map_or(Threshold::Otsu, Threshold::At),
+            },
             invert: self.invert,
             blur: self.blur,
             fill_holes: self.fill_holes,

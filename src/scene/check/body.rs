@@ -34,6 +34,7 @@ fn parameters(make: MakerName) -> &'static [&'static str] {
             "grading",
             "threshold",
             "invert",
+            "whole",
             "blur",
             "min_area",
             "holes",

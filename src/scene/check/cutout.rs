@@ -12,8 +12,6 @@ use crate::scene::keys::{BodyKeys, PatternName, StrokesName};
 
 /// Height of a picture if not said `[m]`.
 const HEIGHT: f64 = 2.0;
-/// Neighbours along the longer side of a picture if not said.
-const NEIGHBOURS: f64 = 40.0;
 
 /// The maker that a body of kind `picture` amounts to.
 ///
@@ -51,10 +49,9 @@ pub(in crate::scene) fn check_cut(body: &BodyKeys) -> Result<(), Fault> {
 /// Errors: keys that exclude each other, or are out of their ranges.
 pub(in crate::scene) fn wanted(body: &BodyKeys, picture: &Picture) -> Result<(f64, Settings), Fault> {
     let height = body.height.unwrap_or(HEIGHT);
-    let side = f64::from(picture.width.max(picture.height));
     let spacing = match body.spacing {
         Some(spacing) => in_pixels(spacing, f64::from(picture.height) / height),
-        None => (side / NEIGHBOURS).max(2.0),
+        None => Settings::first_spacing(picture, Threshold::Otsu),
     };
     let settings = settings(body, spacing)?;
     settings.check().map_err(|error| out_of_range(&error, height / f64::from(picture.height)))?;
@@ -110,9 +107,15 @@ fn settings(body: &BodyKeys, spacing: f64) -> Result<Settings, Fault> {
         (None, Some(ratio)) => Size::Graded { spacing, ratio },
         (None, None) => Size::Spacing(spacing),
     };
+    let is_whole = body.whole.unwrap_or(false);
+    for (key, is_there) in [("threshold", body.threshold.is_some()), ("invert", body.invert == Some(true))] {
+        if is_whole && is_there {
+            return Err(Fault::invalid("stands beside `whole`: give one of them").at(key));
+        }
+    }
     let standard = Settings::default();
     Ok(Settings {
-        threshold: body.threshold.map_or(Threshold::Otsu, Threshold::At),
+        threshold: if is_whole { Threshold::Whole } else { body.threshold.map_or(Threshold::Otsu, Threshold::At) },
         invert: body.invert.unwrap_or(false),
         blur: body.blur.unwrap_or(0),
         fill_holes: !body.holes.unwrap_or(true),

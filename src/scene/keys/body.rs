@@ -198,6 +198,8 @@ object! {
             threshold: f64,
             /// picture: whether light pixels, or clear ones, are the body.
             invert: bool,
+            /// picture, in place of `threshold` and `invert`: whether all of it is the body, a rectangle.
+            whole: bool,
             /// picture, in place of `spacing`: largest area of a triangle `[px^2]`.
             max_area: f64,
             /// picture: specks and holes smaller than this are left out `[px^2]`, 12 if not said.

@@ -168,6 +168,8 @@ object! {
             threshold: f64,
             /// Whether light pixels, or clear ones, are solid.
             invert: bool,
+            /// In place of `threshold` and `invert`: whether all of it is solid, a rectangle.
+            whole: bool,
             /// Specks and holes smaller than this are left out `[px^2]`, 12 if not said.
             min_area: f64,
             /// Over how many pixels it is blurred first, 0 if not said.

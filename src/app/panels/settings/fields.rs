@@ -1,8 +1,11 @@
 //! The fields of the settings, section by section.
 
+use std::ops::RangeInclusive;
+
 use egui::{ComboBox, DragValue, Response, Slider, SliderClamping, Ui};
 
-use super::super::{Facts, Wish, dial};
+use super::super::theme::as_high_as_buttons;
+use super::super::{Facts, Wish, dial, ranged};
 use super::Sink;
 use crate::app::player::MethodSetting;
 use crate::history::{AreasOrNone, SetKeys, Walls, Weather};
@@ -15,17 +18,28 @@ const GRAVITY: f64 = 9.81;
 const FULL: f64 = 20.0;
 
 /// A number with its name before it, by which what reads aloud calls it.
-pub(super) fn number(ui: &mut Ui, name: &str, (value, speed, unit): (&mut f64, f64, &str)) -> Response {
+pub(super) fn number(ui: &mut Ui, name: &str, of: (&mut f64, f64, &str)) -> Response {
+    number_within(ui, name, of, f64::NEG_INFINITY..=f64::INFINITY)
+}
+
+/// The same of a range.
+pub(super) fn number_within(
+    ui: &mut Ui,
+    name: &str,
+    (value, speed, unit): (&mut f64, f64, &str),
+    range: RangeInclusive<f64>,
+) -> Response {
+    as_high_as_buttons(ui);
     let label = ui.label(name);
     let field = DragValue::new(value).speed(speed).max_decimals(2).suffix(unit).update_while_editing(false);
-    ui.add(field).labelled_by(label.id)
+    ranged::field(ui, field, range, unit).labelled_by(label.id)
 }
 
 /// A slider from 0 to `most`, whose value may be beyond.
 fn slider(ui: &mut Ui, name: &str, value: &mut f64, most: f64) -> Response {
     ui.spacing_mut().slider_width = 96.0;
     let slider = Slider::new(value, 0.0..=most).clamping(SliderClamping::Edits).max_decimals(2).text(name);
-    ui.add(slider.update_while_editing(false))
+    ranged::slider(ui, slider.update_while_editing(false), 0.0..=most, "")
 }
 
 pub(super) fn of_gravity(ui: &mut Ui, gravity: [f64; 3], sink: &mut Sink<'_>) {
@@ -81,14 +95,15 @@ pub(super) fn of_air(ui: &mut Ui, mut drag_rate: f64, wind: Option<Wind<3>>, sin
     let blows = to.velocity != [0.0; 3];
     let gusts = ui.add_enabled_ui(blows, |ui| slider(ui, "turbulence", &mut to.turbulence, 1.0)).inner;
     changed = changed.or(gusts.changed().then_some(gusts));
-    if blows && to.turbulence > 0.0 {
-        let by = ui.horizontal(|ui| {
+    let by = ui.add_enabled_ui(blows && to.turbulence > 0.0, |ui| {
+        ui.horizontal(|ui| {
             let label = ui.label("seed");
             ui.add(DragValue::new(&mut to.seed).speed(0.05)).labelled_by(label.id)
-        });
-        let by = by.inner.on_hover_text("of the gusts: with another one they come at other times, as strong");
-        changed = changed.or(by.changed().then_some(by));
-    }
+        })
+        .inner
+    });
+    let by = by.inner.on_hover_text("of the gusts: with another one they come at other times, as strong");
+    changed = changed.or(by.changed().then_some(by));
     if blows && drag_rate == 0.0 {
         ui.weak("without drag no wind is felt");
     }
@@ -103,11 +118,12 @@ pub(super) fn of_air(ui: &mut Ui, mut drag_rate: f64, wind: Option<Wind<3>>, sin
     }
 }
 
+/// Rows of what is switched off stay, so that nothing moves under the pointer.
 pub(super) fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, seen: [[f64; 2]; 2], sink: &mut Sink<'_>) {
+    let [low, high] = seen;
+    let can_stand = sink.dimensions == 2 && low[0] < high[0] && low[1] < high[1];
     ui.horizontal(|ui| {
         ui.strong("Walls");
-        let [low, high] = seen;
-        let can_stand = sink.dimensions == 2 && low[0] < high[0] && low[1] < high[1];
         let mut stand = bounds.is_some();
         let by = ui.add_enabled(stand || can_stand, egui::Checkbox::new(&mut stand, "stand"));
         let by = by.on_hover_text("new ones stand around what is seen");
@@ -115,26 +131,34 @@ pub(super) fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, seen: [[f64; 
             let these = BoundsKeys {
                 min: Vector::Plane(low),
                 max: Vector::Plane(high),
-                restitution: Some(0.2),
-                friction: Some(0.5),
+                restitution: Some(NEW_WALLS[0]),
+                friction: Some(NEW_WALLS[1]),
             };
             let walls = if stand { Walls::These(these) } else { Walls::None(()) };
             sink.scene(&by, "walls", SetKeys { bounds: Some(walls), ..SetKeys::default() });
         }
     });
-    let Some(bounds) = bounds else { return };
-    let mut to = *bounds;
+    if bounds.is_none() && !can_stand {
+        return;
+    }
+    let [restitution, friction] = NEW_WALLS;
+    let [min, max] = seen.map(|[x, y]| [x, y, 0.0]);
+    let mut to = bounds.copied().unwrap_or(BoundsChange { min, max, restitution, friction });
+    if bounds.is_none() {
+        ui.disable();
+    }
     let mut all = Vec::new();
     for (axis, [least, most]) in WALLS.into_iter().enumerate().take(sink.dimensions) {
         let speed = 0.005 * (to.max[axis] - to.min[axis]);
         ui.horizontal(|ui| {
-            all.push(number(ui, least, (&mut to.min[axis], speed, " m")));
-            all.push(number(ui, most, (&mut to.max[axis], speed, " m")));
+            // Walls do not stand in each other.
+            let (low, high) = (to.min[axis] + LEAST_WIDE, to.max[axis] - LEAST_WIDE);
+            all.push(number_within(ui, least, (&mut to.min[axis], speed, " m"), f64::NEG_INFINITY..=high));
+            all.push(number_within(ui, most, (&mut to.max[axis], speed, " m"), low..=f64::INFINITY));
         });
     }
     all.push(slider(ui, "friction", &mut to.friction, 1.0));
     all.push(slider(ui, "restitution", &mut to.restitution, 1.0));
-    // Walls that would stand in each other stay where they are.
     let is_fine = (0..sink.dimensions).all(|axis| to.min[axis] < to.max[axis]);
     if let Some(by) = all.into_iter().find(Response::changed).filter(|_| is_fine) {
         let keys = BoundsKeys {
@@ -147,6 +171,12 @@ pub(super) fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, seen: [[f64; 
     }
 }
 
+/// Walls are so far apart at least `[m]`.
+const LEAST_WIDE: f64 = 0.01;
+
+/// Restitution and friction of walls that are new `[1]`.
+const NEW_WALLS: [f64; 2] = [0.2, 0.5];
+
 /// Names of the walls along each axis.
 const WALLS: [[&str; 2]; 3] = [["left", "right"], ["floor", "top"], ["back", "front"]];
 
@@ -158,7 +188,11 @@ pub(super) fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<
         let keys = SetKeys { contact: Some(Meeting::Is(meets)), ..SetKeys::default() };
         sink.scene(&by, "contact", keys);
     }
-    let Some(contact) = contact else { return };
+    ui.add_enabled_ui(meets, |ui| of_meeting(ui, contact.unwrap_or_default(), sink));
+}
+
+/// How bodies meet.
+fn of_meeting(ui: &mut Ui, contact: Contact, sink: &mut Sink<'_>) {
     let mut to = contact;
     let all = [
         ui.checkbox(&mut to.with_others, "one another").on_hover_text("off: each meets itself alone, and obstacles"),
@@ -166,7 +200,7 @@ pub(super) fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<
         slider(ui, "friction", &mut to.friction, 2.0),
         slider(ui, "restitution", &mut to.restitution, 1.0),
     ];
-    let radius = chosen(ui, "skin", (contact.radius, 0.01, 0.0..=1e3), |x| format!("{} m", shown(x, 4)));
+    let radius = chosen(ui, ("skin", " m"), (contact.radius, 0.01, 0.0..=1e3), |x| format!("{} m", shown(x, 4)));
     if let Some((by, radius)) = radius {
         let thick = Contact { radius, ..contact };
         sink.scene(&by, "contact", SetKeys { contact: Some(Meeting::As(thick.into())), ..SetKeys::default() });
@@ -194,18 +228,19 @@ pub(super) fn of_areas(ui: &mut Ui, (areas, meets): (Option<Areas>, bool), sink:
         let kept = AreaKeys { kind: Some(AreaKindName::Rigid), stiffness: None, least: Some(before.least) };
         set(sink, &by, are_kept.then_some(kept));
     }
-    if before.stiffness.is_infinite() {
-        return;
-    }
-    let mut stiffness = before.stiffness;
+    let resists = !before.stiffness.is_infinite();
+    let mut stiffness = if resists { before.stiffness } else { 0.0 };
     let speed = 0.02 * stiffness.max(10.0);
-    let by = ui.horizontal(|ui| number(ui, "areas resist", (&mut stiffness, speed, " N/m"))).inner;
+    let resist = |ui: &mut Ui| {
+        ui.horizontal(|ui| number_within(ui, "areas resist", (&mut stiffness, speed, " N/m"), 0.0..=1e9)).inner
+    };
+    let by = ui.add_enabled_ui(resists, resist).inner;
     let by = by.on_hover_text("against being squeezed or blown up, beside what bonds do");
-    if by.changed() && stiffness >= 0.0 {
+    if by.changed() {
         set(sink, &by, (stiffness > 0.0).then(|| springs(stiffness, before.least)));
     }
     let mut least = before.least;
-    let by = ui.add_enabled_ui(meets, |ui| slider(ui, "left of each", &mut least, 0.9)).inner;
+    let by = ui.add_enabled_ui(resists && meets, |ui| slider(ui, "left of each", &mut least, 0.9)).inner;
     let by = by.on_hover_text("the share of its area that a triangle keeps in any case, where bodies meet");
     if by.changed() {
         set(sink, &by, Some(springs(before.stiffness, least.clamp(0.0, 0.9))));
@@ -220,21 +255,22 @@ fn shown(x: f64, places: usize) -> String {
 pub(super) fn of_method(ui: &mut Ui, method: &Method, facts: &Facts, sink: &mut Sink<'_>) {
     ui.strong("Method");
     of_solver(ui, method.solver, facts, sink);
-    let substep =
-        chosen(ui, "substep", (method.substep.map(|h| 1e3 * h), 2.0, 1e-4..=100.0), |x| format!("{} ms", shown(x, 4)));
+    let substep = chosen(ui, ("substep", " ms"), (method.substep.map(|h| 1e3 * h), 2.0, 1e-4..=100.0), |x| {
+        format!("{} ms", shown(x, 4))
+    });
     if let Some((by, to)) = substep {
         sink.method(&by, MethodSetting::Substep(to.map(|ms| 1e-3 * ms)));
     }
     let sweeps = (method.iterations.map(f64::from), 10.0, 1.0..=1000.0);
-    if let Some((by, to)) = chosen(ui, "sweeps", sweeps, |x| format!("{x:.0}")) {
+    if let Some((by, to)) = chosen(ui, ("sweeps", ""), sweeps, |x| format!("{x:.0}")) {
         sink.method(&by, MethodSetting::Iterations(to.map(|x| x.round() as u32)));
     }
     let strain = (method.max_strain.map(|strain| 100.0 * strain), 1.0, 1e-4..=50.0);
-    if let Some((by, to)) = chosen(ui, "strain of rods", strain, |x| format!("{} %", shown(x, 4))) {
+    if let Some((by, to)) = chosen(ui, ("strain of rods", " %"), strain, |x| format!("{} %", shown(x, 4))) {
         sink.method(&by, MethodSetting::MaxStrain(to.map(|percent| 0.01 * percent)));
     }
     let budget = (method.budget.filter(|ms| *ms < NO_BOUND), 6.0, 0.1..=1000.0);
-    if let Some((by, to)) = chosen(ui, "work a frame", budget, |x| format!("{} ms", shown(x, 1))) {
+    if let Some((by, to)) = chosen(ui, ("work a frame", " ms"), budget, |x| format!("{} ms", shown(x, 1))) {
         sink.method(&by, MethodSetting::Budget(to));
     }
     let (mut sleeps, mut settles) = (method.sleeps, method.settles);
@@ -254,8 +290,8 @@ const NO_BOUND: f64 = 1e6;
 /// A number that the rules choose, or that is given: where it is first given, `first`. Returns what became of it.
 fn chosen(
     ui: &mut Ui,
-    name: &str,
-    (value, first, range): (Option<f64>, f64, std::ops::RangeInclusive<f64>),
+    (name, unit): (&str, &str),
+    (value, first, range): (Option<f64>, f64, RangeInclusive<f64>),
     shown: impl Fn(f64) -> String,
 ) -> Option<(Response, Option<f64>)> {
     let mut is_given = value.is_some();
@@ -266,8 +302,8 @@ fn chosen(
         }
         let mut number = value?;
         let speed = 0.02 * number;
-        let field = DragValue::new(&mut number).speed(speed).range(range).update_while_editing(false);
-        let by = ui.add(field.custom_formatter(|x, _| shown(x))).labelled_by(switch.id);
+        let field = DragValue::new(&mut number).speed(speed).update_while_editing(false);
+        let by = ranged::field(ui, field.custom_formatter(|x, _| shown(x)), range, unit).labelled_by(switch.id);
         by.changed().then_some((by, Some(number)))
     })
     .inner

@@ -6,7 +6,7 @@ mod sections;
 
 use egui::{Align2, Area, Id, Rect, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo};
 
-use super::theme::{colors, floating};
+use super::theme::{as_high_as_buttons, colors, floating};
 use super::typed::takes_words;
 use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
@@ -144,6 +144,7 @@ fn panel(
             ui.set_width(width);
             let mut entered: Option<Response> = None;
             ui.horizontal(|ui| {
+                as_high_as_buttons(ui);
                 ui.label(RichText::new("Settings").color(colors(ui).text).strong());
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     if ui.button("Close").on_hover_text(described("close the settings", Action::Settings)).clicked() {
@@ -152,7 +153,7 @@ fn panel(
                     if is_wanted {
                         search.clear();
                     }
-                    let hint = "search: wind, sweeps";
+                    let hint = "search: wind";
                     let field = TextEdit::singleline(search).id(settings_search_id()).hint_text(hint);
                     let field = ui.add(field.desired_width(f32::INFINITY));
                     takes_words(&field);

@@ -3,7 +3,7 @@
 use egui::{Response, Ui};
 
 use super::super::Facts;
-use super::fields::number;
+use super::fields::{number, number_within};
 use super::{Pushing, Sink};
 use crate::history::Do;
 use crate::sim::{MouseChange, Profile, Region};
@@ -13,6 +13,8 @@ use crate::sim::{MouseChange, Profile, Region};
 const STRENGTH: f64 = 60.0;
 const SHARE: f64 = 0.12;
 const RADIUS: f64 = 0.5;
+/// The least radius `[m]`.
+const LEAST: f64 = 1e-3;
 
 pub(super) fn show(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
     ui.strong("Push of the mouse");
@@ -45,14 +47,13 @@ fn numbers(ui: &mut Ui, [mut strength, mut radius]: [f64; 2], sink: &mut Sink<'_
     let [speed, pace] = [0.01 * strength.abs().max(1.0), 0.01 * radius];
     let both = ui.horizontal_wrapped(|ui| {
         let strength = number(ui, "strength", (&mut strength, speed, " /s²"));
-        (strength, number(ui, "radius", (&mut radius, pace, " m")))
+        (strength, number_within(ui, "radius", (&mut radius, pace, " m"), LEAST..=f64::INFINITY))
     });
     let (of_strength, of_radius) = both.inner;
     let strength = MouseChange { strength: Some(strength), ..MouseChange::default() };
     give(of_strength.changed().then_some(of_strength), strength, sink);
-    let is_fine = radius > 0.0;
     let radius = MouseChange { radius: Some(radius), ..MouseChange::default() };
-    give((of_radius.changed() && is_fine).then_some(of_radius), radius, sink);
+    give(of_radius.changed().then_some(of_radius), radius, sink);
 }
 
 /// The region, and how the push falls off in it. In space all regions are round.

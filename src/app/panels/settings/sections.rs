@@ -2,7 +2,7 @@
 
 use egui::{Slider, Ui};
 
-use super::super::{Facts, Wish, parameters};
+use super::super::{Facts, Wish, parameters, ranged};
 use super::{Sink, fields, push};
 use crate::app::action::Action;
 use crate::app::trailing::TrailSettings;
@@ -192,10 +192,11 @@ fn of_trails(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
     }
     ui.spacing_mut().slider_width = 96.0;
     ui.add_enabled_ui(is_on, |ui| {
-        ui.add(Slider::new(&mut to.most, 1..=TrailSettings::MOST).logarithmic(true).text("points"));
+        let most = Slider::new(&mut to.most, 1..=TrailSettings::MOST).logarithmic(true).text("points");
+        ranged::slider(ui, most, 1.0..=TrailSettings::MOST as f64, "");
         let [shortest, longest] = TrailSettings::LENGTHS;
         let length = Slider::new(&mut to.length, shortest..=longest).logarithmic(true).max_decimals(1);
-        ui.add(length.suffix(" s").text("long"));
+        ranged::slider(ui, length.suffix(" s").text("long"), shortest..=longest, " s");
     });
     if to != before {
         sink.wishes.push(Wish::Trails(to));

@@ -1,0 +1,126 @@
+//! What is taken of a picture, and how that is shown.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Shape};
+
+use super::Import;
+use crate::picture::{Picture, Size, Threshold};
+
+/// An opaque grey picture, whose lightness is told by where its pixels are, from 0 to 1 along both sides.
+fn grey(light: impl Fn(f64, f64) -> f64) -> Arc<Picture> {
+    let [width, height] = [96_u32, 64];
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    let rgba = pixels.flat_map(|(x, y)| {
+        let value = (255.0 * light(f64::from(x) / 96.0, f64::from(y) / 64.0)) as u8;
+        [value, value, value, 255]
+    });
+    Arc::new(Picture { width, height, rgba: rgba.collect() })
+}
+
+/// A blot on paper, and a photograph that fills its frame.
+fn blot() -> Arc<Picture> {
+    grey(|x, y| if (x - 0.5).hypot(y - 0.5) < 0.3 { 0.1 } else { 0.95 })
+}
+
+fn photograph() -> Arc<Picture> {
+    grey(|x, y| 0.2 + 0.6 * x * y + 0.1 * y)
+}
+
+/// An import's panel on a screen of its own.
+struct Screen {
+    context: egui::Context,
+    import: Import,
+}
+
+impl Screen {
+    fn of(picture: Arc<Picture>) -> Self {
+        let import = Import::of_picture("picture".to_owned(), picture, || ());
+        let mut screen = Screen { context: egui::Context::default(), import };
+        screen.settle();
+        screen
+    }
+
+    /// Waits until it is cut out and shown.
+    fn settle(&mut self) {
+        let start = Instant::now();
+        while self.import.worker.at_work.is_some() {
+            _ = self.import.poll();
+            assert!(start.elapsed() < Duration::from_secs(20), "it is never cut out");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        (0..3).for_each(|_| _ = self.frame(Vec::new()));
+    }
+
+    fn frame(&mut self, events: Vec<Event>) -> Vec<Shape> {
+        let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, egui::vec2(1280.0, 720.0)));
+        let input = egui::RawInput { screen_rect, events, ..Default::default() };
+        let mut output = self.context.run_ui(input, |ui| _ = self.import.show(ui.ctx(), true));
+        output.textures_delta.clear();
+        output.shapes.into_iter().map(|clipped| clipped.shape).collect()
+    }
+
+    fn says(&mut self, words: &str) -> Option<Pos2> {
+        self.frame(Vec::new()).into_iter().find_map(|shape| match shape {
+            Shape::Text(text) if text.galley.text() == words => Some(text.visual_bounding_rect().center()),
+            _ => None,
+        })
+    }
+
+    fn click(&mut self, words: &str) {
+        let pos = self.says(words).unwrap_or_else(|| panic!("{words} is not there"));
+        let button = |pressed| {
+            let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+            Event::PointerButton { pos, button, pressed, modifiers }
+        };
+        for event in [Event::PointerMoved(pos), button(true), button(false)] {
+            self.frame(vec![event]);
+        }
+        self.settle();
+    }
+
+    /// The share of the picture that is shown as bright as it is, beside all of it, which is dim.
+    fn bright(&mut self) -> f32 {
+        let textured = self.frame(Vec::new()).into_iter().filter_map(|shape| match shape {
+            Shape::Mesh(mesh) if mesh.texture_id != egui::TextureId::default() => {
+                let triangles = mesh.indices.chunks_exact(3).map(|corners| {
+                    let [a, b, c] = [0, 1, 2].map(|k| mesh.vertices[corners[k] as usize].pos);
+                    0.5 * ((b - a).x * (c - a).y - (b - a).y * (c - a).x).abs()
+                });
+                Some((mesh.vertices[0].color.r(), triangles.sum::<f32>()))
+            }
+            _ => None,
+        });
+        let textured: Vec<(u8, f32)> = textured.collect();
+        let [(dim, whole), (light, bright)] = textured[..] else { panic!("{textured:?}") };
+        assert!(light > 2 * dim, "what is taken stands out: {textured:?}");
+        bright / whole
+    }
+}
+
+#[test]
+fn a_drawing_is_cut_out_and_a_photograph_without_ground_is_taken_whole_which_one_click_changes() {
+    let mut drawn = Screen::of(blot());
+    assert_eq!(drawn.import.wish.settings.threshold, Threshold::Otsu);
+    assert!(drawn.says("it stands out from light ground").is_some());
+    let share = std::f32::consts::PI * 0.3 * 0.3;
+    assert!((drawn.bright() - share).abs() < 0.03, "the blot is bright: {}", drawn.bright());
+    let before = drawn.import.wish.settings.size;
+    drawn.click("the whole picture");
+    assert_eq!(drawn.import.wish.settings.threshold, Threshold::Whole);
+    assert!((drawn.bright() - 1.0).abs() < 0.01 && drawn.says("all of it, its ground too").is_some());
+    drawn.click("what stands out");
+    assert_eq!((drawn.import.wish.settings.threshold, drawn.import.wish.settings.size), (Threshold::Otsu, before));
+
+    let mut photograph = Screen::of(photograph());
+    assert_eq!(photograph.import.wish.settings.threshold, Threshold::Whole);
+    assert!((photograph.bright() - 1.0).abs() < 0.01);
+    assert!(photograph.says("no even ground that a shape stands out from: all is taken").is_some());
+    let points = photograph.import.coming();
+    assert!((200..900).contains(&points), "{points}");
+    photograph.import.wish.settings.size = Size::Spacing(9.0);
+    photograph.click("what stands out");
+    assert!(photograph.bright() < 0.9 && photograph.import.wish.settings.size == Size::Spacing(9.0));
+}
