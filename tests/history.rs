@@ -549,3 +549,25 @@ fn what_is_squeezed_and_becomes_rigid_lifts_its_load() {
     let end = top(&history);
     assert!(most < end + 0.15 && end > before + 0.2, "it rises to {most} m and lies at {end} m");
 }
+
+#[test]
+fn a_history_that_begins_at_a_moment_in_another_precision_goes_on_from_there() {
+    use wobble::scene::PrecisionName;
+    use wobble::sim::Precision;
+    let mut live = history("ragdoll");
+    play(&mut live, 200);
+    let now = live.world().sample(live.world().time());
+    for (name, precision) in [(PrecisionName::F32, Precision::F32), (PrecisionName::F64, Precision::F64)] {
+        let recording = live.begun_with(name, None).unwrap();
+        let mut other = History::new(Start::from(as_log(&recording).recording().unwrap())).unwrap();
+        assert_eq!((other.world().precision(), other.world().time()), (precision, live.world().time()));
+        let there = other.world().sample(other.world().time());
+        let apart = now.position.iter().flatten().zip(there.position.iter().flatten()).map(|(a, b)| (a - b).abs());
+        assert!(apart.fold(0.0, f64::max) < 1e-6, "{name:?}");
+        other.give(vec![strength(5.0)], Some("weaker")).unwrap();
+        play(&mut other, 100);
+        assert!(other.world().is_finite() && other.world().precision() == precision, "{name:?} stays so");
+    }
+    let refused = live.begun_with(PrecisionName::Auto, Some(1e-4)).unwrap_err();
+    assert!(refused.contains("tolerance"), "where bodies meet none is held to: {refused}");
+}

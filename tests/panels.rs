@@ -347,3 +347,123 @@ fn panels_look_as_they_did_at_both_scales() {
         }
     }
 }
+
+/// A drag of a field, found by its name, to the right.
+fn pull(panels: &mut Panels, name: &str, far: f32) {
+    panels.get_by_label(name).scroll_to_me();
+    panels.run_steps(4);
+    let from = panels.get_by_label(name).rect().center();
+    panels.drag_at(from);
+    panels.run_steps(2);
+    for share in [0.5, 1.0] {
+        panels.hover_at(from + egui::vec2(share * far, 0.0));
+        panels.run_steps(2);
+    }
+    panels.drop_at(from + egui::vec2(far, 0.0));
+    panels.run_steps(3);
+}
+
+/// What is seen of a world beside its places: mean velocity, skin of the first point, tracks, order and seed.
+fn set(panels: &Panels) -> String {
+    let world = panels.state().history().world();
+    let method = world.method();
+    let velocities: Vec<_> = (0..world.point_count() as u32).map(|point| world.velocity(PointId(point))).collect();
+    let corrections: Vec<_> = world.bonds().iter().map(|bond| bond.kind).collect();
+    let skin = world.skin_of(PointId(0));
+    format!("{velocities:?} {skin:?} {:?} {:?} {} {corrections:?}", world.pin_tracks(), method.order, method.seed)
+}
+
+#[test]
+fn velocity_skin_and_corrections_of_what_is_selected_are_set_by_their_fields_and_undone() {
+    let relaxed = SCENE.replace(r#""kind": "spring", "stiffness": 300"#, r#""kind": "relaxed", "max_correction": 0.5"#);
+    for (text, name) in [(SCENE, "velocity x"), (SCENE, "velocity y"), (SCENE, "skin"), (&relaxed, "corrects")] {
+        let (mut panels, _) = opened(text, &[Action::Take(Tool::Select)], 1.0);
+        panels.state_mut().select((0..9).map(PointId).collect());
+        panels.run_steps(4);
+        let before = set(&panels);
+        pull(&mut panels, name, 40.0);
+        let after = set(&panels);
+        assert_ne!(after, before, "{name}");
+        assert_eq!(panels.state().refusals(), [""; 0], "{name}");
+        panels.state_mut().act(Action::Undo);
+        panels.run_steps(3);
+        assert_eq!(set(&panels), before, "{name}: the drag is undone as one");
+    }
+}
+
+#[test]
+fn a_pin_is_led_along_a_way_whose_places_come_change_and_go_each_as_one_edit() {
+    let text = SCENE.replace(r#""origin": [0, 1]"#, r#""origin": [0, 1], "pinned": [0]"#);
+    let (mut panels, _) = opened(&text, &[Action::Take(Tool::Select)], 1.0);
+    panels.state_mut().select((0..9).map(PointId).collect());
+    panels.run_steps(4);
+    let knots =
+        |panels: &Panels| panels.state().history().world().pin_tracks().pop().map_or(Vec::new(), |(_, knots)| knots);
+    let mut counts = vec![knots(&panels).len()];
+    for name in ["lead it", "+", "×"] {
+        let button = panels.get_all_by_label(name).last().unwrap();
+        button.scroll_to_me();
+        panels.run_steps(4);
+        panels.get_all_by_label(name).last().unwrap().click();
+        panels.run_steps(4);
+        counts.push(knots(&panels).len());
+    }
+    assert_eq!(counts, [0, 2, 3, 2]);
+    let before = knots(&panels);
+    pull(&mut panels, "y of knot 1 of pin 0", 50.0);
+    let after = knots(&panels);
+    assert!(after[1].1[1] > before[1].1[1] + 0.2 && after[0] == before[0], "{after:?}");
+    pull(&mut panels, "time of knot 1 of pin 0", -400.0);
+    assert!(knots(&panels)[1].0 > knots(&panels)[0].0, "times ascend: {:?}", knots(&panels));
+    let mut left = Vec::new();
+    for _ in 0..5 {
+        panels.state_mut().act(Action::Undo);
+        panels.run_steps(2);
+        left.push(knots(&panels).len());
+    }
+    assert_eq!(left, [2, 2, 3, 2, 0], "each is one step of undo");
+    press(&mut panels, "lead it");
+    let stop = panels.get_all_by_label("stop").last().unwrap();
+    stop.click();
+    panels.run_steps(4);
+    assert!(knots(&panels).is_empty() && panels.state().history().world().pinned() == [PointId(0)], "it stands again");
+    assert_eq!(panels.state().refusals(), [""; 0]);
+}
+
+#[test]
+fn order_seed_precision_and_tolerance_are_chosen_by_their_lists() {
+    let text = SCENE.replace(r#""contact": true,"#, "");
+    let (mut panels, _) = opened(&text, &[Action::Settings], 1.0);
+    panels.get_by_label("search the settings").focus();
+    panels.run_steps(2);
+    panels.get_by_label("search the settings").type_text("method");
+    panels.run_steps(3);
+    let choose = |panels: &mut Panels, list: &str, name: &str| {
+        panels.get_by_label(list).click();
+        panels.run_steps(4);
+        panels.get_all_by_label(name).last().unwrap().click();
+        panels.run_steps(4);
+    };
+    let before = set(&panels);
+    choose(&mut panels, "order", "shuffled");
+    assert_eq!(panels.state().history().world().method().order, wobble::sim::Order::Shuffled);
+    pull(&mut panels, "seed of the order", 60.0);
+    assert!(panels.state().history().world().method().seed > 0);
+    (0..2).for_each(|_| panels.state_mut().act(Action::Undo));
+    panels.run_steps(3);
+    assert_eq!(set(&panels), before);
+    let precision = |panels: &Panels| panels.state().history().world().precision();
+    assert_eq!(precision(&panels), wobble::sim::Precision::F64);
+    let places = |panels: &Panels| panels.state().history().world().sample(0.0).position;
+    let at = places(&panels);
+    choose(&mut panels, "precision", "32 bits");
+    assert_eq!(precision(&panels), wobble::sim::Precision::F32);
+    let far = at.iter().flatten().zip(places(&panels).iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(far < 1e-6, "it goes on where it was: {far} m");
+    choose(&mut panels, "tolerance", "0.1 mm");
+    assert_eq!(panels.state().history().world().method().tolerance, Some(1e-4));
+    choose(&mut panels, "precision", "64 bits");
+    let method = panels.state().history().world().method();
+    assert_eq!((precision(&panels), method.tolerance), (wobble::sim::Precision::F64, Some(1e-4)), "both stay");
+    assert_eq!(panels.state().refusals(), [""; 0]);
+}

@@ -1,16 +1,18 @@
 //! The panels beside a world without a window, a thread or a GPU: whoever shows them by another harness presses and types as in the program.
 
+use std::sync::Arc;
+
 use egui::{Context, Ui};
 
 use super::action::{Action, Tool};
-use super::matter::Among;
+use super::matter::{Among, MatterChange, Overload, overload};
 use super::panels::{self, Facts, Met, PanelState, Pushing, Setting, Settings, Sheet, Wish, parameters, theme};
 use super::player::{Note, Order, Shown, Stage};
 use super::tools::PushWay;
 use crate::history::{History, HistoryError};
 use crate::lessons::lessons;
 use crate::render::{Look, Palette};
-use crate::scene::{Parameter, Scene, gallery};
+use crate::scene::{Parameter, PrecisionName, Scene, gallery};
 use crate::sim::PointId;
 
 /// Panels and a world. What only a window can do, files and the clipboard, is not done.
@@ -144,6 +146,14 @@ impl Rehearsal {
             }
             Wish::Solver(solver) => self.obey(Order::Solver(solver)),
             Wish::Method(setting, goes_on) => self.obey(Order::Method(setting, goes_on)),
+            Wish::Give(acts, name) => self.obey(Order::Give(acts, Some(name))),
+            Wish::Begin(precision, tolerance) => self.obey(Order::Begin(precision, tolerance)),
+            Wish::Bear => {
+                if let Some(Overload { bonds, stiffness, .. }) = self.overload() {
+                    let among = Among { bonds: Some(bonds), ..Among::default() };
+                    self.obey(Order::Change { among, change: MatterChange::Bears(stiffness), goes_on: false });
+                }
+            }
             _ => {}
         }
     }
@@ -161,10 +171,20 @@ impl Rehearsal {
     }
 
     fn obey(&mut self, order: Order) {
-        if let Some(Note::Refused(why)) = self.stage.obey(order) {
-            self.said.push(why);
+        match self.stage.obey(order) {
+            Some(Note::Refused(why)) => self.said.push(why),
+            Some(Note::Begins(start)) => match Stage::new(*start) {
+                Ok(stage) => self.stage = stage,
+                Err(error) => self.said.push(error.to_string()),
+            },
+            _ => {}
         }
         self.look();
+    }
+
+    /// What of what is selected gives way.
+    fn overload(&self) -> Option<Overload> {
+        if self.selected.points.is_empty() { None } else { overload(&self.shown, &self.selected.points) }
     }
 
     fn look(&mut self) {
@@ -186,7 +206,9 @@ impl Rehearsal {
             look: Look::in_palette(self.palette),
             palette: self.palette,
             dimensions: scene.dimensions(),
+            overload: self.overload().map(Arc::new),
             settings: Settings {
+                fixed: Some((scene.method.precision.unwrap_or(PrecisionName::Auto), scene.method.tolerance)),
                 parameters: parameters(&self.named, &self.shown, push),
                 scene: self.shown.settings.clone(),
                 pushing: self.shown.mouse.as_ref().map(Pushing::of),

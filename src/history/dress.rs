@@ -102,6 +102,11 @@ impl Dress {
         &self.names
     }
 
+    /// How many pictures were put on triangles, one on another too.
+    pub(super) fn worn(&self) -> usize {
+        self.worn.len()
+    }
+
     /// Whether anything is drawn on triangles.
     pub(super) fn has_skins(&self) -> bool {
         !self.worn.is_empty()
@@ -120,12 +125,19 @@ impl Dress {
         let mut left: Vec<[u32; 3]> =
             world.triangles().iter().map(|corners| key(corners.map(|corner| corner.0))).collect();
         left.sort_unstable();
-        let is_left = |corners: &[u32; 3]| left.binary_search(&key(*corners)).is_ok();
-        let of = |skin: &Skin| {
-            let triangles: Vec<[u32; 3]> = skin.triangles.iter().copied().filter(is_left).collect();
+        // What came later is drawn in place of what was there.
+        let mut is_drawn = vec![false; left.len()];
+        let mut of = |skin: &Skin| {
+            let mut is_left = |corners: &[u32; 3]| {
+                let place = left.binary_search(&key(*corners));
+                place.is_ok_and(|place| !std::mem::replace(&mut is_drawn[place], true))
+            };
+            let triangles: Vec<[u32; 3]> = skin.triangles.iter().copied().filter(|corners| is_left(corners)).collect();
             (!triangles.is_empty()).then(|| Skin { triangles, ..skin.clone() })
         };
-        self.worn.iter().filter_map(of).collect()
+        let mut skins: Vec<Skin> = self.worn.iter().rev().filter_map(&mut of).collect();
+        skins.reverse();
+        skins
     }
 
     /// What skins that came after the start of the scene are drawn on.

@@ -118,9 +118,10 @@ impl Frame {
             Resolved::Made(made) => {
                 let command = Command::Add(Box::new(made.addition));
                 let applied = self.world.apply(&command)?;
+                let is_dressed = !(made.skins.is_empty() && made.coats.is_empty());
                 self.dress.wear(made.skins);
                 self.dress.tint((made.tints, made.names), &made.coats);
-                Ok(Applied { is_something: applied.is_something || !made.coats.is_empty(), ..applied })
+                Ok(Applied { is_something: applied.is_something || is_dressed, ..applied })
             }
             Resolved::Group => {
                 if let Do::Group { points, name } = act {

@@ -17,6 +17,7 @@ mod dress;
 mod eased;
 mod effort;
 mod error;
+mod fixed;
 mod frame;
 mod hand;
 mod keyframes;

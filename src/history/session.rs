@@ -34,8 +34,8 @@ pub struct History {
     pub(super) keyframes: Keyframes,
     pub(super) undone: Vec<Redo>,
     skins: Vec<Skin>,
-    /// The topology that the skins are of.
-    dressed: u64,
+    /// The topology that the skins are of, and how many were put on.
+    dressed: (u64, usize),
     /// Time of the start `[s]`.
     from: f64,
     next_edit: u64,
@@ -88,7 +88,7 @@ impl History {
             keyframes: Keyframes::new(),
             undone: Vec::new(),
             skins: Vec::new(),
-            dressed: 0,
+            dressed: (0, 0),
             from,
             next_edit,
             last_edit: None,
@@ -125,6 +125,11 @@ impl History {
     /// sides was a bond that is gone.
     pub fn skins(&self) -> &[Skin] {
         &self.skins
+    }
+
+    /// How many pictures were put on bodies, one on another too.
+    pub fn worn(&self) -> usize {
+        self.frame.dress.worn()
     }
 
     /// What bodies are called, by their numbers, of those of which it is known: see [`Scene::body_names`].
@@ -299,7 +304,7 @@ impl History {
     pub(super) fn arrive(&mut self) {
         let world = &*self.frame.world;
         self.skins = if self.frame.dress.has_skins() { self.frame.dress.skins(world) } else { Vec::new() };
-        self.dressed = world.topology();
+        self.dressed = (world.topology(), self.frame.dress.worn());
         self.second = world.time().floor();
         self.kept = Kept::at(&self.frame);
         self.last_edit = None;
@@ -307,10 +312,11 @@ impl History {
 
     fn dress(&mut self) {
         let topology = self.frame.world.topology();
-        if topology != self.dressed && self.frame.dress.has_skins() {
+        let dressed = (topology, self.frame.dress.worn());
+        if dressed != self.dressed && self.frame.dress.has_skins() {
             self.skins = self.frame.dress.skins(&*self.frame.world);
         }
-        self.dressed = topology;
+        self.dressed = dressed;
     }
 
     /// Marks the state after all commands of its time, once a second.

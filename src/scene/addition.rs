@@ -1,7 +1,5 @@
 //! What is added to a running world, made: bodies become points and bonds, numbers those of the world.
 
-use std::ops::Range;
-
 use super::check;
 use super::error::{Fault, SceneError, Source, Within};
 use super::keys::{AddKeys, BondKeys, BondList, DrawnKeys, ObstacleKeys, PointKeys, Scene};
@@ -130,7 +128,7 @@ impl AddKeys {
         angles.extend(model.angles.list.iter().map(|angle| Angle { points: angle.points.map(offset), ..*angle }));
         let (tints, names) = self.tints(&alone, first)?;
         Ok(Made {
-            skins: self.skins(&alone, (first, count))?,
+            skins: self.skins(&alone, (first, count), world)?,
             tints,
             names,
             coats: self
@@ -213,29 +211,34 @@ impl AddKeys {
         self.pin_motion.iter().map(|motion| (PointId(motion.point), knots(&motion.track))).collect()
     }
 
-    fn skins(&self, alone: &Scene, (first, count): (u32, u32)) -> Result<Vec<Skin>, Fault> {
+    fn skins(&self, alone: &Scene, (first, count): (u32, u32), world: &dyn Dynamics) -> Result<Vec<Skin>, Fault> {
         let mut skins = alone.all_skins()?;
         for skin in &mut skins {
             skin.first += first;
             skin.triangles.iter_mut().flatten().for_each(|corner| *corner += first);
         }
         for (i, texture) in self.textures.iter().enumerate() {
-            skins.extend(self.drawn(texture, alone, first..count).item(i).at("textures")?);
+            skins.extend(self.drawn(texture, alone, (count, world)).item(i).at("textures")?);
         }
         Ok(skins)
     }
 
-    /// What a picture is drawn on among the triangles of the keys: those with all corners among its points, which are all `new`. `None`: on
-    /// nothing.
-    fn drawn(&self, texture: &DrawnKeys, alone: &Scene, new: Range<u32>) -> Result<Option<Skin>, Fault> {
+    /// What a picture is drawn on among the triangles of the keys and of the world: those with all corners among its points, of which there
+    /// are `count`. `None`: on nothing.
+    fn drawn(
+        &self,
+        texture: &DrawnKeys,
+        alone: &Scene,
+        (count, world): (u32, &dyn Dynamics),
+    ) -> Result<Option<Skin>, Fault> {
         let DrawnKeys { image, points, uv } = texture;
         check::check_image(image).at("image")?;
         if points.len() != uv.len() {
             let message = format!("has {} places for {} points: give one each", uv.len(), points.len());
             return Err(Fault::invalid(message).at("uv"));
         }
-        if let Some(other) = points.iter().find(|point| !new.contains(point)) {
-            let message = format!("names point {other}, which does not come with it: name new points");
+        if let Some(other) = points.iter().find(|point| **point >= count) {
+            let message = format!("names point {other}, and there are {count}: name points that are there");
             return Err(Fault::invalid(message).at("points"));
         }
         if let Some(k) = uv.iter().position(|uv| !uv.0.iter().all(|x| x.is_finite())) {
@@ -249,7 +252,9 @@ impl AddKeys {
             places[(point - first) as usize] = Some(uv.0.map(|x| x as f32));
         }
         let has = |corner: &u32| corner.checked_sub(first).and_then(|k| *places.get(k as usize)?).is_some();
-        let triangles = self.triangles.iter().map(|corners| corners.0).filter(|corners| corners.iter().all(has));
+        let of_world = world.triangles().iter().map(|corners| corners.map(|corner| corner.0));
+        let triangles = self.triangles.iter().map(|corners| corners.0).chain(of_world);
+        let triangles = triangles.filter(|corners| corners.iter().all(has));
         let triangles: Vec<[u32; 3]> = triangles.collect();
         let texture = places.iter().map(|place| place.unwrap_or_default()).collect();
         Ok((!triangles.is_empty()).then_some(Skin { picture, first, triangles, texture }))

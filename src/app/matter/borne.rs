@@ -54,10 +54,7 @@ impl Bearing {
 /// How the soft bodies of a world bear their weights: those of springs all over, that cover something and hang on no pin.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::app) struct Bearings {
-    /// The body of each point.
-    of: Vec<u32>,
-    /// Ascending by the bodies.
-    list: Vec<(u32, Bearing)>,
+    list: Vec<Bearing>,
 }
 
 impl Bearings {
@@ -109,22 +106,13 @@ impl Bearings {
         }
         scenery.pinned.iter().for_each(|&pin| is_soft[body(pin)] = false);
         let list = (0..bodies).filter(|&own| is_soft[own] && covers[own] && all[own].firm[1] > 0.0);
-        Bearings { list: list.map(|own| (own as u32, all[own])).collect(), of }
-    }
-
-    /// Of the bodies that some points are of.
-    pub(in crate::app) fn among(&self, points: &[PointId]) -> Self {
-        let mut bodies: Vec<u32> = points.iter().filter_map(|point| self.of.get(point.index()).copied()).collect();
-        bodies.sort_unstable();
-        bodies.dedup();
-        let list = self.list.iter().filter(|(own, _)| bodies.binary_search(own).is_ok()).copied().collect();
-        Bearings { list, of: Vec::new() }
+        Bearings { list: list.map(|own| all[own]).collect() }
     }
 
     /// The share of its height by which that one sags which sags most, with another mass by area or stiffness, and the stiffness that bears it
     /// `[N/m]`; `None` where that is not worth a word.
     pub(in crate::app) fn told(&self, density: Option<f64>, stiffness: Option<f64>) -> Option<(f64, f64)> {
-        let sags = self.list.iter().map(|(_, one)| (one.sags(density, stiffness), one.carrying(density)));
+        let sags = self.list.iter().map(|one| (one.sags(density, stiffness), one.carrying(density)));
         sags.filter(|(sags, _)| *sags > TOLD).max_by(|a, b| a.0.total_cmp(&b.0))
     }
 }
@@ -160,7 +148,7 @@ mod tests {
         for (columns, rows, stiffness) in [(6, 6, 600.0), (11, 6, 600.0), (6, 6, 1500.0), (4, 8, 1500.0)] {
             let mut stage = block(columns, rows, stiffness);
             let before = shown(&mut stage);
-            let estimate = Bearings::of(&before).list[0].1.sags(None, None);
+            let estimate = Bearings::of(&before).list[0].sags(None, None);
             (0..600).for_each(|_| _ = stage.obey(Order::Step(None)));
             let now = shown(&mut stage);
             let sags = (top(&before) - 0.01 - top(&now)) / (0.2 * f64::from(rows - 1));
@@ -177,9 +165,7 @@ mod tests {
         assert!(sags > TOLD && stiffness > 600.0, "{sags} {stiffness}");
         assert_eq!(bearings.told(Some(100.0), Some(stiffness)), None);
         assert_eq!(bearings.told(Some(0.0), Some(0.0)), None, "without weight nothing sags");
-        assert_eq!(bearings.among(&[PointId(3)]).told(Some(100.0), None), Some((sags, stiffness)));
-        assert_eq!(bearings.among(&[]).told(Some(100.0), None), None);
-        let even = bearings.list[0].1;
+        let even = bearings.list[0];
         assert!((even.sags(Some(2.0), None) / even.sags(None, None) - 1.0).abs() < 0.05, "by area as by points");
         assert!((even.sags(None, Some(600.0)) / even.sags(None, None) - 1.0).abs() < 1e-9);
     }

@@ -5,13 +5,17 @@ use super::extent::{areas, rest_length};
 use super::facts::NEVER;
 use super::painted::Painted;
 use super::preset::{Preset, Stuff};
-use crate::history::{Do, OneOrEach, PenaltyOrNone, SetKeys};
+use crate::history::{Do, OneOrEach, PenaltyOrNone, SetKeys, VectorOrEach};
 use crate::picture::{Coat, Tint};
-use crate::scene::{AddKeys, KindName, LimitName, PenaltyKeys, SkinKeys};
+use crate::scene::{AddKeys, KindName, LimitName, PenaltyKeys, SkinKeys, Vector};
+use crate::sim::vector::{add, scale, sub};
 use crate::sim::{Bond, BondKind, Dynamics, Limit, PointId};
 
 /// Stiffness of springs that were rigid before, over the mass of their body `[1/s^2]`, and damping over stiffness `[s]`.
 const SPRINGY: [f64; 2] = [600.0, 0.004];
+/// Damping over stiffness of springs that are to bear something `[s]`, and how long they take to: before what lies on them has crushed them `[s]`.
+const CALM: f64 = 0.02;
+const SOON: f64 = 0.1;
 /// Of what covers nothing, mass by length over density `[m]`: a rope as thick as that.
 const THICKNESS: f64 = 0.15;
 
@@ -24,6 +28,8 @@ pub enum MatterChange {
     Density(f64),
     /// Of springs `[N/m]`.
     Stiffness(f64),
+    /// Of springs that are to bear something `[N/m]`: they are damped as well, so that it does not swing on them.
+    Bears(f64),
     /// Of springs `[N s/m]`.
     Damping(f64),
     /// Strain at which bonds break `[1]`.
@@ -32,12 +38,18 @@ pub enum MatterChange {
     Limit(Limit),
     /// The share of its error that a relaxed bond takes `[1]`, in (0, 1].
     Relaxation(f64),
+    /// The largest correction of a relaxed bond `[m]`, > 0.
+    MaxCorrection(f64),
     /// Of angles that bend `[N m]`.
     Bending(f64),
     /// Of skins and obstacles `[1]`.
     Friction(f64),
     /// Of skins and obstacles `[1]`, to 1.
     Restitution(f64),
+    /// How thick skins are `[m]`.
+    Radius(f64),
+    /// Their mean velocity `[m/s]`: how points move beside each other stays.
+    Velocity([f64; 3]),
     /// Of planes: a depth pushes out by so much `[N/m]` and `[N s/m]` in place of contact; `None`: contact.
     Penalty(Option<[f64; 2]>),
     /// What it is filled in, or its picture is tinted by.
@@ -61,11 +73,14 @@ impl MatterChange {
     pub(in crate::app) fn name(self) -> &'static str {
         match self {
             MatterChange::Mass(_) | MatterChange::Density(_) => "mass",
-            MatterChange::Stiffness(_) => "stiffness",
+            MatterChange::Stiffness(_) | MatterChange::Bears(_) => "stiffness",
             MatterChange::Damping(_) => "damping",
             MatterChange::Breaks(_) => "break strain",
             MatterChange::Limit(_) => "where bonds act",
             MatterChange::Relaxation(_) => "relaxation",
+            MatterChange::MaxCorrection(_) => "largest correction",
+            MatterChange::Radius(_) => "skin",
+            MatterChange::Velocity(_) => "velocity",
             MatterChange::Bending(_) => "bending",
             MatterChange::Friction(_) => "friction",
             MatterChange::Restitution(_) => "restitution",
@@ -105,6 +120,10 @@ pub(in crate::app) fn commands(
             vec![set(SetKeys { points: Some(point_numbers(&points)), mass, ..SetKeys::default() })]
         }
         MatterChange::Stiffness(stiffness) => of_springs(SetKeys { stiffness: one(stiffness), ..SetKeys::default() })?,
+        MatterChange::Bears(stiffness) => {
+            let damping = one(CALM * stiffness);
+            of_springs(SetKeys { stiffness: one(stiffness), damping, over: Some(SOON), ..SetKeys::default() })?
+        }
         MatterChange::Damping(damping) => of_springs(SetKeys { damping: one(damping), ..SetKeys::default() })?,
         MatterChange::Breaks(strain) => {
             let bonds = Some(numbers(&among.bonds_of(world), |_| true));
@@ -124,6 +143,16 @@ pub(in crate::app) fn commands(
             let bonds = Some(numbers(&among.bonds_of(world), is_relaxed));
             vec![set(SetKeys { bonds, relaxation: one(share), ..SetKeys::default() })]
         }
+        MatterChange::MaxCorrection(most) => {
+            let is_relaxed = |bond: &Bond| matches!(bond.kind, BondKind::Relaxed { .. });
+            let bonds = Some(numbers(&among.bonds_of(world), is_relaxed));
+            vec![set(SetKeys { bonds, max_correction: one(most), ..SetKeys::default() })]
+        }
+        MatterChange::Radius(radius) => {
+            let points = Some(point_numbers(&points));
+            vec![set(SetKeys { points, radius: Some(radius), ..SetKeys::default() })]
+        }
+        MatterChange::Velocity(velocity) => vec![set(moving(world, &points, velocity))],
         MatterChange::Bending(stiffness) => {
             let angles = Some(among.bends_of(world).iter().map(|angle| angle.number).collect());
             vec![set(SetKeys { angles, stiffness: one(stiffness), ..SetKeys::default() })]
@@ -198,6 +227,36 @@ fn masses(world: &dyn Dynamics, points: &[PointId], mass: f64) -> Option<SetKeys
     let each = before.iter().map(|own| own * (mass / whole)).collect();
     let keys = SetKeys { points: Some(point_numbers(points)), mass: Some(OneOrEach::Each(each)), ..SetKeys::default() };
     (whole > 0.0).then_some(keys)
+}
+
+/// Points that are free get such a mean velocity `[m/s]`, weighed by mass.
+fn moving(world: &dyn Dynamics, points: &[PointId], velocity: [f64; 3]) -> SetKeys {
+    let free = free(world, points);
+    let Some(mean) = mean_velocity(world, &free) else {
+        return SetKeys { points: Some(Vec::new()), ..SetKeys::default() };
+    };
+    let more = sub(velocity, mean);
+    let each = free.iter().map(|&point| Vector::new(add(world.velocity(point), more), world.dimensions())).collect();
+    SetKeys { points: Some(point_numbers(&free)), velocity: Some(VectorOrEach::Each(each)), ..SetKeys::default() }
+}
+
+/// The points that no pin holds.
+fn free(world: &dyn Dynamics, points: &[PointId]) -> Vec<PointId> {
+    let mut pinned = world.pinned().to_vec();
+    pinned.sort_unstable();
+    points.iter().copied().filter(|point| pinned.binary_search(point).is_err()).collect()
+}
+
+/// The mean velocity of points that no pin holds, weighed by mass `[m/s]`; `None` of none.
+pub(in crate::app) fn mean_velocity(world: &dyn Dynamics, points: &[PointId]) -> Option<[f64; 3]> {
+    let there = Among { points: points.to_vec(), ..Among::default() }.points_of(world);
+    let (mut momentum, mut mass) = ([0.0; 3], 0.0);
+    for point in free(world, &there) {
+        let own = world.masses()[point.index()];
+        momentum = add(momentum, scale(world.velocity(point), own));
+        mass += own;
+    }
+    (mass > 0.0).then(|| scale(momentum, 1.0 / mass))
 }
 
 /// Skins of points, in the plane, and obstacles get these keys.

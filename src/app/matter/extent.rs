@@ -49,14 +49,14 @@ pub(super) fn areas(world: &dyn Dynamics, points: &[PointId]) -> Vec<([PointId; 
 /// The area of a triangle of such sides `[m]`; 0 where they do not close.
 ///
 /// Source: W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle (2014), section 2.
-fn spanned(mut sides: [f64; 3]) -> f64 {
+pub(super) fn spanned(mut sides: [f64; 3]) -> f64 {
     sides.sort_by(|a, b| b.total_cmp(a));
     let [a, b, c] = sides;
     0.25 * ((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))).max(0.0).sqrt()
 }
 
 /// Where a point of a world is `[m]`.
-fn place(world: &dyn Dynamics, point: PointId) -> [f64; 3] {
+pub(super) fn place(world: &dyn Dynamics, point: PointId) -> [f64; 3] {
     let (positions, dimensions) = (world.positions(), world.dimensions());
     let at = |axis: usize| positions.get(point.index() * dimensions + axis);
     std::array::from_fn(|axis| if axis < dimensions { at(axis) } else { 0.0 })

@@ -1,12 +1,15 @@
 //! What a selection is made of, in figures.
 
 use super::Among;
-use super::extent::areas;
+use super::extent::{areas, place};
 use crate::picture::Tint;
-use crate::sim::{Bond, BondKind, Dynamics, Limit, Obstacle, PointId};
+use crate::sim::{Bond, BondKind, Dynamics, Knots, Limit, Obstacle, PointId};
 
 /// A strain at which bonds break that none comes to `[1]`: files have no word for never.
 pub(in crate::app) const NEVER: f64 = 1e9;
+
+/// Pins whose ways are told at most.
+const MOST_PINS: usize = 6;
 
 /// The least and the greatest of some numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +35,14 @@ impl Span {
     pub(in crate::app) fn same(self) -> Option<f64> {
         (self.least == self.most).then_some(self.least)
     }
+}
+
+/// A pin, where it is `[m]`, and the way that it is led along: of what stands that has no knots.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::app) struct Pin {
+    pub(in crate::app) point: PointId,
+    pub(in crate::app) at: [f64; 3],
+    pub(in crate::app) knots: Knots,
 }
 
 /// The colour of a selection.
@@ -69,6 +80,8 @@ pub struct Matter {
     pub(in crate::app) limits: [usize; 3],
     /// Of relaxed bonds: the share of its error that each takes `[1]`.
     pub(in crate::app) relaxation: Option<Span>,
+    /// The largest correction of each of them `[m]`; [`NEVER`] or more: any.
+    pub(in crate::app) max_correction: Option<Span>,
     /// Strain at which bonds break `[1]`; [`NEVER`] or more: they do not.
     pub(in crate::app) breaks: Option<Span>,
     /// Of angles that bend `[N m]`.
@@ -76,6 +89,10 @@ pub struct Matter {
     /// Of skins, where bodies meet, and of obstacles `[1]`.
     pub(in crate::app) friction: Option<Span>,
     pub(in crate::app) restitution: Option<Span>,
+    /// How thick skins are, where bodies meet `[m]`; `Some(None)`: as the rules choose, of some of them.
+    pub(in crate::app) radius: Option<Option<Span>>,
+    /// The first few of its pins.
+    pub(in crate::app) pins: Vec<Pin>,
     /// Of nothing but planes: by how much a depth pushes out `[N/m]` and `[N s/m]` in place of contact, as of the first of them, or
     /// `Some(None)`: it is contact.
     pub(in crate::app) penalty: Option<Option<[f64; 2]>>,
@@ -113,6 +130,10 @@ impl Matter {
             BondKind::Relaxed { relaxation, .. } => Some(relaxation),
             _ => None,
         });
+        let corrected = bonds.iter().filter_map(|(_, bond)| match bond.kind {
+            BondKind::Relaxed { max_correction, .. } => Some(max_correction.min(NEVER)),
+            _ => None,
+        });
         let skins: Vec<[f64; 2]> = match world.contact().filter(|_| world.dimensions() == 2) {
             None => Vec::new(),
             Some(contact) => points
@@ -123,6 +144,10 @@ impl Matter {
                 })
                 .collect(),
         };
+        let thick = world.contact().filter(|_| world.dimensions() == 2 && !points.is_empty()).map(|contact| {
+            let radii = || points.iter().map(|&point| world.skin_of(point).radius.or(contact.radius));
+            if radii().all(|radius| radius.is_some()) { Span::of(radii().flatten()) } else { None }
+        });
         let surfaces = || skins.iter().chain(&solids);
         let count_of_bodies = bodies(&points, &bonds);
         let area: f64 = areas(world, &points).iter().map(|(_, area)| area).sum();
@@ -144,6 +169,9 @@ impl Matter {
             ],
             limits: [Limit::Both, Limit::Max, Limit::Min].map(acts),
             relaxation: Span::of(relaxed),
+            max_correction: Span::of(corrected),
+            radius: thick,
+            pins: pins(world, &points),
             stiffness: Span::of(springs.iter().map(|spring| spring[0])),
             damping: Span::of(springs.iter().map(|spring| spring[1])),
             breaks: Span::of(bonds.iter().map(|(_, bond)| bond.break_strain.min(NEVER))),
@@ -161,6 +189,18 @@ impl Matter {
     pub(in crate::app) fn density(&self) -> Option<f64> {
         (self.area > 0.0).then(|| self.mass / self.area)
     }
+}
+
+/// The first few pins among points, each with the way that it is led along.
+fn pins(world: &dyn Dynamics, points: &[PointId]) -> Vec<Pin> {
+    let is_meant = |pin: &PointId| points.binary_search(pin).is_ok();
+    let mut pins: Vec<PointId> = world.pinned().iter().copied().filter(is_meant).collect();
+    pins.sort_unstable();
+    pins.truncate(MOST_PINS);
+    let tracks = if pins.is_empty() { Vec::new() } else { world.pin_tracks() };
+    let knots =
+        |point: PointId| tracks.iter().find(|(led, _)| *led == point).map_or_else(Vec::new, |(_, knots)| knots.clone());
+    pins.into_iter().map(|point| Pin { point, at: place(world, point), knots: knots(point) }).collect()
 }
 
 /// How many parts points are in that bonds hold together.

@@ -1,21 +1,28 @@
 //! Springs that get stiffer are led there: what they bear is lifted, not thrown.
 
+use super::extent::place;
 use crate::history::{Do, OneOrEach, SetKeys};
 use crate::scene::KindName;
+use crate::sim::vector::{length, sub};
 use crate::sim::{BondKind, Dynamics};
 
 /// So long stiffer springs take to be there, and the mass of what becomes another matter with them `[s]`.
 const OVER: f64 = 0.5;
 
-/// Commands of one change: where springs get stiffer by it, they and the masses are led there.
+/// Springs that are no longer or shorter than this share of their lengths at rest store next to nothing `[1]`: they are as stiff at once.
+const STILL: f64 = 0.01;
+
+/// Commands of one change: where springs that are loaded get stiffer by it, they and the masses are led there. What was only just built is
+/// what it becomes before time goes on.
 pub(in crate::app) fn led(world: &dyn Dynamics, mut commands: Vec<Do>) -> Vec<Do> {
-    let is_stiffer = |act: &Do| matches!(act, Do::Set(keys) if gets_stiffer(world, keys));
-    if !commands.iter().any(is_stiffer) {
+    let is_loaded = |act: &Do| matches!(act, Do::Set(keys) if gets_stiffer(world, keys, STILL));
+    if !commands.iter().any(is_loaded) {
         return commands;
     }
     for act in &mut commands {
         if let Do::Set(keys) = act
-            && (keys.mass.is_some() || gets_stiffer(world, keys))
+            && keys.over.is_none()
+            && (keys.mass.is_some() || gets_stiffer(world, keys, 0.0))
         {
             keys.over = Some(OVER);
         }
@@ -23,12 +30,17 @@ pub(in crate::app) fn led(world: &dyn Dynamics, mut commands: Vec<Do>) -> Vec<Do
     commands
 }
 
-/// Whether any spring gets stiffer, or rigid.
-fn gets_stiffer(world: &dyn Dynamics, keys: &SetKeys) -> bool {
+/// Whether any spring gets stiffer, or rigid, of those that are longer or shorter than at rest by a share or more.
+fn gets_stiffer(world: &dyn Dynamics, keys: &SetKeys, share: f64) -> bool {
     let Some(bonds) = &keys.bonds else { return false };
     let bond = |number: u32| world.bond_place(number).map(|place| world.bonds().get(place));
     let is_stiffer = |(k, number): (usize, &u32)| {
-        let Some(BondKind::Spring { stiffness, .. }) = bond(*number).map(|bond| bond.kind) else { return false };
+        let Some(bond) = bond(*number) else { return false };
+        let BondKind::Spring { stiffness, .. } = bond.kind else { return false };
+        let long = length(sub(place(world, bond.b), place(world, bond.a)));
+        if (long - bond.rest_length).abs() < share * bond.rest_length {
+            return false;
+        }
         match (&keys.stiffness, keys.kind) {
             (_, Some(KindName::Rigid)) => true,
             (Some(OneOrEach::One(one)), _) => *one > stiffness,

@@ -5,17 +5,21 @@ mod change;
 mod extent;
 mod facts;
 mod led;
+mod overload;
 mod painted;
 mod preset;
 #[cfg(test)]
 mod tests;
+mod wear;
 
 pub(super) use borne::Bearings;
-pub(super) use change::{MatterChange, commands};
-pub(super) use facts::{Coloring, Matter, NEVER, Span};
+pub(super) use change::{MatterChange, commands, mean_velocity};
+pub(super) use facts::{Coloring, Matter, NEVER, Pin, Span};
 pub(super) use led::led;
+pub(super) use overload::{Overload, overload};
 pub(super) use painted::{Painted, Switched};
 pub(super) use preset::Preset;
+pub(super) use wear::worn;
 
 use crate::sim::{Angle, Bond, Dynamics, PointId};
 

@@ -60,6 +60,7 @@ fn a_change_is_seen_changes_nothing_else_and_is_undone_as_one() {
         MatterChange::Damping(3.0),
         MatterChange::Breaks(0.3),
         MatterChange::Limit(crate::sim::Limit::Max),
+        MatterChange::Radius(0.03),
         MatterChange::Friction(0.9),
         MatterChange::Restitution(0.5),
         MatterChange::Color([1, 2, 3]),
@@ -87,6 +88,9 @@ fn a_change_is_seen_changes_nothing_else_and_is_undone_as_one() {
                 .clone_if((after.area - before.area).abs() < 1e-6),
             MatterChange::Breaks(x) => {
                 Matter { breaks: after.breaks, ..before.clone() }.clone_if(same(after.breaks) == Some(x))
+            }
+            MatterChange::Radius(x) => {
+                Matter { radius: after.radius, ..before.clone() }.clone_if(same(after.radius.unwrap()) == Some(x))
             }
             MatterChange::Friction(x) => {
                 Matter { friction: after.friction, ..before.clone() }.clone_if(same(after.friction) == Some(x))
@@ -389,4 +393,50 @@ fn ground_is_made_soft_while_it_runs_and_hard_again_by_undo() {
 
 fn stage_of(text: &str) -> Stage {
     Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap()
+}
+
+#[test]
+fn a_velocity_is_that_of_the_middle_and_how_points_move_beside_each_other_stays() {
+    let text = r#"{"wobble": 1, "points": {"position": [[0, 0], [1, 0], [2, 0]], "velocity": [[1, 0], [3, 2], [9, 9]],
+        "mass": [1, 3, 1], "pinned": [2]}}"#;
+    let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+    let all = among(0..3);
+    stage.obey(Order::Inspect(all.clone()));
+    let mut shown = Shown::default();
+    stage.show(&mut shown);
+    assert_eq!(shown.figures.velocity, Some([2.5, 1.5, 0.0]));
+    change(&mut stage, &all, MatterChange::Velocity([0.0, -1.0, 0.0]));
+    let world = stage.history().world();
+    let [a, b, pin] = [0, 1, 2].map(|point| world.velocity(PointId(point)));
+    assert_eq!((a, b, pin), ([-1.5, -2.5, 0.0], [0.5, -0.5, 0.0], [0.0; 3]));
+    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "velocity"));
+    assert_eq!(stage.history().world().velocity(PointId(0)), [1.0, 0.0, 0.0]);
+    let pins = Among { points: vec![PointId(2)], ..Among::default() };
+    let refused = stage.obey(Order::Change { among: pins, change: MatterChange::Velocity([1.0; 3]), goes_on: false });
+    assert!(matches!(refused, Some(Note::Refused(_))), "a pin has none");
+}
+
+#[test]
+fn what_was_only_just_built_is_as_stiff_at_once_as_it_is_made() {
+    let mut stage = stage();
+    let soft = among(3..12);
+    let strained = |stage: &Stage| {
+        let list = super::commands(stage.history().world(), &soft, MatterChange::Preset(Preset::Wood)).unwrap();
+        let led = super::led(stage.history().world(), list);
+        led.iter().any(|act| matches!(act, crate::history::Do::Set(keys) if keys.over.is_some()))
+    };
+    assert!(!strained(&stage), "nothing is lifted by it");
+    let pressed = Among { points: vec![PointId(3)], ..Among::default() };
+    let keys = crate::history::MoveKeys {
+        points: vec![pressed.points[0].0],
+        by: Some(crate::scene::Vector::Plane([0.05, 0.05])),
+        ..Default::default()
+    };
+    assert_eq!(stage.obey(Order::Give(vec![crate::history::Do::Move(Box::new(keys))], None)), None);
+    assert!(strained(&stage), "what is loaded is led there");
+    let mut fresh = self::stage();
+    change(&mut fresh, &soft, MatterChange::Preset(Preset::Wood));
+    fresh.obey(Order::Step(None));
+    let springs = fresh.history().world().bonds().iter().filter(|bond| matches!(bond.kind, BondKind::Spring { .. }));
+    assert_eq!(springs.count(), 0, "it is rigid from the first frame on");
 }

@@ -2,10 +2,10 @@
 
 use egui::{Area, DragValue, Id, Rect, RichText, Slider, Ui};
 
-use super::material::{WIDTH, presets, sagging, short};
+use super::material::{WIDTH, gives_way, presets, sagging, short};
 use super::theme::{colors, floating};
 use super::{Facts, Wish, ranged};
-use crate::app::matter::{Bearings, Painted, Switched};
+use crate::app::matter::{Painted, Switched};
 use crate::app::tools::{Brush, RADII};
 
 /// How fast a number changes as it is dragged, as a share of it for each point, and the number that a drag from 0 goes by.
@@ -22,7 +22,7 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
             ui.set_width(WIDTH);
             ui.spacing_mut().slider_width = 120.0;
             ui.label(RichText::new("Material brush").color(colors(ui).text).strong());
-            all(ui, &mut brush, &facts.bearings);
+            all(ui, &mut brush, facts, wishes);
         });
     });
     if brush != facts.brush {
@@ -30,7 +30,7 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
     }
 }
 
-fn all(ui: &mut Ui, brush: &mut Brush, bearings: &Bearings) {
+fn all(ui: &mut Ui, brush: &mut Brush, facts: &Facts, wishes: &mut Vec<Wish>) {
     let is_named = !brush.numbers.is_any();
     ui.label(RichText::new("drag over bodies: they become").color(colors(ui).weak));
     if let (_, Some(preset)) = presets(ui, Some(brush.preset).filter(|_| is_named)) {
@@ -39,7 +39,8 @@ fn all(ui: &mut Ui, brush: &mut Brush, bearings: &Bearings) {
     let words = if is_named { brush.preset.words() } else { "the numbers that are on below" };
     ui.label(RichText::new(words).color(colors(ui).weak));
     ui.separator();
-    ui.label(RichText::new("or get single numbers").color(colors(ui).weak));
+    let words = "Alt and a click takes the numbers of what is under the brush";
+    ui.label(RichText::new("or get single numbers").color(colors(ui).weak)).on_hover_text(words);
     let Painted { density, stiffness, damping, breaks, friction, restitution, color } = &mut brush.numbers;
     number(ui, ("mass", " kg/m²"), density, 1e-3..=1e6);
     number(ui, ("stiffness", " N/m"), stiffness, 0.0..=1e9);
@@ -63,11 +64,17 @@ fn all(ui: &mut Ui, brush: &mut Brush, bearings: &Bearings) {
     let [least, most] = RADII;
     let radius = Slider::new(&mut brush.radius, least..=most).max_decimals(0).suffix(" px").text("radius");
     ranged::slider(ui, radius, least..=most, " px");
-    // Below all else: nothing moves away under the pointer.
+    // Below all else: nothing moves away under the pointer. What was painted is there, what could be is not yet.
+    if let Some(overload) = &facts.overload {
+        if gives_way(ui, overload) {
+            wishes.push(Wish::Bear);
+        }
+        return;
+    }
     let Painted { density, stiffness, .. } = &mut brush.numbers;
     let given = |of: &Switched<f64>| of.is_on.then_some(of.value);
     let is_weight_painted = density.is_on || stiffness.is_on;
-    let sags = bearings.told(given(density), given(stiffness)).filter(|_| is_weight_painted);
+    let sags = facts.bearings.told(given(density), given(stiffness)).filter(|_| is_weight_painted);
     if let Some(sags) = sags.filter(|sags| sagging(ui, *sags).is_some()) {
         *stiffness = Switched { is_on: true, value: sags.1 };
     }
@@ -102,7 +109,7 @@ mod tests {
 
     use super::super::pointer::click;
     use super::*;
-    use crate::app::matter::Preset;
+    use crate::app::matter::{Bearings, Preset};
 
     struct Screen {
         context: egui::Context,

@@ -7,11 +7,13 @@ use egui::{
 };
 
 use super::bonds::{breaks, kinds, limits};
+use super::settings::Setting;
 use super::theme::{as_high_as_buttons, colors, floating};
-use super::{Facts, PanelState, Wish, described, ranged};
+use super::{Facts, PanelState, Wish, described, ranged, ways};
 use crate::app::action::Action;
 use crate::app::count::counted;
-use crate::app::matter::{Coloring, Matter, MatterChange, Preset, Span};
+use crate::app::matter::{Coloring, Matter, MatterChange, Overload, Preset, Span};
+use crate::history::Do;
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 226.0;
@@ -32,6 +34,8 @@ const PUSHED: f32 = 40.0;
 const SPEED: f64 = 0.01;
 /// Where a drag of a number that is 0 begins.
 const FIRST: f64 = 0.01;
+/// Where a drag of the thickness of a skin begins that the rules chose `[m]`.
+const THIN: f64 = 0.02;
 /// What soft ground pushes with at first `[N/m]`, `[N s/m]`.
 const PUSHES: [f64; 2] = [1000.0, 10.0];
 
@@ -52,6 +56,18 @@ impl Sink<'_> {
 
     fn act(&mut self, action: Action) {
         self.wishes.push(Wish::Act(action));
+    }
+
+    /// A command; what is dragged on is one edit.
+    pub(super) fn give(&mut self, by: &Response, act: Do, name: &'static str) {
+        let goes_on = *self.gesture == Some(by.id);
+        *self.gesture = by.ctx.input(|input| input.pointer.any_down()).then_some(by.id);
+        self.wishes.push(Wish::Set(Setting { act, name, goes_on }));
+    }
+
+    /// Commands of one click, and what they are called.
+    pub(super) fn give_all(&mut self, acts: Vec<Do>, name: &'static str) {
+        self.wishes.push(Wish::Give(acts, name));
     }
 }
 
@@ -207,29 +223,40 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         kinds(ui, matter, sink);
     }
     number(ui, ("stiffness", " N/m"), matter.stiffness, sink, |x| Some(MatterChange::Stiffness(x)));
-    if let Some(sags) = facts.bearings.told(None, None)
-        && let Some(by) = sagging(ui, sags)
-    {
-        sink.set(&by, MatterChange::Stiffness(sags.1));
+    if facts.overload.as_deref().is_some_and(|overload| gives_way(ui, overload)) {
+        sink.wishes.push(Wish::Bear);
     }
     number(ui, ("damping", " N s/m"), matter.damping, sink, |x| Some(MatterChange::Damping(x)));
     limits(ui, matter, sink);
     number(ui, ("relaxation", ""), matter.relaxation, sink, |x| {
         (0.0 < x && x <= 1.0).then_some(MatterChange::Relaxation(x))
     });
+    number(ui, ("corrects", " m"), matter.max_correction, sink, |x| {
+        (x > 0.0).then_some(MatterChange::MaxCorrection(x))
+    });
     breaks(ui, matter, sink);
     number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
     share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
     share(ui, "restitution", 1.0, matter.restitution, sink, MatterChange::Restitution);
+    skin(ui, matter, sink);
     penalty(ui, matter, sink);
     if matter.points > 0 && matter.friction.is_none() && facts.dimensions == 2 {
         ui.label(RichText::new("bodies pass through each other: G, to let them meet").color(colors(ui).weak));
     }
     if matter.points > 0 {
         color(ui, matter, facts.drawn_color, sink);
+        if matter.area > 0.0 && facts.dimensions == 2 {
+            row(ui, "picture", |ui, label| {
+                let by = ui.button("from a file…").labelled_by(label);
+                if by.on_hover_text("drawn over all of it, as large as it is now").clicked() {
+                    sink.wishes.push(Wish::Wear);
+                }
+            });
+        }
         number(ui, ("width", " m"), matter.width, sink, |x| Some(MatterChange::Width(x)));
         visible(ui, matter, sink);
     }
+    ways::show(ui, matter, facts, sink);
 }
 
 /// Says that a body would sag by some share of its height, and offers the stiffness that bears it `[N/m]`. Returns the offer, if it is taken.
@@ -240,9 +267,26 @@ pub(super) fn sagging(ui: &mut Ui, (share, stiffness): (f64, f64)) -> Option<Res
         }
         _ => "too heavy for its springs: its own weight would crush it".to_owned(),
     };
+    offer(ui, &words, stiffness, "so stiff springs let it sag by a tenth of its height")
+}
+
+/// Says that a part of a body gives way under its load, and offers the stiffness that bears it. Returns whether it is taken.
+pub(super) fn gives_way(ui: &mut Ui, overload: &Overload) -> bool {
+    let words = match overload.share {
+        share if share < 1.0 => {
+            format!("too heavy for what it stands on: it sinks by {:.0} % of its height", 100.0 * share)
+        }
+        _ => "too heavy for what it stands on: that is crushed".to_owned(),
+    };
+    let told = format!("so stiff springs in it and in what it stands on: {}", counted(overload.bonds.len(), "bond"));
+    offer(ui, &words, overload.stiffness, &told).is_some()
+}
+
+/// Says that something is too heavy, and offers the stiffness that bears it `[N/m]`.
+fn offer(ui: &mut Ui, words: &str, stiffness: f64, told: &str) -> Option<Response> {
     ui.add(Label::new(RichText::new(words).color(colors(ui).away)).wrap());
     let offer = ui.button(format!("{} N/m bear it", short(stiffness)));
-    Some(offer.on_hover_text("so stiff springs let it sag by a tenth of its height")).filter(Response::clicked)
+    Some(offer.on_hover_text(told)).filter(Response::clicked)
 }
 
 /// What is selected: a body by its name, several counted, with their points.
@@ -364,6 +408,23 @@ fn share(ui: &mut Ui, name: &str, most: f64, span: Option<Span>, sink: &mut Sink
     if by.changed() {
         sink.set(&by, change(value));
     }
+}
+
+/// How thick skins are, where bodies meet.
+fn skin(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+    let Some(radius) = matter.radius else { return };
+    if let Some(span) = radius {
+        return number(ui, ("skin", " m"), Some(span), sink, |x| Some(MatterChange::Radius(x)));
+    }
+    row(ui, "skin", |ui, label| {
+        let mut value = THIN;
+        let field = DragValue::new(&mut value).speed(SPEED * THIN).range(0.0..=1e3).update_while_editing(false);
+        let field = ui.add(field.custom_formatter(|_, _| "by the rules".to_owned())).labelled_by(label);
+        let by = field.on_hover_text("how thick its skin is: others lie so far off its outline");
+        if by.changed() {
+            sink.set(&by, MatterChange::Radius(value));
+        }
+    });
 }
 
 /// Whether planes push out what has got into them, in place of contact, and how.

@@ -55,19 +55,21 @@ mod top;
 mod transport;
 mod typed;
 mod waiting;
+mod ways;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::action::{Action, Primitive, Showing, Tool};
-use super::matter::{Bearings, Matter, MatterChange};
+use super::matter::{Bearings, Matter, MatterChange, Overload};
 use super::player::{Figures, MethodSetting};
 use super::plots::Plots;
 use super::tools::{Brush, Drives, Links, PushWay};
 use super::trailing::TrailSettings;
+use crate::history::Do;
 use crate::render::{Look, Overlay, Palette};
-use crate::scene::{BesideKeys, SolverName};
+use crate::scene::{BesideKeys, PrecisionName, SolverName};
 use crate::sim::Key;
 pub(super) use asking::{Question, show as ask};
 pub(super) use beside::{Misfits, Neighbor, solvers};
@@ -120,6 +122,8 @@ pub(super) enum Wish {
     Matter(MatterChange, bool),
     /// The brush paints with this from now on.
     Brush(Brush),
+    /// What gives way is made stiff enough for its load.
+    Bear,
     /// A drag beside all bodies is a free stroke from now on, or a box.
     Lasso(bool),
     /// Something is set of the scene.
@@ -134,6 +138,12 @@ pub(super) enum Wish {
     Solver(SolverName),
     /// Something else of the method, of the same drag as the last one.
     Method(MethodSetting, bool),
+    /// It goes on from this moment with this precision, and this tolerance `[m]`.
+    Begin(PrecisionName, Option<f64>),
+    /// What is selected wears another picture: a file is asked for.
+    Wear,
+    /// Commands, and what they are called when they are undone.
+    Give(Vec<Do>, &'static str),
     /// Points have so many trails, so long.
     Trails(TrailSettings),
     /// Seconds of the scene a second of wall time, in those of the scene itself.
@@ -262,8 +272,10 @@ pub(super) struct Facts {
     pub(super) draws_lasso: bool,
     /// What is selected is made of.
     pub(super) matter: Option<Arc<Matter>>,
-    /// How soft bodies bear their weight: what is selected, or all while there is a brush in the hand.
+    /// How soft bodies bear their weight while there is a brush in the hand.
     pub(super) bearings: Arc<Bearings>,
+    /// What of that gives way: of what is selected, or was painted.
+    pub(super) overload: Option<Arc<Overload>>,
     /// Where that is seen `[points]`.
     pub(super) chosen_at: Option<egui::Rect>,
     /// Some of it is in a group.

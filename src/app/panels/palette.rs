@@ -100,14 +100,14 @@ pub(super) fn show(
             let blows = facts.tool == Tool::Push && facts.push == PushWay::Wind;
             for tool in Tool::ALL {
                 let (sign, name) = words(tool);
-                let can = !matches!(tool, Tool::Build | Tool::Motor) || is_plane;
+                let can = tool != Tool::Motor || is_plane;
                 let is_on = tool == facts.tool && !blows;
                 choice(ui, (sign, name), Action::Take(tool), (can, is_on), wishes);
             }
             choice(ui, (Icon::Wind, WIND), Action::Wind, (true, blows), wishes);
         });
     });
-    if facts.tool == Tool::Build && facts.dimensions == 2 {
+    if facts.tool == Tool::Build {
         primitives::show(context, (shown.response.rect, rooms.left), facts, wishes);
     }
     let tools = beside(context, shown.response.rect, rooms.left, facts.tool);

@@ -7,7 +7,7 @@ use super::icons::{self, Icon};
 use super::theme::floating;
 use super::{Facts, Wish};
 use crate::app::action::Primitive;
-use crate::app::tools::Link;
+use crate::app::tools::{Link, is_of_space};
 
 /// What each makes, and how.
 fn words(primitive: Primitive) -> &'static str {
@@ -54,7 +54,9 @@ pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: 
     Area::new(Id::unique("primitives")).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
-            for row in Primitive::ALL.chunks(columns) {
+            let is_there = |primitive: &Primitive| facts.dimensions != 3 || is_of_space(*primitive);
+            let all: Vec<Primitive> = Primitive::ALL.into_iter().filter(is_there).collect();
+            for row in all.chunks(columns) {
                 ui.horizontal(|ui| {
                     ui.spacing_mut().item_spacing.x = 4.0;
                     row.iter().for_each(|&primitive| choice(ui, primitive, facts, wishes));

@@ -47,6 +47,7 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
             let is_plane = facts.dimensions == 2;
             let (title, said) = match way {
                 PushWay::Wind => ("Wind", WIND),
+                PushWay::Speed => ("Velocity", "drag an arrow from a body: it flies off so fast; a click stops it"),
                 _ => ("Force that stays", "drag an arrow from a body; a click on one takes it away"),
             };
             ui.label(RichText::new(title).color(colors(ui).text).strong());
@@ -57,6 +58,7 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
                     PushWay::Point => "on a point",
                     PushWay::Body => "on the body (Shift)",
                     PushWay::Turn => "torque on the body (Alt)",
+                    PushWay::Speed => "no force: its velocity",
                 };
                 ui.radio_value(&mut way, other, words);
             }

@@ -174,6 +174,8 @@ fn numbers_of_the_method_are_set_one_by_one_and_undone() {
     let all = [
         MethodSetting::Substep(Some(0.002)),
         MethodSetting::Iterations(Some(7)),
+        MethodSetting::Order(crate::scene::OrderName::Shuffled),
+        MethodSetting::Seed(9),
         MethodSetting::MaxStrain(Some(0.01)),
         MethodSetting::Budget(None),
         MethodSetting::Sleep(false),
@@ -185,6 +187,7 @@ fn numbers_of_the_method_are_set_one_by_one_and_undone() {
     let method = stage.history().world().method();
     assert_eq!((method.substep, method.iterations, method.max_strain), (Some(0.002), Some(7), Some(0.01)));
     assert_eq!((method.budget, method.sleeps, method.settles), (None, false, true));
+    assert_eq!((method.order, method.seed), (crate::sim::Order::Shuffled, 9));
     assert_eq!(method.solver, before.solver);
     assert_eq!(stage.obey(Order::Method(MethodSetting::Substep(Some(0.001)), false)), None);
     assert_eq!(stage.obey(Order::Method(MethodSetting::Substep(Some(0.0005)), true)), None);

@@ -7,8 +7,8 @@ use super::watch::{Measured, Probes};
 use crate::app::matter::{Among, MatterChange};
 use crate::app::tools::{HaulWay, PinWay};
 use crate::app::warnings::refused;
-use crate::history::{Do, History, Refusal, Why};
-use crate::scene::{AddKeys, BudgetKeys, MethodKeys, SolverName, ViewKeys};
+use crate::history::{Do, History, Refusal, Start, Why};
+use crate::scene::{AddKeys, BudgetKeys, MethodKeys, OrderName, PrecisionName, SolverName, ViewKeys};
 use crate::sim::{CommandError, Cursor};
 
 /// Works out what comes into a running world, or why it cannot, in words.
@@ -76,6 +76,8 @@ pub enum Order {
     Solver(SolverName),
     /// One number of the method, with all else of it as it is; of the same drag as the last one.
     Method(MethodSetting, bool),
+    /// A history is to begin at this moment with what is fixed when one begins: a precision, and a tolerance `[m]`.
+    Begin(PrecisionName, Option<f64>),
     /// Pins go to places on straight ways from where they are; one that goes on belongs to the last edit.
     LeadPins(PinWay),
     /// Obstacles go on their way and push ahead what is in it.
@@ -174,6 +176,8 @@ pub enum Note {
     Came(Among, Option<&'static str>, Option<String>),
     /// Islands are moved by their own methods from now on.
     Exact,
+    /// What a history is to begin with.
+    Begins(Box<Start>),
     /// A command could not be done where it stood.
     Refused(String),
     /// Nothing could be grabbed: pins hold all that was in reach.
@@ -204,6 +208,10 @@ pub enum MethodSetting {
     Substep(Option<f64>),
     /// Sweeps in a substep.
     Iterations(Option<u32>),
+    /// In which order a sweep takes the bonds.
+    Order(OrderName),
+    /// The seed of the order that is shuffled.
+    Seed(u64),
     /// Largest strain of rigid bonds `[1]`.
     MaxStrain(Option<f64>),
     /// Counted work of a frame beyond which something cheaper moves bodies `[ms]`; `None`: whatever it takes.
@@ -220,6 +228,8 @@ impl MethodSetting {
         match self {
             MethodSetting::Substep(_) => "substep",
             MethodSetting::Iterations(_) => "iterations",
+            MethodSetting::Order(_) => "order",
+            MethodSetting::Seed(_) => "seed",
             MethodSetting::MaxStrain(_) => "max_strain",
             MethodSetting::Budget(_) => "budget",
             MethodSetting::Sleep(_) => "sleep",
@@ -232,6 +242,8 @@ impl MethodSetting {
         match self {
             MethodSetting::Substep(substep) => MethodKeys { substep, ..keys },
             MethodSetting::Iterations(iterations) => MethodKeys { iterations, ..keys },
+            MethodSetting::Order(order) => MethodKeys { order: Some(order), ..keys },
+            MethodSetting::Seed(seed) => MethodKeys { seed: Some(seed), ..keys },
             MethodSetting::MaxStrain(max_strain) => MethodKeys { max_strain, ..keys },
             MethodSetting::Budget(ms) => {
                 MethodKeys { budget: Some(ms.map_or(BudgetKeys::None, BudgetKeys::Ms)), ..keys }

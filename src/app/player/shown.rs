@@ -260,6 +260,8 @@ pub struct Figures {
     pub bonds: usize,
     /// `[J]`, as it was when figures were last taken.
     pub energy: f64,
+    /// The mean velocity of what is selected, as it was when figures were last taken `[m/s]`.
+    pub velocity: Option<[f64; 3]>,
     /// What moves its islands otherwise than by plan, as it was when figures were last taken.
     pub movers: Arc<Movers>,
     /// Stiffness of springs that would give way as much as relaxed bonds do `[N/m]`; `None` where none takes a share of its error.

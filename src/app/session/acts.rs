@@ -4,12 +4,12 @@ use winit::window::Fullscreen;
 
 use super::asking::points_of;
 use super::{Framing, Session};
-use crate::app::action::{Action, Tool};
+use crate::app::action::{Action, Primitive, Tool};
 use crate::app::count::counted;
 use crate::app::panels::{Opened, Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
-use crate::app::tools::{Deed, PushWay, strength};
+use crate::app::tools::{Deed, PushWay, is_of_space, strength};
 use crate::history::Do;
 use crate::scene::{EMPTY, Entry, gallery};
 use crate::sim::{MouseChange, PointId};
@@ -81,7 +81,10 @@ impl Session {
             Action::ToggleTrails => self.toggle_trails(),
             Action::Paint => self.paint(),
             Action::Import => self.cut_anew(),
-            Action::Open => self.choose_file(),
+            Action::Open => {
+                self.wearer = None;
+                self.choose_file();
+            }
             Action::Paste => self.paste(),
             Action::Save => self.save(),
             Action::Screenshot => self.take_screenshot(),
@@ -112,7 +115,10 @@ impl Session {
     /// The key of the tool that builds, while that is taken: it makes the next thing.
     pub(in crate::app) fn build_next(&mut self) {
         self.leave_drawing();
-        let next = self.hand.primitive().next();
+        let mut next = self.hand.primitive().next();
+        while self.scene.dimensions() == 3 && !is_of_space(next) {
+            next = next.next();
+        }
         self.hand.choose(next);
         self.say(format!("build: {}", next.name().to_lowercase()));
         self.touch();
@@ -134,12 +140,16 @@ impl Session {
             Wish::Set(setting) => self.set(setting),
             Wish::Matter(change, goes_on) => self.change_matter(change, goes_on),
             Wish::Brush(brush) => self.hand.set_brush(brush),
+            Wish::Bear => self.bear(),
+            Wish::Wear => self.choose_to_wear(),
             Wish::Lasso(is_lasso) => self.hand.draw_lasso(is_lasso),
             Wish::Beside(entry) => self.put_beside(entry),
             Wish::TakeAway(place) => self.take_away(place),
             Wish::TintDistance(tints) => self.tints_distance = tints,
             Wish::Solver(solver) => self.player.ask(Order::Solver(solver)),
             Wish::Method(setting, goes_on) => self.player.ask(Order::Method(setting, goes_on)),
+            Wish::Begin(precision, tolerance) => self.player.ask(Order::Begin(precision, tolerance)),
+            Wish::Give(acts, name) => self.player.give(acts, Some(name)),
             Wish::Trails(settings) => self.set_trails(settings),
             Wish::Pace(pace) => self.set_pace(pace),
             Wish::GoTo(time) => {
@@ -230,6 +240,9 @@ impl Session {
         self.hand.take(tool);
         // It is of the hand.
         self.place_hint();
+        if tool == Tool::Build && self.scene.dimensions() == 3 && !is_of_space(self.hand.primitive()) {
+            self.hand.choose(Primitive::SolidCircle);
+        }
         if tool == Tool::Push {
             // Wind has a button of its own, and torques are of the plane.
             match self.hand.push_way() {
@@ -323,6 +336,7 @@ impl Session {
                 counted(among.points.len(), "point"),
                 counted(bonds, "bond")
             ));
+            self.painted.extend(&among.points);
             self.player.ask(Order::Change { among, change, goes_on: false });
             self.dirty = true;
         }

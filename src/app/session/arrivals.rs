@@ -35,9 +35,12 @@ impl Session {
 
     /// A file was dropped on the window, chosen or pasted: a picture is imported, a scene opens in place of this one.
     pub(in crate::app) fn take_file(&mut self, path: &Path) {
+        let is_picture = Scene::is_picture_file(path);
+        if let Some(points) = self.wearer.take().filter(|_| is_picture) {
+            return self.wear(path, points);
+        }
         // A picture may hold the scene that it was taken of.
-        let is_picture = Scene::is_picture_file(path) && !holds_scene(path);
-        if is_picture {
+        if is_picture && !holds_scene(path) {
             self.loading = Some(Loading::picture(path, self.wake_up()));
             return self.touch();
         }
@@ -181,7 +184,10 @@ impl Session {
                 Ok(Found::Nothing) if is_pasted => {}
                 // A path is being written in its place.
                 Ok(Found::Nothing) | Err(_) if !is_pasted && self.panels.sheet == Some(Sheet::OpenFrom) => {}
-                Ok(Found::Nothing) => self.say("no file was chosen".to_owned()),
+                Ok(Found::Nothing) => {
+                    self.wearer = None;
+                    self.say("no file was chosen".to_owned());
+                }
                 Ok(Found::Broken(why)) => self.refuse_to_paste(&why),
                 // Where the clipboard has nothing of use, there may still be what was copied here.
                 Err(_) if is_pasted && self.paste_copied() => {}

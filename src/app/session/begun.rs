@@ -95,6 +95,7 @@ impl Session {
             asked: None,
             leaving: Leaving::Not,
             dialog: None,
+            wearer: None,
             pasted: None,
             saving: None,
             last_file: None,
@@ -116,6 +117,8 @@ impl Session {
             settings: SceneChange::default(),
             matter: None,
             bearings: Default::default(),
+            overload: None,
+            painted: Default::default(),
             tints: Arc::default(),
         };
         match session.player.is_open() {

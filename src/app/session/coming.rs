@@ -102,6 +102,9 @@ impl Session {
     /// Another history is shown: nothing of the last one is under way any more.
     pub(super) fn begin(&mut self) {
         self.hand.let_go();
+        self.hand.renew_brush();
+        self.painted.clear();
+        self.wearer = None;
         (self.asked, self.duplicated) = (None, None);
         self.inspected = Chosen::default();
         self.driving.clear();

@@ -15,7 +15,7 @@ use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, t
 use crate::app::tools::{Mark, Role, Scope, probe};
 use crate::lessons::heading_of;
 use crate::render::{Look, Overlay, RenderError, View, body_color};
-use crate::scene::Parameter;
+use crate::scene::{Parameter, PrecisionName};
 use crate::sim::{Cursor, MouseForce};
 
 /// Marks are looked for among so many points: more would take longer than a frame.
@@ -139,6 +139,7 @@ impl Session {
             draws_lasso: self.hand.draws_lasso(),
             matter: self.shown().matter.clone().filter(|_| !self.inspected.is_empty()),
             bearings: Arc::clone(&self.bearings.1),
+            overload: self.overload.clone(),
             chosen_at: self.selection_seen(),
             is_grouped: self.is_grouped(),
             drawn_color: body_color(&self.shown().view(), &self.look, &self.inspected.points),
@@ -164,6 +165,7 @@ impl Session {
             settings: Settings {
                 parameters: self.parameters(),
                 scene: self.shown().settings.clone(),
+                fixed: Some((self.scene.method.precision.unwrap_or(PrecisionName::Auto), self.scene.method.tolerance)),
                 pushing: self.shown().mouse.as_ref().map(Pushing::of),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
             },

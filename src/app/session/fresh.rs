@@ -2,8 +2,8 @@
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use super::Session;
-use crate::history::{DeleteKeys, Do};
+use super::{Framing, Session};
+use crate::history::{DeleteKeys, Do, Start};
 use crate::scene::{EMPTY, MakerName, Scene};
 
 /// Seeds that the dice draw are below this: few digits, as one writes them.
@@ -37,6 +37,16 @@ impl Session {
         let keys = DeleteKeys { points, ..DeleteKeys::default() };
         self.player.give(vec![Do::Delete(keys)], Some("clear"));
         self.say("all bodies are gone: Ctrl+Z brings them back".to_owned());
+    }
+
+    /// A history goes on from this moment with what is fixed when one begins: it is looked at as before, and undo goes back.
+    pub(super) fn begin_from_here(&mut self, start: Start) {
+        let (camera, plays) = (self.camera, self.player.is_playing());
+        self.open(start);
+        self.player.play(plays);
+        self.looks_again = Some(camera);
+        (self.camera, self.framing) = (camera, Framing::Free);
+        self.say("it goes on from here, as a history of its own: Ctrl+Z goes back".to_owned());
     }
 
     /// Opens the scene with all that it draws by lot drawn anew.

@@ -81,6 +81,7 @@ impl Session {
             Note::Exact => {
                 self.say("every body is moved by its own method from here on: Ctrl+Z takes that back".to_owned());
             }
+            Note::Begins(start) => self.begin_from_here(*start),
             Note::Held => self.say(HELD_HERE.to_owned()),
             Note::Refused(why) => {
                 self.import = self.adding.take().or_else(|| self.import.take());

@@ -24,7 +24,9 @@ mod selecting;
 mod shelf;
 mod told;
 mod trails;
+mod wearing;
 
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
@@ -42,7 +44,7 @@ use super::import::Import;
 use super::keys::{Down, Held};
 use super::leftovers::{Leftover, look};
 use super::loading::Loading;
-use super::matter::{Bearings, Matter};
+use super::matter::{Bearings, Matter, Overload};
 use super::meter::Meter;
 use super::opening::{Free, Over};
 use super::panels::{At, Misfits, PanelState, theme};
@@ -57,7 +59,7 @@ use crate::history::HistoryError;
 use crate::picture::Tint;
 use crate::render::{Camera, Look, Palette, RenderCounters, Tiles, Trails};
 use crate::scene::{Parameter, Scene};
-use crate::sim::{Cursor, Key, MouseForce, SceneChange};
+use crate::sim::{Cursor, Key, MouseForce, PointId, SceneChange};
 use asking::Asked;
 use copies::{Copied, Row};
 use leaving::Leaving;
@@ -175,6 +177,8 @@ pub(super) struct Session {
     leaving: Leaving,
     /// A file that is being chosen in the system's dialog, and what is on its way from the clipboard.
     dialog: Option<Fetch>,
+    /// The points of a body that the picture in that file is for.
+    wearer: Option<Vec<PointId>>,
     pasted: Option<Fetch>,
     saving: Option<Saving>,
     /// The last file that was saved or opened: the next one is looked for beside it.
@@ -207,6 +211,9 @@ pub(super) struct Session {
     matter: Option<Arc<Matter>>,
     /// How soft bodies bear their weight, and of which topology and gravity that is.
     bearings: (Option<Borne>, Arc<Bearings>),
+    /// What of it gives way, and the points that the brush went over in this history.
+    overload: Option<Arc<Overload>>,
+    painted: BTreeSet<PointId>,
     /// How points are drawn, and which are hidden, as panels say it.
     tints: Arc<[Tint]>,
 }

@@ -7,10 +7,10 @@ use winit::window::CursorIcon;
 
 use super::Session;
 use crate::app::action::Tool;
-use crate::app::matter::{Among, Bearings, MatterChange};
+use crate::app::matter::{Among, Bearings, MatterChange, overload};
 use crate::app::panels::MatterAt;
 use crate::app::player::Order;
-use crate::app::tools::{Chosen, Handle, Held, Ring, Scope, hidden_bodies};
+use crate::app::tools::{Chosen, Handle, Held, Ring, Scope, hidden_bodies, is_of_space};
 use crate::history::{Do, Group};
 use crate::sim::PointId;
 
@@ -85,7 +85,7 @@ impl Session {
         }
     }
 
-    /// Looks how what is selected bears its weight, or what the brush could paint, where that is asked for and may be another.
+    /// Looks how what is selected bears its weight, or what the brush painted and could paint, where that is asked for and may be another.
     pub(super) fn weigh(&mut self) {
         let chosen = (self.hand.tool() != Tool::Paint).then(|| self.inspected.clone());
         let shown = self.player.shown();
@@ -94,12 +94,22 @@ impl Session {
         if of == self.bearings.0 {
             return;
         }
-        let all = if is_asked { Bearings::of(shown) } else { Bearings::default() };
-        let bearings = match &of {
-            Some((.., Some(chosen))) => all.among(&chosen.points),
-            _ => all,
+        let (bearings, among) = match &of {
+            Some((.., Some(chosen))) => (Bearings::default(), chosen.points.clone()),
+            Some((.., None)) => (Bearings::of(shown), self.painted.iter().copied().collect()),
+            None => Default::default(),
         };
-        self.bearings = (of, Arc::new(bearings));
+        let overload = if among.is_empty() { None } else { overload(shown, &among) };
+        (self.bearings, self.overload) = ((of, Arc::new(bearings)), overload.map(Arc::new));
+    }
+
+    /// What gives way under its load is made stiff enough for it, with what it stands on.
+    pub(super) fn bear(&mut self) {
+        let Some(overload) = self.overload.clone() else { return };
+        let among = Among { bonds: Some(overload.bonds.clone()), ..Among::default() };
+        let change = MatterChange::Bears(overload.stiffness);
+        self.player.ask(Order::Change { among, change, goes_on: false });
+        self.dirty = true;
     }
 
     /// Where what is selected is seen `[points]`: the box around its points, some of many, and its obstacles.
@@ -177,7 +187,8 @@ impl Session {
             Tool::Hand if on(|scope, at| scope.nearest(at).is_some() || scope.block(at).is_some()) => CursorIcon::Grab,
             Tool::Hand if on(|scope, at| scope.solid(at).is_some()) => CursorIcon::NotAllowed,
             Tool::Hand => CursorIcon::Default,
-            Tool::Build | Tool::Motor if !is_plane => CursorIcon::NotAllowed,
+            Tool::Motor if !is_plane => CursorIcon::NotAllowed,
+            Tool::Build if !is_plane && !is_of_space(self.hand.primitive()) => CursorIcon::NotAllowed,
             Tool::Pin => CursorIcon::Cell,
             Tool::Cut | Tool::Paint | Tool::Push => CursorIcon::Crosshair,
             Tool::Erase => CursorIcon::NoDrop,

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_segment};
-use crate::app::matter::{Among, MatterChange, Painted, Preset};
-use crate::sim::PointId;
+use crate::app::matter::{Among, MatterChange, NEVER, Painted, Preset, Switched};
+use crate::picture::Tint;
+use crate::sim::{BondKind, PointId};
 
 /// Radii that the brush may have `[logical px]`.
 pub(in crate::app) const RADII: [f64; 2] = [6.0, 120.0];
@@ -100,6 +101,37 @@ impl Brush {
             ends.is_some_and(|(a, b)| distance_to_segment(at, a, b) <= reach)
         };
         stroke.bonds.extend(ends.filter(under).map(|(place, _)| scope.shown.scenery.bond_number(place)));
+    }
+
+    /// The brush with the numbers of the springs under a pixel, and of their body, switched on, and what they are in words; `None` where
+    /// there are none.
+    pub(super) fn taking(self, scope: Scope<'_>, at: DVec2) -> Option<(Self, String)> {
+        let (place, _) = scope.bond(at)?;
+        let scenery = &scope.shown.scenery;
+        let bond = scenery.bonds.get(place);
+        let BondKind::Spring { stiffness, damping } = bond.kind else { return None };
+        let body = scope.body(bond.a);
+        let mass: f64 = body.iter().map(|point| scenery.masses[point.index()]).sum();
+        let is_of_it = |corners: &&[PointId; 3]| body.binary_search(&corners[0]).is_ok();
+        let area = |corners: &[PointId; 3]| {
+            let [a, b, c] = corners.map(|corner| DVec3::from(scope.shown.place(corner.index())));
+            0.5 * (b - a).cross(c - a).length()
+        };
+        let area: f64 = scenery.triangles.iter().filter(is_of_it).map(area).sum();
+        let on = |value: f64| Switched { is_on: true, value };
+        let mut numbers = Painted { stiffness: on(stiffness), damping: on(damping), ..self.numbers };
+        let mut words = format!("the brush paints what lies here: {stiffness:.0} N/m, {damping:.2} N s/m");
+        if area > 0.0 {
+            numbers.density = on(mass / area);
+            words.push_str(&format!(", {:.2} kg/m²", mass / area));
+        }
+        if bond.break_strain < NEVER {
+            numbers.breaks = on(bond.break_strain);
+        }
+        if let Some(color) = Tint::of(&scenery.tints, bond.a.0).and_then(|tint| tint.color) {
+            numbers.color.value = color;
+        }
+        Some((Brush { numbers, ..self }, words))
     }
 
     /// The brush where it is.

@@ -64,7 +64,7 @@ impl Hand {
     /// What a press makes, with the keys that are held.
     pub(super) fn pushes(&self) -> PushWay {
         match (self.shift, self.alt) {
-            _ if self.push == PushWay::Wind => PushWay::Wind,
+            _ if matches!(self.push, PushWay::Wind | PushWay::Speed) => self.push,
             (_, true) => PushWay::Turn,
             (true, false) => PushWay::Body,
             _ => self.push,
@@ -79,6 +79,11 @@ impl Hand {
     /// It paints with something else from now on.
     pub(in crate::app) fn set_brush(&mut self, brush: Brush) {
         self.brush = brush;
+    }
+
+    /// Another history begins: what the brush painted with was of the one before, its size is of the hand.
+    pub(in crate::app) fn renew_brush(&mut self) {
+        self.brush = Brush { radius: self.brush.radius, ..Brush::default() };
     }
 
     /// Whether a drag beside all bodies is a free stroke.

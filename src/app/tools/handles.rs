@@ -9,6 +9,7 @@ use super::chosen::Chosen;
 use super::fastened::with_pins;
 use super::marks::{Mark, Role};
 use super::pick::Scope;
+use super::rings::{Turned, axis_of};
 use super::room::{Outcome, here, under};
 use crate::history::{Do, Factors, MoveKeys};
 use crate::scene::Vector;
@@ -63,7 +64,9 @@ pub(super) enum Change {
     Shift(DVec3),
     /// Anticlockwise `[rad]`.
     Turn(f64),
-    /// Along x and y `[1]`.
+    /// In space, about x, y or z `[rad]`.
+    Spin(usize, f64),
+    /// Along x and y `[1]`; in space the same along all axes.
     Scale([f64; 2]),
 }
 
@@ -186,9 +189,9 @@ impl Change {
     pub(super) fn after(self, done: Change) -> Option<Self> {
         match (self, done) {
             (Change::Shift(all), Change::Shift(done)) => Some(Change::Shift(all - done)).filter(|_| all != done),
-            (Change::Turn(all), Change::Turn(done)) => {
-                let left = (all - done + PI).rem_euclid(TAU) - PI;
-                (left != 0.0).then_some(Change::Turn(left))
+            (Change::Turn(all), Change::Turn(done)) => turn_left(all, done).map(Change::Turn),
+            (Change::Spin(axis, all), Change::Spin(same, done)) if axis == same => {
+                turn_left(all, done).map(|left| Change::Spin(axis, left))
             }
             (Change::Scale(all), Change::Scale(done)) => {
                 (all != done).then(|| Change::Scale([all[0] / done[0], all[1] / done[1]]))
@@ -202,6 +205,7 @@ impl Change {
         match self {
             Change::Shift(by) => Change::Shift(share * by),
             Change::Turn(angle) => Change::Turn(share * angle),
+            Change::Spin(axis, angle) => Change::Spin(axis, share * angle),
             Change::Scale(factors) => Change::Scale(factors.map(|factor| factor.powf(share))),
         }
     }
@@ -211,6 +215,7 @@ impl Change {
         match (self, next) {
             (Change::Shift(by), Change::Shift(more)) => Change::Shift(by + more),
             (Change::Turn(angle), Change::Turn(more)) => Change::Turn(angle + more),
+            (Change::Spin(axis, angle), Change::Spin(same, more)) if axis == same => Change::Spin(axis, angle + more),
             (Change::Scale(by), Change::Scale(more)) => Change::Scale([by[0] * more[0], by[1] * more[1]]),
             _ => self,
         }
@@ -220,7 +225,7 @@ impl Change {
     pub(super) fn size(self, height: f64) -> f64 {
         match self {
             Change::Shift(by) => by.length() / height,
-            Change::Turn(angle) => angle.abs() / TAU,
+            Change::Turn(angle) | Change::Spin(_, angle) => angle.abs() / TAU,
             Change::Scale(factors) => factors.into_iter().map(|factor| factor.ln().abs()).fold(0.0, f64::max),
         }
     }
@@ -229,15 +234,15 @@ impl Change {
     pub(super) fn about(self, frame: &Frame, handle: Handle) -> DVec2 {
         match self {
             Change::Shift(_) => frame.low,
-            Change::Turn(_) | Change::Scale(_) => frame.still(handle),
+            Change::Turn(_) | Change::Spin(..) | Change::Scale(_) => frame.still(handle),
         }
     }
 
-    /// Where a place goes `[m]`.
+    /// Where a place of the plane goes `[m]`.
     pub(super) fn place(self, about: DVec2, x: DVec2) -> DVec2 {
         match self {
             Change::Shift(by) => x + by.truncate(),
-            Change::Turn(angle) => about + DVec2::from_angle(angle).rotate(x - about),
+            Change::Turn(angle) | Change::Spin(_, angle) => about + DVec2::from_angle(angle).rotate(x - about),
             Change::Scale(factors) => about + DVec2::from(factors) * (x - about),
         }
     }
@@ -252,6 +257,7 @@ impl Change {
         match self {
             Change::Shift(by) => format!("{:.2} {:.2} m", by.x, by.y),
             Change::Turn(angle) => format!("{:.0}°", angle.to_degrees()),
+            Change::Spin(axis, angle) => Turned::About(axis, angle).words(),
             Change::Scale([x, y]) if x == y => format!("× {x:.2}"),
             Change::Scale([x, y]) => format!("{x:.2} × {y:.2}"),
         }
@@ -294,23 +300,34 @@ impl Change {
         match outcome.refused {
             Some(why) => Deed::words(why.to_owned()),
             None => {
-                Deed { words: outcome.told(), ..self.deed(&with_pins(scope, chosen), about, scope.shown.dimensions) }
+                let (about, dimensions) = (about.extend(0.0), scope.shown.dimensions);
+                Deed { words: outcome.told(), ..self.deed(&with_pins(scope, chosen), about, dimensions) }
             }
         }
     }
 
     /// The command that does it to what is selected, in so many dimensions; nothing where nothing changes.
-    pub(super) fn deed(self, chosen: &Chosen, about: DVec2, dimensions: usize) -> Deed {
+    pub(super) fn deed(self, chosen: &Chosen, about: DVec3, dimensions: usize) -> Deed {
         let keys = MoveKeys { points: chosen.numbers(), obstacles: chosen.obstacles.clone(), ..MoveKeys::default() };
-        let about = Some(Vector::Plane(about.to_array()));
+        let about = Some(Vector::new(about.to_array(), dimensions));
         let (name, keys) = match self {
             Change::Shift(by) => ("move", MoveKeys { by: Some(Vector::new(by.to_array(), dimensions)), ..keys }),
-            Change::Turn(angle) if angle.rem_euclid(TAU) == 0.0 => return Deed::default(),
+            Change::Turn(angle) | Change::Spin(_, angle) if angle.rem_euclid(TAU) == 0.0 => return Deed::default(),
             Change::Turn(angle) => ("turn", MoveKeys { turn: Some(angle), about, ..keys }),
+            Change::Spin(axis, angle) => {
+                let axis = Some(Vector::new(axis_of(axis).to_array(), dimensions));
+                ("turn", MoveKeys { turn: Some(angle), axis, about, ..keys })
+            }
             Change::Scale([1.0, 1.0]) => return Deed::default(),
             Change::Scale([x, y]) if x == y => ("scale", MoveKeys { scale: Some(Factors::One(x)), about, ..keys }),
             Change::Scale(factors) => ("scale", MoveKeys { scale: Some(Factors::Each(factors)), about, ..keys }),
         };
         Deed::edit(name, Do::Move(Box::new(keys)))
     }
+}
+
+/// What is left of a turn `[rad]`, the shorter way round; `None`: nothing.
+fn turn_left(all: f64, done: f64) -> Option<f64> {
+    let left = (all - done + PI).rem_euclid(TAU) - PI;
+    (left != 0.0).then_some(left)
 }

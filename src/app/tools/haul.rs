@@ -5,9 +5,11 @@ use glam::{DVec2, DVec3};
 use super::chosen::Chosen;
 use super::fastened::{pins_in, place};
 use super::handles::{Change, Grip};
+use super::marks::Mark;
 use super::pick::Scope;
+use super::rings::RingGrip;
 use super::selecting::is_drag;
-use super::{Doing, Hand};
+use super::{Doing, Hand, jam};
 use crate::history::{Do, MoveKeys};
 use crate::sim::{PointId, Reach};
 
@@ -33,8 +35,10 @@ pub(super) struct Haul {
 enum By {
     /// From here, as deep as it is `[m]`.
     Way(DVec3),
-    /// By a handle, about a place that stays `[m]`.
-    Handle(Grip, DVec2),
+    /// By a handle of the box around them.
+    Handle(Grip),
+    /// By a ring about them, or the knob beside it, in space.
+    Ring(RingGrip),
 }
 
 /// Where a drag sends obstacles: all of the way since they were pressed on.
@@ -44,7 +48,7 @@ pub struct HaulWay {
     pins: Vec<(PointId, DVec2)>,
     all: Change,
     /// About a place that stays `[m]`.
-    about: DVec2,
+    about: DVec3,
     /// How high the picture is `[m]`.
     height: f64,
     dimensions: usize,
@@ -80,7 +84,7 @@ impl HaulWay {
 
     /// Where what goes along came, from where it was before any of the way was gone `[m]`.
     pub fn along(&self, hauled: Hauled, x: DVec2) -> DVec2 {
-        hauled.0.place(self.about, x)
+        hauled.0.place(self.about.truncate(), x)
     }
 
     /// What there is still to go; `None`: nothing.
@@ -110,8 +114,23 @@ impl Haul {
     fn change(&self, scope: Scope<'_>, at: DVec2, in_steps: bool) -> Change {
         match self.by {
             By::Way(from) => Change::Shift(scope.facing(from, at) - from),
-            By::Handle(grip, _) => grip.change(scope, at, in_steps),
+            By::Handle(grip) => grip.change(scope, at, in_steps),
+            By::Ring(grip) => grip.change(scope, at, in_steps),
         }
+    }
+
+    /// What has no room, or how far they are turned or scaled, with the rings that do it.
+    pub(super) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>, in_steps: bool) -> Vec<Mark> {
+        let mut marks = jam::marks(scope, at);
+        if let By::Ring(grip) = self.by {
+            marks.extend(grip.marks(scope));
+        }
+        let is_handled = !matches!(self.by, By::Way(_)) && scope.shown.jam.is_none();
+        marks.extend(at.filter(|_| is_handled).map(|at| {
+            let beside = at + DVec2::new(16.0, -10.0) * scope.scale;
+            Mark::Words(beside, self.change(scope, at, in_steps).words())
+        }));
+        marks
     }
 
     /// Time passes with the pointer at a pixel; infinitely much at the end. Returns where they are to go, if it is time to say so.
@@ -123,7 +142,11 @@ impl Haul {
         // Whatever it does next begins now.
         self.since = 0.0;
         let all = self.change(scope, at, in_steps);
-        let about = if let By::Handle(_, about) = self.by { about } else { DVec2::ZERO };
+        let about = match self.by {
+            By::Way(_) => DVec3::ZERO,
+            By::Handle(grip) => grip.about().extend(0.0),
+            By::Ring(grip) => grip.about(),
+        };
         let height = scope.camera.viewport()[1] as f64 / scope.camera.pixels_per_metre();
         let (what, pins) = (self.what.clone(), self.pins.clone());
         let (dimensions, goes_on) = (scope.shown.dimensions, self.goes_on);
@@ -169,7 +192,8 @@ impl Hand {
             Doing::Moving(hold, _) if is_drag(scope, [hold.at, at]) => {
                 Some(Haul::new(scope, what, By::Way(hold.place)))
             }
-            Doing::Handling(grip) => Some(Haul::new(scope, what, By::Handle(grip, grip.about()))),
+            Doing::Handling(grip) => Some(Haul::new(scope, what, By::Handle(grip))),
+            Doing::Turning(grip) => Some(Haul::new(scope, what, By::Ring(grip))),
             _ => None,
         }
     }

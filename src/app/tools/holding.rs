@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Doing, Hand, Held, Mark, PushWay, Scope, hidden, marks, push, wind};
+use super::{Doing, Hand, Held, Mark, PushWay, Scope, hidden, marks, push, throw, wind};
 use crate::app::action::Tool;
 use crate::sim::Cursor;
 
@@ -66,6 +66,10 @@ impl Hand {
             (Tool::Push, at) if self.pushes() == PushWay::Wind => match (&self.doing, at) {
                 (Doing::Blowing(blow), Some(at)) => blow.marks(scope, at),
                 (_, at) => wind::marks(scope, self.wind_at, at),
+            },
+            (Tool::Push, at) if self.pushes() == PushWay::Speed => match (&self.doing, at) {
+                (Doing::Throwing(throw), Some(at)) => throw.marks(scope, at),
+                (_, at) => at.map_or_else(Vec::new, |at| throw::marks(scope, at)),
             },
             (Tool::Push, Some(at)) if self.doing == Doing::Nothing => self.pushes().marks(scope, at),
             // What would come next is not shown over what has just come.

@@ -7,7 +7,7 @@ use super::chosen::Chosen;
 use super::erase::{Target, target};
 use super::pick::{self, Scope};
 use super::selecting::carried;
-use super::{Doing, boxes, jam, knot, skin};
+use super::{Doing, boxes, knot, skin};
 use crate::app::action::Tool;
 use crate::app::player::Probe;
 use crate::sim::{BOX_EDGES, Figure, PointId};
@@ -104,7 +104,8 @@ pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, 
             marks.extend(words.map(|at| Mark::Words(at, ALONG.to_owned())));
             marks
         }
-        (Doing::Hauling(_), _) => jam::marks(scope, at),
+        // Shift is held.
+        (Doing::Hauling(haul), _) => haul.marks(scope, at, maker.is_free),
         (Doing::Leading(lead), _) => led(scope, &[lead.point()], at),
         (Doing::Cutting(slash), _) => at.map_or_else(Vec::new, |at| slash.marks(scope, at)),
         (Doing::Nothing, Tool::Hand) => at.map_or_else(Vec::new, |at| would_grab(scope, at)),

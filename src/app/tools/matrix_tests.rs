@@ -41,6 +41,7 @@ enum Act {
     Push,
     PushBody,
     Turned,
+    Throw,
     Move,
     Turn,
     Scale,
@@ -105,7 +106,7 @@ const SCENES: [(&str, &str, Option<usize>); 7] = [
 ];
 
 /// Rows: what comes of it in each scene.
-const TABLE: [(Act, [Comes; 7]); 32] = [
+const TABLE: [(Act, [Comes; 7]); 33] = [
     //                soft rope net pile rigid solid space
     (Act::Grab, [G, G, G, G, G, E, G]),
     (Act::Pin, [E, E, E, E, E, W, E]),
@@ -113,18 +114,19 @@ const TABLE: [(Act, [Comes; 7]); 32] = [
     (Act::Erase, [E, E, E, E, E, E, E]),
     (Act::Build, [E, E, E, E, E, E, W]),
     (Act::Block, [E, E, E, E, E, E, W]),
-    (Act::Cloth, [E, E, E, E, E, E, W]),
+    (Act::Cloth, [E, E, E, E, E, E, E]),
     (Act::Rim, [E, E, E, E, E, E, W]),
-    (Act::Rope, [E, E, E, E, E, E, W]),
+    (Act::Rope, [E, E, E, E, E, E, E]),
     (Act::Figure, [E, E, E, E, E, E, W]),
-    (Act::Solid, [E, E, E, E, E, E, W]),
-    (Act::SolidBox, [E, E, E, E, E, E, W]),
+    (Act::Solid, [E, E, E, E, E, E, E]),
+    (Act::SolidBox, [E, E, E, E, E, E, E]),
     (Act::Slope, [E, E, E, E, E, E, W]),
     (Act::Polygon, [E, E, E, E, E, E, W]),
     (Act::Bonds, [E, E, E, E, E, E, W]),
     (Act::Push, [E, E, E, E, E, W, E]),
     (Act::PushBody, [E, E, E, E, E, W, E]),
     (Act::Turned, [E, E, E, E, E, W, W]),
+    (Act::Throw, [E, E, E, E, E, W, E]),
     (Act::Move, [E, E, E, E, E, E, E]),
     (Act::Turn, [E, E, E, E, E, E, E]),
     (Act::Scale, [E, E, E, E, E, E, E]),
@@ -243,7 +245,7 @@ impl Bench {
             Act::Erase => Tool::Erase,
             Act::Build | Act::Block | Act::Cloth | Act::Rim | Act::Rope | Act::Figure => Tool::Build,
             Act::Solid | Act::SolidBox | Act::Slope | Act::Polygon | Act::Bonds => Tool::Build,
-            Act::Push | Act::PushBody | Act::Turned => Tool::Push,
+            Act::Push | Act::PushBody | Act::Turned | Act::Throw => Tool::Push,
             Act::Muscle => Tool::Muscle,
             Act::Motor => Tool::Motor,
             Act::Paint | Act::Numbers => Tool::Paint,
@@ -291,6 +293,10 @@ impl Bench {
             Act::Grab | Act::Push => self.drag(&mut hand, [at, far], runs),
             Act::Turned => {
                 hand.set_push_way(PushWay::Turn);
+                self.drag(&mut hand, [at, far], runs)
+            }
+            Act::Throw => {
+                hand.set_push_way(PushWay::Speed);
                 self.drag(&mut hand, [at, far], runs)
             }
             Act::PushBody => {

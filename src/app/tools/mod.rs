@@ -4,6 +4,8 @@
 mod bad_tests;
 mod boxes;
 mod brush;
+#[cfg(test)]
+mod brush_tests;
 mod build;
 mod choices;
 mod chosen;
@@ -59,6 +61,7 @@ mod skin;
 mod space_tests;
 #[cfg(test)]
 mod tests;
+mod throw;
 mod wind;
 #[cfg(test)]
 mod wind_tests;
@@ -70,7 +73,7 @@ use crate::sim::PointId;
 use brush::Stroke;
 pub(super) use brush::{Brush, RADII};
 use build::{Drag, Maker, Path};
-pub(super) use build::{Link, Links};
+pub(super) use build::{Link, Links, is_of_space};
 pub(super) use chosen::Chosen;
 use cutting::Slash;
 pub(super) use deed::Deed;
@@ -92,6 +95,7 @@ use region::Region;
 pub(super) use rings::Ring;
 use rings::RingGrip;
 pub(super) use room::Walls;
+use throw::Throw;
 use wind::Blow;
 
 /// What is in the hand.
@@ -138,6 +142,8 @@ enum Doing {
     Driving(Swipe),
     /// The arrow of a force is drawn or changed.
     Forcing(push::Pull),
+    /// The arrow of a velocity is drawn.
+    Throwing(Throw),
     /// The arrow of the wind is.
     Blowing(Blow),
 }

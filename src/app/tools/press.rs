@@ -8,6 +8,7 @@ use super::erase::erase;
 use super::lead::Lead;
 use super::muscles::Swipe;
 use super::selecting::is_drag;
+use super::throw::Throw;
 use super::wind::Blow;
 use super::{Chosen, Deed, Doing, Hand, PinWay, PushWay, Scope, hub};
 use crate::app::action::Tool;
@@ -16,6 +17,8 @@ use crate::sim::Reach;
 
 /// Said where a plane is pressed on by the hand.
 const SOLID: &str = "it stands: the tool that selects (6) moves it";
+/// Said where the brush finds no numbers to take.
+const NO_SPRINGS: &str = "no body of springs lies here whose numbers the brush could take";
 /// Said where nothing is pinned.
 const NO_POINT: &str = "no point lies here that could be pinned; a rope that is built (5) begins with a pin of its own";
 
@@ -27,6 +30,13 @@ impl Hand {
         match self.tool() {
             Tool::Hand => self.take_hold(scope, at),
             Tool::Pin => pin(scope, at),
+            Tool::Paint if self.alt => match self.brush.taking(scope, at) {
+                Some((brush, words)) => {
+                    self.brush = brush;
+                    Deed::words(words)
+                }
+                None => Deed::words(NO_SPRINGS.to_owned()),
+            },
             Tool::Paint => {
                 self.doing = Doing::Painting(self.brush.begin(scope, at));
                 Deed::default()
@@ -46,6 +56,13 @@ impl Hand {
                 self.doing = Doing::Blowing(Blow::press(scope, self.wind_at, at));
                 Deed::default()
             }
+            Tool::Push if self.pushes() == PushWay::Speed => match Throw::press(scope, at) {
+                Ok(throw) => {
+                    self.doing = Doing::Throwing(throw);
+                    Deed::default()
+                }
+                Err(why) => Deed::words(why.words().to_owned()),
+            },
             Tool::Push => match self.pushes().press(scope, at) {
                 Ok(pull) => {
                     self.doing = Doing::Forcing(pull);
@@ -75,7 +92,7 @@ impl Hand {
     }
 
     pub(super) fn begin_to_build(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
-        if scope.shown.dimensions != 2 {
+        if scope.shown.dimensions != 2 && !build::is_of_space(self.maker.primitive) {
             return Deed::words(build::OF_THE_PLANE.to_owned());
         }
         if self.maker.primitive.is_drawn() {

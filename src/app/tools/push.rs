@@ -71,13 +71,16 @@ pub(in crate::app) enum PushWay {
     Body,
     /// A torque about the middle of the body.
     Turn,
+    /// No force: the velocity of the body.
+    Speed,
     /// Wind over all bodies.
     Wind,
 }
 
 impl PushWay {
     /// All of them.
-    pub(in crate::app) const ALL: [PushWay; 4] = [PushWay::Point, PushWay::Body, PushWay::Turn, PushWay::Wind];
+    pub(in crate::app) const ALL: [PushWay; 5] =
+        [PushWay::Point, PushWay::Body, PushWay::Turn, PushWay::Speed, PushWay::Wind];
 }
 
 /// How long an arrow is for a force or a torque `[px]`.
@@ -236,7 +239,7 @@ impl PushWay {
         };
         let points = match self {
             PushWay::Point => vec![hit.point],
-            PushWay::Body | PushWay::Turn | PushWay::Wind => scope.body(hit.point),
+            PushWay::Body | PushWay::Turn | PushWay::Speed | PushWay::Wind => scope.body(hit.point),
         };
         match () {
             () if points.iter().all(|point| scope.is_pinned(*point)) => return Err(NoPush::Pinned),
@@ -260,7 +263,7 @@ impl PushWay {
             Ok(Pull { arrow, number: None, .. }) => {
                 let said = match self {
                     PushWay::Point => "drag: a force on this point",
-                    PushWay::Body | PushWay::Wind => "drag: a force on the body",
+                    PushWay::Body | PushWay::Speed | PushWay::Wind => "drag: a force on the body",
                     PushWay::Turn => "drag around it: a torque",
                 };
                 vec![Mark::Ring(Role::Come, arrow.from, 7.0 * scope.scale), words(said)]

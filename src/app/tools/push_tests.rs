@@ -128,3 +128,28 @@ fn where_nothing_is_pushed_it_is_said() {
     let deed = bench.hand.press(scope(&space), pixel(&space, 100));
     assert!(deed.words.is_some_and(|words| words.contains("in space")));
 }
+
+#[test]
+fn an_arrow_of_velocity_throws_what_is_free_of_a_body_and_a_click_stops_it() {
+    let mut bench = Bench::new();
+    bench.hand.set_push_way(PushWay::Speed);
+    let velocity = |bench: &Bench| {
+        let world = bench.stage.history().world();
+        [0, 1, 2].map(|point| world.velocity(PointId(point)))
+    };
+    let at = bench.at(1);
+    let would = bench.hand.marks(scope(&bench.seen), Some(at));
+    assert!(would.iter().any(|mark| matches!(mark, Mark::Words(_, said) if said.contains("flies off"))), "{would:?}");
+    assert_eq!(bench.drag(at, [100.0, -50.0]), "velocity");
+    for [x, y, _] in velocity(&bench) {
+        assert!((x - 5.0).abs() < 0.02 && (y - 2.5).abs() < 0.02, "100 px are 5 m/s: {x} {y}");
+    }
+    assert_eq!(bench.drag(at, [0.0, 0.0]), "velocity");
+    assert_eq!(velocity(&bench), [[0.0; 3]; 3], "a click stops it");
+    bench.stage.obey(Order::Undo(None));
+    assert!((velocity(&bench)[0][0] - 5.0).abs() < 0.02, "the click is undone");
+    bench.stage.obey(Order::Undo(None));
+    assert_eq!(velocity(&bench), [[0.0; 3]; 3]);
+    let pin = bench.at(3);
+    assert!(bench.drag(pin, [50.0, 0.0]).contains("pin"), "a pin takes none");
+}

@@ -42,6 +42,7 @@ impl Hand {
                 self.go_on(path, step)
             }
             Doing::Forcing(pull) => pull.release(scope, at),
+            Doing::Throwing(throw) => throw.release(scope, at),
             Doing::Blowing(blow) => {
                 self.wind_at = Some(blow.from());
                 blow.release(scope, at)

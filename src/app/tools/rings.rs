@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::Deed;
 use super::chosen::Chosen;
+use super::handles::Change;
 use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_segment};
 use crate::history::{Do, Factors, MoveKeys};
@@ -91,7 +92,6 @@ impl Rings {
     }
 
     /// The middle of what is selected `[m]`.
-    #[cfg(test)]
     pub(super) fn middle(&self) -> DVec3 {
         self.middle
     }
@@ -166,7 +166,30 @@ impl Rings {
     }
 }
 
+/// One of the axes.
+pub(super) fn axis_of(axis: usize) -> DVec3 {
+    AXES[axis].0
+}
+
 impl RingGrip {
+    /// The place that stays `[m]`.
+    pub(super) fn about(&self) -> DVec3 {
+        self.rings.middle()
+    }
+
+    /// The same drag for obstacles that go along with it.
+    pub(super) fn change(&self, scope: Scope<'_>, to: DVec2, in_steps: bool) -> Change {
+        match self.turned(scope, to, in_steps) {
+            Turned::About(axis, angle) => Change::Spin(axis, angle),
+            Turned::By(factor) => Change::Scale([factor; 2]),
+        }
+    }
+
+    /// The rings, as they were taken.
+    pub(super) fn marks(&self, scope: Scope<'_>) -> Vec<Mark> {
+        self.rings.marks(scope, Some(self.ring))
+    }
+
     /// What a drag to a pixel comes to; `in_steps`: by whole steps.
     pub(super) fn turned(&self, scope: Scope<'_>, to: DVec2, in_steps: bool) -> Turned {
         let Ring::About(axis) = self.ring else { return self.scaled(scope, to) };

@@ -11,6 +11,7 @@ use super::region::Region;
 use super::rings::{Ring, RingGrip, Rings};
 use super::{Deed, Doing, Hand};
 use crate::app::action::Tool;
+use crate::sim::Knots;
 
 /// A press that moves less than this is a click `[logical px]`.
 const CLICK: f64 = 4.0;
@@ -170,11 +171,24 @@ impl Hand {
                 let ring = at.and_then(|at| rings?.ring(scope, at));
                 let rings = rings.iter().flat_map(|rings| rings.marks(scope, ring));
                 let handles = frame.iter().flat_map(|frame| frame.marks(scope, near)).chain(rings);
-                outline.into_iter().chain(handles).collect()
+                outline.into_iter().chain(handles).chain(ways(scope)).collect()
             }
             _ => outline,
         }
     }
+}
+
+/// The ways that pins of what is selected are led along, with their places.
+fn ways(scope: Scope<'_>) -> Vec<Mark> {
+    let pixel = |(_, place): &(f64, [f64; 3])| scope.camera.screen_from_world(DVec3::from(*place)).map(DVec2::from);
+    let pins = scope.shown.matter.iter().flat_map(|matter| &matter.pins);
+    let of = |knots: &Knots| {
+        let places: Vec<DVec2> = knots.iter().filter_map(pixel).collect();
+        let line = |pair: &[DVec2]| Mark::Line(Role::Hold, pair[0], pair[1], 1.2 * scope.scale);
+        let lines: Vec<Mark> = places.windows(2).map(line).collect();
+        lines.into_iter().chain(places.into_iter().map(|at| Mark::Square(Role::Hold, at, 2.5 * scope.scale)))
+    };
+    pins.flat_map(|pin| of(&pin.knots)).collect()
 }
 
 /// Bodies and obstacles are dragged from where they were taken to a pixel: in space in the plane that faces the camera.

@@ -407,3 +407,114 @@ fn rings_and_their_knob_keep_off_what_lies_over_the_world() {
         assert!(at.y > free[0].y && at.x < free[1].x, "{at} in {free:?}");
     }
 }
+
+/// A bar that is seen from above, with a loose point on either side of each of its ends.
+const BAR: &str = r#"{"wobble": 1, "dimensions": 3, "gravity": [0, 0, 0],
+    "obstacles": [{"box": {"min": [-1.5, -0.3, -0.2], "max": [1.5, 0.3, 0.2]}}],
+    "points": {"position": [[1.2, 0, -0.5], [-1.2, 0, 0.5], [1.2, 0, 0.5], [-1.2, 0, -0.5]]},
+    "view": {"target": [0, 0, 0], "distance": 9, "yaw": 0.3, "pitch": 0.9}}"#;
+
+#[test]
+fn an_obstacle_that_is_turned_by_a_ring_or_scaled_by_the_knob_pushes_while_time_runs_as_one_edit() {
+    for is_turned in [true, false] {
+        let mut room = Room::of(BAR, Tool::Select);
+        room.hand.select(super::Chosen { points: Vec::new(), obstacles: vec![0] });
+        let (before, figure) = (room.places(), room.shown.scenery.convex[0].figure);
+        let [from, to] = match is_turned {
+            true => room.along_ring(1),
+            false => room.with(|hand, scope| {
+                let rings = super::rings::Rings::of(scope, &hand.chosen(scope).unwrap()).unwrap();
+                let middle = DVec2::from(scope.camera.screen_from_world(rings.middle()).unwrap());
+                let mut marks = rings.marks(scope, None).into_iter();
+                let knob =
+                    marks.find_map(|mark| if let super::Mark::Square(_, at, _) = mark { Some(at) } else { None });
+                [knob.unwrap(), middle + 3.5 * (knob.unwrap() - middle)]
+            }),
+        };
+        let to = if is_turned { from.lerp(to, 0.9) } else { to };
+        assert!(room.with(|hand, scope| hand.press(scope, from)).is_empty());
+        let mut said = Vec::new();
+        for k in 1..=60 {
+            let at = from.lerp(to, f64::from(k) / 60.0);
+            if let Some(way) = room.with(|hand, scope| hand.haul(scope, at, 1.0 / 60.0)) {
+                assert_eq!(room.stage.obey(Order::Haul(way)), None);
+            }
+            drop(room.stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
+            room.stage.show(&mut room.shown);
+            said = room.with(|hand, scope| hand.marks(scope, Some(at)));
+        }
+        let words = if is_turned { "about y" } else { "×" };
+        assert!(
+            said.iter().any(|mark| matches!(mark, super::Mark::Words(_, said) if said.contains(words))),
+            "{said:?}"
+        );
+        assert!(room.with(|hand, scope| hand.release(scope, to)).is_empty(), "it is there already");
+        let places = room.places();
+        let pushed = before.iter().zip(&places).filter(|(was, is)| was.distance(**is) > 0.2).count();
+        // Whichever way round it is turned, each of its ends meets one of them.
+        assert!(pushed >= if is_turned { 2 } else { 4 }, "turned: {is_turned}: {before:?} to {places:?}");
+        let name = if is_turned { "turn" } else { "scale" };
+        assert!(matches!(room.stage.obey(Order::Undo(None)), Some(Note::Undone(undone, _)) if undone == name));
+        room.stage.show(&mut room.shown);
+        assert!(room.shown.scenery.convex[0].figure == figure && room.places() == before, "all of it is one step");
+    }
+}
+
+#[test]
+fn ropes_cloths_balls_and_boxes_are_built_as_deep_as_what_was_pressed_on_each_as_one_edit() {
+    use crate::app::action::Primitive;
+    let text = FLOOR.replace("[[0, 1, 0]]", "[[0, 1, 0], [1, 1, -2]]");
+    let mut room = Room::of(&text, Tool::Build);
+    let seen = |room: &Room, at: [f64; 3]| DVec2::from(room.camera.screen_from_world(at.into()).unwrap());
+    let built = |room: &mut Room, primitive: Primitive, ends: [DVec2; 2]| {
+        room.hand.choose(primitive);
+        let would = room.with(|hand, scope| hand.marks(scope, Some(ends[0])));
+        assert!(would.iter().any(|mark| matches!(mark, super::Mark::Words(..))), "{primitive:?}: its size is said");
+        let deed = room.drag(ends);
+        assert_eq!(deed.edit, Some(primitive.name()), "{deed:?}");
+        room.give(&deed);
+    };
+    let floor = seen(&room, [-0.5, -1.0, 1.0]);
+    for primitive in [Primitive::SolidCircle, Primitive::SolidBox] {
+        built(&mut room, primitive, [floor; 2]);
+        let [low, high] = room.shown.scenery.convex.last().unwrap().figure.extent();
+        assert!((low[1] + 1.0).abs() < 1e-6, "{primitive:?} stands on the floor: {low:?}");
+        assert!((0.5 * (low[0] + high[0]) + 0.5).abs() < 1e-6 && (0.5 * (low[2] + high[2]) - 1.0).abs() < 1e-6);
+        room.undo();
+        assert_eq!(room.shown.scenery.convex.len(), 2);
+    }
+    // A ball between the corners of its square, before all else.
+    let [from, to] = [seen(&room, [-2.0, 1.5, 0.0]), seen(&room, [-1.0, 1.5, 0.0])];
+    built(&mut room, Primitive::SolidCircle, [from, to]);
+    let crate::sim::Figure::Ball { center, radius } = room.shown.scenery.convex.last().unwrap().figure else {
+        panic!("a ball")
+    };
+    let wide = seen(&room, [center[0] + radius, center[1], center[2]]).distance(seen(&room, center));
+    assert!((2.0 * wide - from.distance(to)).abs() < 2.0, "as wide as it was drawn: {wide} px");
+    room.undo();
+    // A rope from one point to the other, which lie at other depths.
+    let ends = [room.pixel(0), room.pixel(1)];
+    built(&mut room, Primitive::Rope, ends);
+    let bonds = room.shown.scenery.bonds.ends().to_vec();
+    assert!(room.shown.scenery.pinned.is_empty() && bonds.len() > 3, "{bonds:?}");
+    for point in [0, 1] {
+        assert_eq!(bonds.iter().flatten().filter(|end| end.0 == point).count(), 1, "tied to {point}");
+    }
+    room.undo();
+    // From nothing: it hangs there.
+    built(&mut room, Primitive::Rope, [from; 2]);
+    let pin = room.shown.scenery.pinned[0];
+    let at = room.pixel(pin.0);
+    assert!(at.distance(from) < 1.0 && room.shown.scenery.pinned.len() == 1);
+    room.undo();
+    let far = from + DVec2::new(160.0, 110.0);
+    built(&mut room, Primitive::Cloth, [from, far]);
+    assert_eq!(room.shown.scenery.pinned.len(), 2, "it hangs by its upper corners");
+    let heights = room.shown.scenery.pinned.iter().map(|pin| room.place(pin.index()).y);
+    let highest = (2..room.shown.point_count()).map(|point| room.place(point).y).fold(f64::NEG_INFINITY, f64::max);
+    assert!(heights.into_iter().all(|y| (y - highest).abs() < 1e-6));
+    room.undo();
+    // What is of the plane alone says so.
+    room.hand.choose(Primitive::Rim);
+    assert!(room.drag([from, far]).words.is_some_and(|words| words.contains("of the plane")));
+}

@@ -34,19 +34,19 @@ object! {
             obstacles: ObstacleKeys,
             /// Pins that move; times are those of the scene.
             pin_motion: PinMotionKeys,
-            /// Pictures that are drawn on the triangles above.
+            /// Pictures that are drawn on the triangles above, and on those that are there.
             textures: DrawnKeys,
         }
     }
 }
 
 object! {
-    /// A picture drawn on the triangles of an addition whose corners are all among its points.
+    /// A picture drawn on the triangles of an addition, and of the world, whose corners are all among its points: in place of what was drawn there.
     DrawnKeys: "a texture: an object with the keys `image`, `points` and `uv`" {
         required {
             /// A relative path, or data:image/png;base64,…
             image: String,
-            /// New points, by their numbers of the world.
+            /// Points, by their numbers of the world.
             points: Vec<u32>,
             /// Where each of them lies in the image, (0, 0) to (1, 1) from the upper left.
             uv: Vec<Row<f64, 2>>,

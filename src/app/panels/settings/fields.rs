@@ -9,8 +9,10 @@ use super::super::{Facts, Wish, dial, ranged};
 use super::Sink;
 use crate::app::player::MethodSetting;
 use crate::history::{AreasOrNone, SetKeys, Walls, Weather};
-use crate::scene::{AreaKeys, AreaKindName, BoundsKeys, Meeting, SolverName, Vector, WindKeys};
-use crate::sim::{Areas, BoundsChange, Contact, Method, Solver, Wind};
+use crate::scene::{
+    AreaKeys, AreaKindName, BoundsKeys, Meeting, OrderName, PrecisionName, SolverName, Vector, WindKeys,
+};
+use crate::sim::{Areas, BoundsChange, Contact, Method, Order, Solver, Wind};
 
 /// Gravity on the ground `[m/s^2]`.
 const GRAVITY: f64 = 9.81;
@@ -265,6 +267,7 @@ pub(super) fn of_method(ui: &mut Ui, method: &Method, facts: &Facts, sink: &mut 
     if let Some((by, to)) = chosen(ui, ("sweeps", ""), sweeps, |x| format!("{x:.0}")) {
         sink.method(&by, MethodSetting::Iterations(to.map(|x| x.round() as u32)));
     }
+    of_order(ui, method, sink);
     let strain = (method.max_strain.map(|strain| 100.0 * strain), 1.0, 1e-4..=50.0);
     if let Some((by, to)) = chosen(ui, ("strain of rods", " %"), strain, |x| format!("{} %", shown(x, 4))) {
         sink.method(&by, MethodSetting::MaxStrain(to.map(|percent| 0.01 * percent)));
@@ -282,6 +285,78 @@ pub(super) fn of_method(ui: &mut Ui, method: &Method, facts: &Facts, sink: &mut 
     if by.changed() {
         sink.method(&by, MethodSetting::Settle(settles));
     }
+    facts.settings.fixed.iter().for_each(|fixed| of_fixed(ui, *fixed, sink));
+}
+
+/// In which order a sweep takes the bonds.
+fn of_order(ui: &mut Ui, method: &Method, sink: &mut Sink<'_>) {
+    let words = |order: Order| match order {
+        Order::Auto => "as the rules choose",
+        Order::Fixed => "as they are listed",
+        Order::Symmetric => "forth, then back",
+        Order::Coloured => "by colours",
+        Order::Shuffled => "shuffled",
+    };
+    ComboBox::from_label("order").selected_text(words(method.order)).truncate().show_ui(ui, |ui| {
+        for (order, name) in [
+            (Order::Auto, OrderName::Auto),
+            (Order::Fixed, OrderName::Fixed),
+            (Order::Symmetric, OrderName::Symmetric),
+            (Order::Coloured, OrderName::Coloured),
+            (Order::Shuffled, OrderName::Shuffled),
+        ] {
+            let by = ui.selectable_label(method.order == order, words(order));
+            if by.clicked() && method.order != order {
+                sink.method(&by, MethodSetting::Order(name));
+            }
+        }
+    });
+    if method.order == Order::Shuffled {
+        let mut seed = method.seed;
+        let by = ui.horizontal(|ui| {
+            let label = ui.label("seed of the order");
+            ui.add(DragValue::new(&mut seed).speed(0.05).update_while_editing(false)).labelled_by(label.id)
+        });
+        if by.inner.changed() {
+            sink.method(&by.inner, MethodSetting::Seed(seed));
+        }
+    }
+}
+
+/// Tolerances to choose from `[m]`.
+const TOLERANCES: [(f64, &str); 5] =
+    [(1e-3, "1 mm"), (1e-4, "0.1 mm"), (1e-5, "0.01 mm"), (1e-6, "0.001 mm"), (1e-9, "0.000001 mm")];
+
+/// What is fixed when a history begins: another one begins at this moment.
+fn of_fixed(ui: &mut Ui, (precision, tolerance): (PrecisionName, Option<f64>), sink: &mut Sink<'_>) {
+    let told = "it goes on from this moment as a history of its own; Ctrl+Z goes back";
+    let words = |name: PrecisionName| match name {
+        PrecisionName::Auto => "as the rules choose",
+        PrecisionName::F32 => "32 bits",
+        PrecisionName::F64 => "64 bits",
+    };
+    let shown = ComboBox::from_label("precision").selected_text(words(precision)).truncate().show_ui(ui, |ui| {
+        for name in [PrecisionName::Auto, PrecisionName::F32, PrecisionName::F64] {
+            if ui.selectable_label(precision == name, words(name)).clicked() && precision != name {
+                sink.wishes.push(Wish::Begin(name, tolerance));
+            }
+        }
+    });
+    shown.response.on_hover_text(told);
+    let named = tolerance.map_or("none".to_owned(), |own| {
+        let known = TOLERANCES.into_iter().find(|(other, _)| *other == own);
+        known.map_or_else(|| format!("{own:e} m"), |(_, name)| name.to_owned())
+    });
+    let shown = ComboBox::from_label("tolerance").selected_text(named).truncate().show_ui(ui, |ui| {
+        let choices = TOLERANCES.map(|(own, name)| (Some(own), name));
+        for (choice, name) in [(None, "none")].into_iter().chain(choices) {
+            if ui.selectable_label(tolerance == choice, name).clicked() && tolerance != choice {
+                sink.wishes.push(Wish::Begin(precision, choice));
+            }
+        }
+    });
+    let more = "`wobble simulate` looks for the cheapest setting that keeps it; here nothing sleeps under one, or is handed over";
+    shown.response.on_hover_text(format!("{more}; {told}"));
 }
 
 /// Counted work of a frame from which on none is a bound `[ms]`.

@@ -12,7 +12,7 @@ use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
 use crate::app::player::MethodSetting;
 use crate::history::{Do, SetKeys};
-use crate::scene::{Parameter, Vector};
+use crate::scene::{Parameter, PrecisionName, Vector};
 use crate::sim::{MouseForce, Profile, Region, SceneChange};
 use sections::Section;
 
@@ -30,6 +30,8 @@ pub(in crate::app) struct Settings {
     pub(in crate::app) push: Option<[f64; 2]>,
     /// What the hover force is else; `None`: there is none.
     pub(in crate::app) pushing: Option<Pushing>,
+    /// What is fixed when a history begins: the precision, and a tolerance `[m]`.
+    pub(in crate::app) fixed: Option<(PrecisionName, Option<f64>)>,
     /// The numbers that the scene names, each as it is now.
     pub(in crate::app) parameters: Vec<(Parameter, Option<f64>)>,
 }

@@ -71,6 +71,11 @@ impl Section {
                 "substep",
                 "sweeps",
                 "iterations",
+                "order",
+                "seed of the order",
+                "precision",
+                "bits",
+                "tolerance",
                 "strain of rods",
                 "work a frame",
                 "budget",
@@ -236,7 +241,10 @@ mod tests {
         let facts = facts("jelly");
         assert_eq!(found(&facts, "Sweeps"), [Section::Method]);
         assert_eq!(found(&facts, "wind"), [Section::Air]);
-        assert_eq!((found(&facts, "seed"), found(&facts, "grid")), (vec![Section::Air], vec![Section::Colors]));
+        assert_eq!(
+            (found(&facts, "seed"), found(&facts, "grid")),
+            (vec![Section::Air, Section::Method], vec![Section::Colors])
+        );
         assert_eq!(found(&facts, "friction"), [Section::Bodies, Section::Walls]);
         assert_eq!(found(&facts, "light"), [Section::Colors]);
         assert_eq!(found(&facts, "trails"), [Section::Trails]);

@@ -7,7 +7,7 @@ use super::super::movers::movers;
 use super::super::named::in_world;
 use super::super::shown::{Figures, Scenery, Shown};
 use super::Stage;
-use crate::app::matter::Matter;
+use crate::app::matter::{Matter, mean_velocity};
 use crate::sim::Dynamics;
 
 /// How often figures are taken that cost something: nobody reads faster.
@@ -30,9 +30,11 @@ impl Stage {
         let world = self.history.world();
         let (tints, groups) = (self.history.tints(), self.history.named());
         let is_dressed = Arc::ptr_eq(tints, &self.scenery.tints) && Arc::ptr_eq(groups, &self.scenery.groups);
+        let is_dressed = is_dressed && self.worn == self.history.worn();
         if self.topology != Some(world.topology()) || !is_dressed {
             self.topology = Some(world.topology());
             self.sceneries += 1;
+            self.worn = self.history.worn();
             let mut scenery = Scenery::of(world, self.history.skins(), (tints, groups));
             scenery.named = self.named.iter().map(|parameter| in_world(&parameter.target, world)).collect();
             scenery.warnings.splice(0..0, self.history.notes().iter().cloned());
@@ -47,6 +49,7 @@ impl Stage {
         let world = self.history.world();
         if !moves || self.figures_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY) {
             self.energy = world.energy();
+            self.velocity = mean_velocity(world, &self.among.points);
             self.movers = movers(world);
             self.relaxed.look(&self.history);
             self.acts = self.deeds.look(world.counters(), Instant::now());
@@ -101,6 +104,7 @@ impl Stage {
             points: world.point_count() - world.gone().len(),
             bonds: world.bonds().len(),
             energy: self.energy,
+            velocity: self.velocity,
             movers: Arc::clone(&self.movers),
             relaxed: self.relaxed.stiffness(),
             yielded: self.yielded,

@@ -38,7 +38,11 @@ pub struct Stage {
     /// The topology of the scenery, as the world counts it, and how often it was another one.
     topology: Option<u64>,
     sceneries: u64,
+    /// How many pictures bodies had been given then.
+    worn: usize,
     energy: f64,
+    /// The mean velocity of what is inspected `[m/s]`.
+    velocity: Option<[f64; 3]>,
     movers: Arc<Movers>,
     relaxed: Relaxed,
     rungs: Rungs,
@@ -110,7 +114,9 @@ impl Stage {
             scenery: Arc::default(),
             topology: None,
             sceneries: 0,
+            worn: 0,
             energy: 0.0,
+            velocity: None,
             movers: Arc::default(),
             relaxed: Relaxed::default(),
             rungs: Rungs::new(),
@@ -218,6 +224,13 @@ impl Stage {
                     false => self.give(vec![act], Some(setting.name())),
                 }
             }
+            Order::Begin(precision, tolerance) => Some(match self.history.begun_with(precision, tolerance) {
+                Ok(recording) => {
+                    let view = self.view.clone();
+                    Note::Begins(Box::new(Recording { view, ..recording }.into()))
+                }
+                Err(why) => Note::Refused(why),
+            }),
             Order::Press(presses) => {
                 self.pace.presses = presses;
                 None

@@ -84,11 +84,11 @@ const THICK: f64 = 0.25;
 /// Cells of a soft box: enough to bend, few enough for many of them.
 const BOX: Fineness = Fineness { across: 1..=5, most: 40 };
 /// Cells of a cloth.
-const CLOTH: Fineness = Fineness { across: 2..=10, most: 16 };
+pub(super) const CLOTH: Fineness = Fineness { across: 2..=10, most: 16 };
 /// Pieces of a rope as long as what a click makes.
-const PIECES: f64 = 6.0;
+pub(super) const PIECES: f64 = 6.0;
 /// The fewest and the most pieces of a rope.
-const ALL_PIECES: [f64; 2] = [4.0, 40.0];
+pub(super) const ALL_PIECES: [f64; 2] = [4.0, 40.0];
 
 impl Form {
     /// What is drawn out between two ends, where what a click makes is so large `[m]`.

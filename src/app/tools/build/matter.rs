@@ -15,9 +15,9 @@ use crate::scene::{
 /// Mass of what has an area `[kg/m^2]`.
 pub(super) const AREA_MASS: f64 = 1.0;
 /// Mass of a cloth `[kg/m^2]`: a thin sheet.
-const CLOTH_MASS: f64 = 0.3;
+pub(super) const CLOTH_MASS: f64 = 0.3;
 /// Mass of a rope `[kg/m]`.
-const ROPE_MASS: f64 = 0.15;
+pub(super) const ROPE_MASS: f64 = 0.15;
 /// Stiffness of the bonds of boxes and discs over the mass of the body `[1/s^2]`: at any size its own weight squeezes it by some
 /// percent, and it wobbles a few times a second. A tenth of it flows, ten times of it looks hard.
 pub(super) const SOFT: f64 = 250.0;
@@ -34,7 +34,7 @@ pub(super) const INNER: f64 = 0.75;
 /// Points around each ring of a rim.
 const SECTORS: u64 = 18;
 /// Friction of obstacles `[1]`.
-const FRICTION: f64 = 0.5;
+pub(super) const FRICTION: f64 = 0.5;
 
 impl Form {
     /// The keys that bring it into a world where the next point gets the number `next`.
@@ -87,7 +87,7 @@ fn springs(mass: f64, soft: f64) -> Material {
     }
 }
 
-fn rigid(mass: f64) -> Material {
+pub(super) fn rigid(mass: f64) -> Material {
     Material { kind: Some(KindName::Rigid), mass: Some(mass), ..Material::default() }
 }
 

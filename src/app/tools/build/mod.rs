@@ -14,11 +14,12 @@ mod matter;
 mod outline;
 mod path;
 mod polygon;
+mod space;
 #[cfg(test)]
 mod tests;
 mod tie;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::Deed;
 use super::knot;
@@ -33,10 +34,10 @@ pub(super) use form::short;
 use form::{End, Form, Hold};
 pub(in crate::app) use links::{Link, Links};
 pub(super) use path::Path;
+pub(in crate::app) use space::is_of_space;
 
 /// Said where nothing can be built.
-pub(super) const OF_THE_PLANE: &str =
-    "this scene is in space, and things are drawn in the plane: copy what is here (6, Ctrl+D)";
+pub(super) const OF_THE_PLANE: &str = "that is of the plane: in space ropes, cloths, boxes and balls are built, and all that is here can be copied (6, Ctrl+D)";
 /// Said where a drag is so short that nothing is built.
 const TOO_SMALL: &str = "too small: drag it out further, or click for one of the usual size";
 
@@ -79,13 +80,17 @@ pub(super) struct Drag {
     pressed: DVec2,
     /// `[m]`
     from: DVec2,
+    /// The same, in space as deep as what lies there.
+    deep: DVec3,
     /// The point of the world that was pressed on.
     point: Option<PointId>,
 }
 
 impl Drag {
     pub(super) fn new(scope: Scope<'_>, at: DVec2) -> Self {
-        Drag { pressed: at, from: place(scope, at), point: tie::point_at(scope, at) }
+        let is_plane = scope.shown.dimensions == 2;
+        let point = if is_plane { tie::point_at(scope, at) } else { space::point_at(scope, at) };
+        Drag { pressed: at, from: place(scope, at), deep: scope.hold(at).place, point }
     }
 }
 
@@ -112,6 +117,9 @@ impl Maker {
 
     /// What a release at a pixel adds to the world; words where that would be too small.
     pub(super) fn build(self, scope: Scope<'_>, drag: &Drag, at: DVec2) -> Deed {
+        if scope.shown.dimensions != 2 {
+            return space::build(self, scope, drag, at);
+        }
         match self.form(scope, Some(drag), at) {
             Ok(form) => {
                 let keys = form.keys(scope.shown.point_count() as u32);
@@ -138,7 +146,7 @@ impl Maker {
     /// The outline of what a release at a pixel would add, without a drag of what a click there would, and its size in words.
     pub(super) fn outline(self, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Vec<Mark> {
         if scope.shown.dimensions != 2 {
-            return vec![outline::label(scope, at, OF_THE_PLANE.to_owned())];
+            return space::marks(self, scope, drag, at);
         }
         if self.primitive.is_drawn() {
             return Path::default().marks(self, scope, Some(at));
