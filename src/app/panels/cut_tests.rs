@@ -9,7 +9,7 @@ use crate::app::matter::Among;
 use crate::app::player::{Order, Shown, Stage};
 use crate::app::plots::Plots;
 use crate::render::Overlay;
-use crate::scene::gallery;
+use crate::scene::{PrecisionName, gallery};
 use crate::sim::PointId;
 
 /// The last two are the first two where a point has two pixels, on a screen of twice the size and of that size.
@@ -47,6 +47,7 @@ fn facts(name: &str, tool: Tool, is_selected: bool) -> Facts {
     let settings = Settings {
         parameters: parameters(&scene.named_parameters(), &shown, push),
         scene: shown.settings.clone(),
+        fixed: Some((scene.method.precision.unwrap_or(PrecisionName::Auto), scene.method.tolerance)),
         pushing: stage.history().world().mouse_force().map(Pushing::of),
         push,
     };
