@@ -127,6 +127,11 @@ impl Body {
         }
     }
 
+    /// The middle of its mass `[m]`.
+    pub(super) fn centre(&self, place: &Place) -> [f64; 2] {
+        self.shape.pin.map_or(place.middle, |(_, centre)| add(place.middle, place.turned(centre)))
+    }
+
     /// On for `h` `[s]` where nothing touches it. Works and losses are booked where there is a book.
     ///
     /// Forces are taken as those of the middle of the way, and drag in closed form: order 2, and stable whatever the drag. A pendulum that

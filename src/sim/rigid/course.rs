@@ -105,8 +105,8 @@ pub(super) trait Assembly {
         ends: (&Self::Motion, &Self::Motion, f64),
         lying: &[Self::Touch],
     ) -> Option<f64>;
-    /// Whether a part of `h` `[s]` that led from one to the other was too long, and why.
-    fn fault(&self, _ends: (&Self::Motion, &Self::Motion), _h: f64) -> Option<Fault> {
+    /// Whether a part of `h` `[s]` that led from one to the other was too long, and why; `is_free`: nothing touched it.
+    fn fault(&self, _ends: (&Self::Motion, &Self::Motion), _h: f64, _is_free: bool) -> Option<Fault> {
         None
     }
     /// Operations of a part in flight, and of a look at what it touches, about.
@@ -133,7 +133,7 @@ pub(super) fn advance<A: Assembly>(
         log.work += of.work(None);
         let Some(near) = of.near(&motion, part) else {
             let fly = |part| of.fly(&motion, (now, part), None);
-            let end = shortened(of, &motion, (&mut part, &mut grown), &mut halvings, fly);
+            let end = shortened((of, &motion, true), (&mut part, &mut grown), &mut halvings, fly);
             motion = match log.book.as_deref_mut() {
                 None => end,
                 book => of.fly(&motion, (now, part), book),
@@ -166,7 +166,7 @@ pub(super) fn advance<A: Assembly>(
         };
         part = if lying.is_empty() { part } else { part.min(within(LYING, h)) };
         let path = |time: f64| go(time, None);
-        let end = shortened(of, &motion, (&mut part, &mut grown), &mut halvings, path);
+        let end = shortened((of, &motion, lying.is_empty()), (&mut part, &mut grown), &mut halvings, path);
         let hit = of.first_hit(&path, (&motion, &end, part), (&near, &lying)).filter(|_| locates);
         let until = hit.map_or_else(|| (end.clone(), part), |time| (path(time), time));
         let stop = of.first_stop(&path, (&motion, &until.0, until.1), &lying).filter(|_| locates);
@@ -187,15 +187,14 @@ pub(super) fn advance<A: Assembly>(
 /// Where a path leads in a part, which is halved until it is not too long, as often as is left; and how long the next one may be, for it is hardly
 /// ever one that has to be.
 fn shortened<A: Assembly>(
-    of: &A,
-    start: &A::Motion,
+    (of, start, is_free): (&A, &A::Motion, bool),
     (part, grown): (&mut f64, &mut f64),
     left: &mut f64,
     path: impl Fn(f64) -> A::Motion,
 ) -> A::Motion {
     let mut end = path(*part);
     let whole = *part;
-    while let Some(fault) = of.fault((start, &end), *part) {
+    while let Some(fault) = of.fault((start, &end), *part, is_free) {
         if *part <= SHORTEST || *left <= 0.0 {
             // Where no part is short enough, as where lengths and leads contradict each other, the others are not cut in vain.
             if fault == Fault::Misses {

@@ -3,6 +3,7 @@
 use std::cell::Cell;
 
 use super::alone::gentle;
+use super::body::Body;
 use super::course::{Assembly, Fault, HANGING, Log, SHORTEST, TURN, book_strike, gives_back, within};
 use super::joints::End;
 use super::law::{OF_A_CONTACT, strike};
@@ -12,7 +13,7 @@ use super::together::Together;
 use super::touch::{Near, Touch, way};
 use crate::sim::ledger::Book;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, length, scale, sub};
+use crate::sim::vector::{add, dot, flat, length, scale, sub};
 
 /// Longest part of a step in flight, so many of a step at least `[s]`; and the angle that a body or a rod turns in it at most `[rad]`: of order 4, so
 /// that a swing of a second is right to a few 1e-7 of its size.
@@ -21,6 +22,10 @@ const TURN_IN_FLIGHT: f64 = 0.15;
 /// How far it may get from where even accelerations lead, as a share of the shortest rod `[1]`: half a radian on a circle takes it that far, and
 /// much less time where a chain gets taut and whips.
 const MOST_JERK: f64 = 1.5e-2;
+/// Share of its motion that a part in which nothing but gravity and drag acts may make or lose `[1]`, and what drag takes besides, of which ends
+/// alone tell but so much.
+const STRAYS: f64 = 3e-5;
+const OF_DRAG: f64 = 0.05;
 /// Hits in a frame as [`Assembly::most_hits`] has them: each takes a dozen ways of all bodies to locate.
 const MOST_HITS: [f64; 2] = [20.0, 60.0];
 /// How much heavier all of it is than a body from which on that swings like a string under the weight of the others, and the phase of that
@@ -69,6 +74,25 @@ impl<S: Real, const D: usize> Moving<'_, S, D> {
         let rods = self.linkage.joints.links().iter().filter_map(|link| Some((link.rest?, link.ends.map(inverse))));
         let light = rods.filter(|(rest, [a, b])| *rest > 0.0 && all * a.max(*b) >= LIGHT);
         light.map(|(rest, [a, b])| g * all * (a + b) / rest).fold(0.0, f64::max)
+    }
+
+    /// Whether nothing but gravity and drag gives energy to what touches nothing, or takes some.
+    fn is_conserved(&self) -> bool {
+        !self.field.pushes() && self.linkage.ties.is_empty() && !self.is_led()
+    }
+
+    /// Whether it made or lost more energy than is right in `h` `[s]` in which this is so. NaN is no energy.
+    fn makes_energy(&self, (start, end): (&[Motion], &[Motion]), h: f64) -> bool {
+        let rate = self.field.pull.drag_rate;
+        let [before, after] = [start, end].map(|motions| self.linkage.energy_of(motions));
+        let gravity = flat(self.field.pull.gravity);
+        let falls = |((body, from), to): ((&Body, &Motion), &Motion)| {
+            let way = sub(body.centre(&to.place), body.centre(&from.place));
+            body.shape.mass * dot(way, gravity)
+        };
+        let given: f64 = self.linkage.bodies.iter().zip(start).zip(end).map(falls).sum();
+        let made = after - before - given + rate * h * (before + after);
+        made.abs() > (STRAYS + OF_DRAG * rate * h) * before.max(after)
     }
 
     /// Points on surfaces, of those bodies that are near some.
@@ -214,11 +238,13 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
         first
     }
 
-    fn fault(&self, (start, end): (&Vec<Motion>, &Vec<Motion>), h: f64) -> Option<Fault> {
+    fn fault(&self, (start, end): (&Vec<Motion>, &Vec<Motion>), h: f64, is_free: bool) -> Option<Fault> {
         if self.take_failed() {
             return Some(Fault::Misses);
         }
-        let strays = self.turning(end) * h > 2.0 * TURN_IN_FLIGHT || jerk(start, end, h) > MOST_JERK * self.shortest();
+        let strays = self.turning(end) * h > 2.0 * TURN_IN_FLIGHT
+            || jerk(start, end, h) > MOST_JERK * self.shortest()
+            || is_free && self.is_conserved() && self.makes_energy((start, end), h);
         strays.then_some(Fault::Strays)
     }
 

@@ -209,6 +209,11 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         &self.linkage.bodies
     }
 
+    /// Whether some point that it hangs on is led.
+    pub(super) fn is_led(&self) -> bool {
+        self.anchors.iter().any(Anchor::is_led)
+    }
+
     fn stand<'b>(&'b self, motions: &'b [Motion], t: f64) -> Stand<'b> {
         Stand { motions, anchors: self.anchors, since: t - self.start }
     }
