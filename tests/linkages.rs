@@ -63,6 +63,22 @@ fn a_swing_keeps_its_energy_and_its_lengths() {
     }
 }
 
+#[test]
+fn a_chain_that_its_heavy_end_whips_keeps_its_energy() {
+    let mut scene = triangles(12);
+    let mut mass = vec![1.0; 25];
+    mass[24] = 100.0;
+    let mut velocity = vec![[0.0; 2]; 25];
+    velocity[24] = [0.0, -60.0];
+    (scene["points"]["mass"], scene["points"]["velocity"]) = (json!(mass), json!(velocity));
+    scene["method"] = json!({"ledger": true});
+    let mut world = world(&scene);
+    let start = world.energy();
+    let ledger = run(&mut *world, 4.0).ledger.unwrap();
+    let made = (world.energy() - start) / ledger.most_kinetic;
+    assert!(made.abs() < 3e-3, "{made} of its motion");
+}
+
 fn ends(bond: &Value) -> (usize, usize) {
     let of = |key: &str| bond[key].as_u64().unwrap() as usize;
     (of("a"), of("b"))

@@ -81,7 +81,7 @@ impl<S: Real, const D: usize> Moving<'_, S, D> {
         !self.field.pushes() && self.linkage.ties.is_empty() && !self.is_led()
     }
 
-    /// Whether it made or lost more energy than is right in `h` `[s]` in which this is so. NaN is no energy.
+    /// Whether it made or lost more energy than is right in `h` `[s]` in which this is so.
     fn makes_energy(&self, (start, end): (&[Motion], &[Motion]), h: f64) -> bool {
         let rate = self.field.pull.drag_rate;
         let [before, after] = [start, end].map(|motions| self.linkage.energy_of(motions));

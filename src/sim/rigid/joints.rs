@@ -61,6 +61,11 @@ impl Anchor {
     }
 }
 
+/// Whether any of these points is led.
+pub(super) fn are_led(anchors: &[Anchor]) -> bool {
+    anchors.iter().any(Anchor::is_led)
+}
+
 /// Where bodies are, and fixed points, so long `[s]` after the step began.
 #[derive(Clone, Copy)]
 pub(crate) struct Stand<'a> {
@@ -283,8 +288,7 @@ impl Joints {
             };
             self.links[row.link as usize].ends.iter().zip([1.0, -1.0]).map(rate).sum()
         };
-        let is_led = stand.anchors.iter().any(Anchor::is_led);
-        if is_led { self.rows.iter().map(led).collect() } else { Vec::new() }
+        if are_led(stand.anchors) { self.rows.iter().map(led).collect() } else { Vec::new() }
     }
 
     /// The same with what points that are led ask for.

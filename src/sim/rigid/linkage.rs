@@ -10,7 +10,7 @@ use std::cell::Cell;
 use super::blueprint::{Blueprint, BodyPlan};
 use super::body::{Body, Field, Push, lift};
 use super::inertia::{Contact, Inertia};
-use super::joints::{Anchor, End, Factored, Joints, Stand};
+use super::joints::{Anchor, End, Factored, Joints, Stand, are_led};
 use super::law::{OF_A_CONTACT, Pressed, Rub};
 use super::motion::Motion;
 use super::motion::Twist;
@@ -211,7 +211,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
 
     /// Whether some point that it hangs on is led.
     pub(super) fn is_led(&self) -> bool {
-        self.anchors.iter().any(Anchor::is_led)
+        are_led(self.anchors)
     }
 
     fn stand<'b>(&'b self, motions: &'b [Motion], t: f64) -> Stand<'b> {

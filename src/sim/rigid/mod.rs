@@ -46,7 +46,7 @@ use alone::Lone;
 use blueprint::Blueprint;
 use body::{Body, Field, lift};
 use course::{Log, advance};
-use joints::Anchor;
+use joints::are_led;
 use linkage::{Linkage, Moving};
 use motion::Motion;
 use ties::Ties;
@@ -100,7 +100,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
         for linkage in self.linkages.iter() {
             let anchors = linkage.anchors(points);
             let motions = linkage.read(points, &anchors);
-            if let Some(book) = book.as_deref_mut().filter(|_| anchors.iter().any(Anchor::is_led)) {
+            if let Some(book) = book.as_deref_mut().filter(|_| are_led(&anchors)) {
                 // A pin that changes its velocity passes that on at once.
                 book.pins += linkage.energy_of(&motions) - linkage.energy(points);
             }
