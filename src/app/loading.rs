@@ -121,11 +121,11 @@ mod tests {
 
     /// A file with a picture of dots, so close that they make too many points, as they are or at any spacing.
     fn dots(folder: &Path, side: u32, each: u32) -> std::path::PathBuf {
-        let mut picture = Picture::filled(side, side, [255; 4]);
+        let mut picture = Picture::filled(side, side, [255, 255, 255, 0]);
         for (i, pixel) in (0..).zip(picture.rgba.chunks_exact_mut(4)) {
             let [x, y] = [i % side, i / side].map(|at| f64::from(at % each) - 0.5 * f64::from(each));
             if x.hypot(y) < 0.35 * f64::from(each) {
-                pixel[..3].fill(0);
+                pixel.copy_from_slice(&[0, 0, 0, 255]);
             }
         }
         let path = folder.join(format!("dots-{each}.png"));

@@ -23,6 +23,7 @@ impl Stage {
         let world = ahead.as_deref().unwrap_or(self.history.world());
         let matter = is_wanted.then(|| Matter::of(world, known, &self.among)).flatten();
         self.matter = matter.map(Arc::new);
+        self.velocity = mean_velocity(self.history.world(), &self.among.points);
     }
 
     /// What stands about the points is looked at again if it changed.

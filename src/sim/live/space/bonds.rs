@@ -14,10 +14,8 @@ use crate::sim::vector::{add, dot, scale, sub};
 
 /// Points along a side of a body of which bonds are swept once in the longest substep; and bonds that are projected in a frame, about, beyond which
 /// they are swept less often.
-const POINTS_OF_A_SWEEP: f64 = 4.0;
-const MOST_PROJECTED: f64 = 1.5e6;
-/// Share of an error that a sweep is taken to leave, at most: what is led on by more gets out of hand where bodies touch.
-const LEFT: f64 = 0.95;
+const POINTS_OF_A_SWEEP: f64 = 6.0;
+const MOST_PROJECTED: f64 = 6e5;
 
 /// Whether the springs of a body are forces in substeps of `h` `[s]`: in flight, where those keep its energy; what touches something is
 /// to come to rest.
@@ -117,16 +115,6 @@ pub(super) struct Held<S> {
     sweeps: u32,
     /// What each of those pulls with in this substep, as its multiplier.
     pulls: Vec<S>,
-    /// Ways, turns and pulls before the last two sweeps.
-    before: [Stage<S>; 2],
-}
-
-/// Ways and turns of points `[m]` and pulls of bonds after a sweep.
-#[derive(Clone, Debug, Default)]
-struct Stage<S> {
-    way: Vec<[S; 3]>,
-    turned: Vec<[S; 3]>,
-    pulls: Vec<S>,
 }
 
 /// Works out what the bonds of a cluster that are projected need in substeps of `h` `[s]`.
@@ -163,9 +151,7 @@ fn sweeps(points: usize, bonds: usize, h: f64) -> u32 {
     wanted.min(most).ceil().max(1.0) as u32
 }
 
-/// Sweeps over the bonds that are held, and over springs too stiff to be forces, each along its present direction; where there are more than two,
-/// each is led on by Chebyshev's semi-iteration.
-/// Source: H. Wang, ACM Trans. Graph. 34(6), 246 (2015).
+/// Sweeps over the bonds that are held, and over springs too stiff to be forces, forth and back, each along its present direction.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     for (body, base) in state.members(common).filter(|(body, _)| body.is_path) {
         path::solve(state, common.bodies.holds(body), (base, stretch(&body.straps, &state.now[base..])));
@@ -175,18 +161,8 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     // Where something presses, a few sweeps leave errors that velocities must not follow.
     let does_turn = !state.has_pressed && !state.touched.contains(&true);
     held.pulls.fill(S::ZERO);
-    let quarter = S::from_f64(0.25 * LEFT * LEFT);
-    let mut lead = S::ONE;
     for round in 0..held.sweeps {
-        if held.sweeps > 2 {
-            held.before.swap(0, 1);
-            held.before[1].note(state, &held.pulls);
-        }
         held.sweep(state, &stretches, does_turn, round % 2 == 1);
-        if held.sweeps > 2 && round > 0 {
-            lead = S::ONE / (S::ONE - if round == 1 { quarter + quarter } else { quarter * lead });
-            held.before[0].lead(state, &mut held.pulls, lead);
-        }
     }
     for hold in &held.relaxed {
         let mut pull = S::ZERO;
@@ -196,28 +172,6 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     state.counts.bonds += count;
     state.counts.work += 30 * count;
     state.held = held;
-}
-
-impl<S: Real> Stage<S> {
-    fn note(&mut self, state: &Cluster<S>, pulls: &[S]) {
-        self.way.clone_from(&state.way);
-        self.turned.clone_from(&state.turned);
-        self.pulls.clear();
-        self.pulls.extend_from_slice(pulls);
-    }
-
-    /// What went on from here goes so many times as far.
-    fn lead(&self, state: &mut Cluster<S>, pulls: &mut [S], times: S) {
-        for i in 0..self.way.len() {
-            let by = scale(sub(state.way[i], self.way[i]), times);
-            state.way[i] = add(self.way[i], by);
-            state.now[i] = add(state.start[i], state.way[i]);
-            state.turned[i] = add(self.turned[i], scale(sub(state.turned[i], self.turned[i]), times));
-        }
-        for (pull, before) in pulls.iter_mut().zip(&self.pulls) {
-            *pull = *before + times * (*pull - *before);
-        }
-    }
 }
 
 impl<S: Real> Held<S> {
