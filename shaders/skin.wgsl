@@ -40,13 +40,17 @@ fn vertex(@builtin(vertex_index) index: u32) -> Skin {
 // strength, so that white changes nothing and grey makes darker; what is bright is multiplied.
 const LIFT: f32 = 0.5;
 
-// Ink in the colour that its body is given.
-fn tinted(ink: vec3<f32>, tint: vec3<f32>) -> vec3<f32> {
+// How much of a colour is hue [1]: white, grey and black have none.
+fn strength_of(tint: vec3<f32>) -> f32 {
     let most = max(max(tint.r, tint.g), tint.b);
     let least = min(min(tint.r, tint.g), tint.b);
-    let strength = (most - least) / max(most, 0.01);
+    return (most - least) / max(most, 0.01);
+}
+
+// Ink in the colour that its body is given.
+fn tinted(ink: vec3<f32>, tint: vec3<f32>) -> vec3<f32> {
     let dark = 1.0 - max(max(ink.r, ink.g), ink.b);
-    return tint * mix(ink, vec3(1.0), LIFT * strength * dark);
+    return tint * mix(ink, vec3(1.0), LIFT * strength_of(tint) * dark);
 }
 
 @fragment
@@ -54,8 +58,12 @@ fn fragment(in: Skin) -> @location(0) vec4<f32> {
     let color = textureSample(picture, smooth_sampler, in.at);
     // The share of a pixel on the inner side of where the picture is half opaque.
     let covers = (color.a - 0.5) / max(fwidth(color.a), 1e-4) + 0.5;
-    let alone = select(1.0, clamp(covers, 0.0, 1.0), in.clipped > 0.0);
-    return vec4(tinted(color.rgb, in.tint.rgb), select(alone, color.a, in.tint.a > 0.5));
+    // Beyond its own edge the picture is not there, though its last pixels are read there.
+    let ends = min(in.at, 1.0 - in.at) / max(fwidth(in.at), vec2(1e-6)) + 0.5;
+    let there = clamp(min(ends.x, ends.y), 0.0, 1.0);
+    let ink = select(clamp(covers, 0.0, 1.0), color.a, in.tint.a > 0.5);
+    let whole = select(1.0, color.a, in.tint.a > 0.5);
+    return vec4(tinted(color.rgb, in.tint.rgb), select(whole, ink * there, in.clipped > 0.0));
 }
 
 // A corner of a strip: nine numbers, the points of the triangle that it moves with, its shares of them, where it lies in the picture, and
@@ -83,17 +91,21 @@ const EDGE: f32 = 1.6;
 const RIM: f32 = 2.4;
 const LIGHT: vec3<f32> = vec3(0.60, 0.67, 0.76);
 const HUE: f32 = 0.6;
+// How much of the hue of the colour that a body is given is in it instead.
+const GIVEN: f32 = 0.85;
 // Ink is dark below the first luminance [1], and not at all from the second on: the ground has 0.007, and 0.121 stands out
 // from it by a contrast of 3 : 1.
 const DARK: vec2<f32> = vec2(0.09, 0.17);
 
-// The colour of a rim along ink of a colour: of the same hue, as light as it takes.
-fn rim_of(ink: vec3<f32>) -> vec3<f32> {
+// The colour of a rim along ink of a colour: of the same hue, as light as it takes; of the colour that the body is given, where it has one.
+fn rim_of(ink: vec3<f32>, tint: vec3<f32>) -> vec3<f32> {
     let most = max(max(ink.r, ink.g), ink.b);
     let least = min(min(ink.r, ink.g), ink.b);
     // What is nearly black has no hue.
     let strength = (most - least) / max(most, 0.15);
-    return mix(LIGHT, ink / max(most, 0.01), HUE * strength);
+    let own = mix(LIGHT, ink / max(most, 0.01), HUE * strength);
+    let brightest = max(max(tint.r, tint.g), tint.b);
+    return mix(own, mix(LIGHT, tint / max(brightest, 0.01), GIVEN), strength_of(tint));
 }
 
 // Free sides follow the triangles in the list: two corners each.
@@ -109,7 +121,7 @@ fn edge_vertex(@builtin(vertex_index) index: u32) -> Stroke {
     // About the luminance of a colour in sRGB.
     let luminance = dot(color * color * (0.3 * color + 0.7), vec3(0.2126, 0.7152, 0.0722));
     let rim = select(1.0 - smoothstep(DARK.x, DARK.y, luminance), 0.0, tint.a > 0.5);
-    let shown = vec4(mix(color, rim_of(color), rim), select(1.0, ink.a, tint.a > 0.5));
+    let shown = vec4(mix(color, rim_of(color, tint.rgb), rim), select(1.0, ink.a, tint.a > 0.5));
     return stroke(index % 6u, position_of(a.point), position_of(b.point), shown, mix(EDGE, RIM, rim));
 }
 

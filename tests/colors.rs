@@ -113,6 +113,26 @@ fn what_is_half_transparent_is_blended_and_ends_where_its_picture_does() {
 }
 
 #[test]
+fn what_fades_from_the_edge_of_its_picture_on_ends_there() {
+    if common::gpu().is_none() {
+        return;
+    }
+    // Opaque at its upper edge, clear at its lower one.
+    let mut picture = Picture::filled(120, 120, [80, 160, 230, 255]);
+    for (i, pixel) in picture.rgba.chunks_exact_mut(4).enumerate() {
+        pixel[3] = (255 - 2 * (i / 120)) as u8;
+    }
+    let drawn = drawn(picture, &Settings::default(), &[], &on([0.0, 0.0, 0.0, 1.0]));
+    let is_lit = |x: u32, y: u32| drawn.get_pixel(x, y)[2] > 60;
+    // 2 m are 167 px.
+    let columns: Vec<u32> = (0..240).filter(|x| (0..200).any(|y| is_lit(*x, y))).collect();
+    let (first, last) = (columns[0], columns[columns.len() - 1]);
+    assert!(first.abs_diff(37) <= 2 && last.abs_diff(202) <= 2, "it is seen from {first} to {last}");
+    let tops: Vec<u32> = (first + 3..last - 2).map(|x| (0..200).find(|y| is_lit(x, *y)).unwrap()).collect();
+    assert!(tops.iter().all(|top| top.abs_diff(tops[80]) <= 1), "its upper edge is straight: {tops:?}");
+}
+
+#[test]
 fn strokes_of_drawings_have_the_colours_that_they_are_tinted_in() {
     if common::gpu().is_none() {
         return;
@@ -150,15 +170,19 @@ fn dark_pictures_take_the_colour_that_they_are_given() {
         return;
     }
     let ink = [22, 22, 26];
+    // In the middle, and what is brightest: the rim.
     let seen = |tints: &[Tint]| {
         let picture =
             drawn(disc(ink, |r| (50.5 - r).clamp(0.0, 1.0)), &Settings::default(), tints, &on([0.06, 0.08, 0.12, 1.0]));
-        picture.get_pixel(120, 100).0
+        let rim = picture.pixels().max_by_key(|pixel| pixel[0]).unwrap().0;
+        (picture.get_pixel(120, 100).0, rim)
     };
-    let plain = seen(&[]);
+    let (plain, light) = seen(&[]);
+    assert!(light[0] > 140 && light[1] > 140, "a rim that is seen on a dark ground: {light:?}");
     assert!((0..3).all(|k| plain[k].abs_diff(ink[k]) <= 3), "without a colour it stays as it is: {plain:?}");
-    let red = seen(&[Tint { color: Some([220, 40, 30]), ..Tint::new(0, 0) }]);
+    let (red, rim) = seen(&[Tint { color: Some([220, 40, 30]), ..Tint::new(0, 0) }]);
     assert!(red[0] > 90 && red[0] > red[1] + 50 && red[0] > red[2] + 50, "{red:?}");
+    assert!(rim[0] > rim[1] + 140 && rim[0] > rim[2] + 140, "its rim has that colour, too: {rim:?}");
     let white = seen(&[Tint { color: Some([255; 3]), ..Tint::new(0, 0) }]);
-    assert_eq!(white, plain, "white changes nothing");
+    assert_eq!(white, (plain, light), "white changes nothing");
 }

@@ -110,7 +110,7 @@ fn worlds_side_by_side_are_each_drawn_as_they_are_alone() {
     let bonds: Bonds = [bond(0, 1)].into();
     let look = Look { wall: [0.0; 4], ..plain() };
     let size = [2 * SIDE, SIDE];
-    let tiles = Tiles::new(2, [1.0; 2], size, [0.0; 2]);
+    let tiles = Tiles::new(2, [1.0; 2], size, ([0.0; 2], 0.0));
     let camera = tiles.whole(&pixels(), size);
     let mut capture = Capture::new(size, 2).unwrap();
     let mut draw = |values: Option<&[f32]>, overlay| {

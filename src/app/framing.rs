@@ -1,6 +1,7 @@
 //! When the view is fitted to what panels leave of the window: as a scene opens and when it is asked for, not while somebody uses it.
 
 use super::action::Tool;
+use crate::render::Camera;
 
 /// How the camera came to be where it is: it is put there again when the window gets another size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,12 +64,8 @@ impl Framed {
     }
 
     /// Panels were shown in a window of this size `[px]`. They leave another part of it free, if `is_other`; the world is drawn in another
-    /// part of it, if `is_resized`, which worlds side by side share, if `is_shared`.
-    pub(super) fn turn(
-        &mut self,
-        (window, open): ([u32; 2], Open),
-        (is_other, is_resized, is_shared): (bool, bool, bool),
-    ) -> Turn {
+    /// part of it, if `is_resized`.
+    pub(super) fn turn(&mut self, (window, open): ([u32; 2], Open), (is_other, is_resized): (bool, bool)) -> Turn {
         let is_new_window = std::mem::replace(&mut self.window, window) != window;
         if is_new_window {
             self.fresh = Fresh::Now;
@@ -80,11 +77,32 @@ impl Framed {
         };
         match self.fresh {
             Fresh::With(_) if is_other || is_resized || is_new_window => Turn::Fit,
-            // What they share got larger or smaller: each world has another part of it.
-            _ if is_resized && is_shared => Turn::Fit,
             _ if is_resized => Turn::Keep,
             _ => Turn::Stay,
         }
+    }
+}
+
+/// The view of worlds side by side before a panel took room from them: it comes back with the room.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Undocked {
+    /// The camera of all of them, and the part of the window that they shared `[px]`.
+    camera: Camera,
+    area: [u32; 2],
+    /// The camera that was made of it since.
+    now: Camera,
+}
+
+impl Undocked {
+    /// Of worlds that are seen by `camera` in `area` `[px]`, where `last` is what was known of them: somebody may have moved the view since.
+    pub(super) fn of(last: Option<Undocked>, camera: Camera, area: [u32; 2]) -> Self {
+        last.filter(|last| last.now == camera).unwrap_or(Undocked { camera, area, now: camera })
+    }
+
+    /// The camera in `area` `[px]`: as it was, where they share as much as before, or what `narrowed` makes of it.
+    pub(super) fn lead(&mut self, area: [u32; 2], narrowed: impl FnOnce(&Camera, [u32; 2]) -> Camera) -> Camera {
+        self.now = if area == self.area { self.camera } else { narrowed(&self.camera, self.area) };
+        self.now
     }
 }
 
@@ -101,8 +119,7 @@ mod tests {
     #[test]
     fn the_view_is_fitted_while_panels_find_their_sizes_and_then_left_alone() {
         let mut framed = Framed::default();
-        let turn =
-            |framed: &mut Framed, open: Open, is_other: bool| framed.turn((SIZE, open), (is_other, false, false));
+        let turn = |framed: &mut Framed, open: Open, is_other: bool| framed.turn((SIZE, open), (is_other, false));
         let usual = with(Tool::Hand, false);
         assert_eq!(turn(&mut framed, usual, true), Turn::Fit, "the first frame");
         assert_eq!(turn(&mut framed, usual, true), Turn::Fit, "a caption got its lines");
@@ -119,18 +136,35 @@ mod tests {
     }
 
     #[test]
+    fn the_view_comes_back_with_the_room_unless_somebody_moved_it() {
+        use crate::render::Pose;
+        let at = |height: f64| Camera::new(Pose::Plane { center: glam::DVec2::ZERO, height }, SIZE);
+        let (wide, low) = ([1280, 670], [1280, 400]);
+        let mut undocked = Undocked::of(None, at(4.0), wide);
+        let docked = undocked.lead(low, |camera, area| {
+            assert_eq!((*camera, area), (at(4.0), wide));
+            at(6.0)
+        });
+        assert_eq!(docked, at(6.0));
+        let mut again = Undocked::of(Some(undocked), docked, low);
+        // The panel finds its size in two frames: nothing adds up.
+        assert_eq!(again.lead([1280, 390], |camera, _| *camera), at(4.0));
+        assert_eq!(Undocked::of(Some(undocked), docked, low).lead(wide, |_, _| at(9.0)), at(4.0), "closed again");
+        let moved = Undocked::of(Some(undocked), at(5.0), low).lead(wide, |camera, area| {
+            assert_eq!((*camera, area), (at(5.0), low));
+            at(8.0)
+        });
+        assert_eq!(moved, at(8.0));
+    }
+
+    #[test]
     fn another_window_is_fitted_to_and_bars_that_go_move_nothing() {
         let usual = with(Tool::Hand, false);
         let mut framed = Framed::default();
-        framed.turn((SIZE, usual), (true, true, false));
+        framed.turn((SIZE, usual), (true, true));
         framed.hold();
-        assert_eq!(framed.turn((SIZE, usual), (true, true, false)), Turn::Keep, "the bar below is hidden");
-        assert_eq!(framed.turn((SIZE, usual), (true, true, true)), Turn::Fit, "worlds side by side share less");
-        assert_eq!(framed.turn(([1920, 1080], usual), (true, true, false)), Turn::Fit);
-        assert_eq!(
-            framed.turn(([1920, 1080], usual), (true, false, false)),
-            Turn::Fit,
-            "panels find their sizes there"
-        );
+        assert_eq!(framed.turn((SIZE, usual), (true, true)), Turn::Keep, "the bar below is hidden");
+        assert_eq!(framed.turn(([1920, 1080], usual), (true, true)), Turn::Fit);
+        assert_eq!(framed.turn(([1920, 1080], usual), (true, false)), Turn::Fit, "panels find their sizes there");
     }
 }

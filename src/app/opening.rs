@@ -74,8 +74,8 @@ fn look(view: Option<&ViewKeys>, height_at: impl Fn(f64, DVec2) -> f64, seen: &V
 }
 
 /// How `count` worlds of a scene share a picture of `size` `[px]`; `alone` is its camera in a picture of usual shape. `taken` is what of each pane's
-/// width and height is not for the world `[px]`.
-pub fn tiles(alone: &Camera, seen: &View<'_>, (count, size): (usize, [u32; 2]), taken: [f64; 2]) -> Tiles {
+/// width and height is not for the world `[px]`, below what lies over the upper edge of the picture, so high.
+pub fn tiles(alone: &Camera, seen: &View<'_>, (count, size): (usize, [u32; 2]), taken: ([f64; 2], f64)) -> Tiles {
     if count < 2 {
         return Tiles::ALONE;
     }
@@ -92,11 +92,28 @@ pub fn tiles(alone: &Camera, seen: &View<'_>, (count, size): (usize, [u32; 2]), 
     Tiles::new(count, [width, height], size, taken)
 }
 
-/// How `count` worlds of a scene share what panels leave of the window, `area` `[px]`, of which nothing lies over the part `free`.
-pub fn shared(scene: &Scene, seen: &View<'_>, count: usize, (area, free): ([u32; 2], Free)) -> Tiles {
+/// How `count` worlds of a scene share what panels leave of the window, `area` `[px]`, of which nothing lies over the part `free`: above that
+/// stand titles, so high, which each world has, and above these what all of them have once.
+pub fn shared(scene: &Scene, seen: &View<'_>, count: usize, (area, free, titles): ([u32; 2], Free, f64)) -> Tiles {
     let [low, high] = free;
-    let taken = [0, 1].map(|axis| (f64::from(area[axis]) - (high[axis] - low[axis])).max(0.0));
-    tiles(&alone(scene, seen), seen, (count, area), taken)
+    let head = (low[1] - titles).max(0.0);
+    let [across, down] = [0, 1].map(|axis| (f64::from(area[axis]) - (high[axis] - low[axis])).max(0.0));
+    tiles(&alone(scene, seen), seen, (count, area), ([across, (down - head).max(0.0)], head))
+}
+
+/// The camera of a pane that a panel takes room from, or gives some back: as large as before, with the same place in the left upper corner, and
+/// only where that would leave out what was seen, moved and drawn back by as little as it takes. `free` is what nothing lies over of the pane,
+/// which is of `size` `[px]` now.
+pub fn narrowed(mut own: Camera, seen: &View<'_>, size: [u32; 2], free: Free) -> Camera {
+    let before = own.viewport();
+    if (0..2).any(|axis| f64::from(size[axis]) < f64::from(before[axis])) {
+        own = match own.pose {
+            Pose::Plane { .. } => clear(own, seen, free),
+            Pose::Orbit { .. } => whole(own, seen, free),
+        };
+    }
+    own.resize_still(size);
+    own
 }
 
 /// What nothing lies over of a pane of this size `[px]`: at each side as much is left out as what lies over the picture takes there.
@@ -395,6 +412,32 @@ mod tests {
         let fitted = fit_in(&view, free, size);
         let middle = fitted.screen_from_world(DVec3::ZERO).unwrap();
         assert!((middle[0] - 535.0).abs() < 1e-6 && (middle[1] - 345.0).abs() < 1e-6, "{middle:?}");
+    }
+
+    #[test]
+    fn a_pane_that_gets_lower_shows_what_it_did_as_large_as_there_is_room() {
+        let text =
+            r#"{"wobble": 1, "points": {"position": [[-4, -1], [4, 1]]}, "view": {"center": [0, 0], "height": 8}}"#;
+        let scene = Scene::parse(text, "x.json").unwrap();
+        let world = scene.world(None).unwrap();
+        let view = View::of(&*world);
+        let own = camera(&scene, &view, [800, 600]);
+        let places = |camera: &Camera| {
+            [[-4.0, -1.0], [4.0, 1.0]].map(|[x, y]| camera.screen_from_world(DVec3::new(x, y, 0.0)).unwrap())
+        };
+        let wide = |camera: &Camera| places(camera)[1][0] - places(camera)[0][0];
+        let at = |size: [u32; 2], top: f64| narrowed(own, &view, size, [[0.0, top], size.map(f64::from)]);
+        let enough = at([800, 400], 60.0);
+        assert!((wide(&enough) - wide(&own)).abs() < 1e-6, "there is room for all of it: {:?}", places(&enough));
+        assert!(places(&enough)[0][1] <= 400.0 && places(&enough)[1][1] >= 60.0, "{:?}", places(&enough));
+        let little = at([800, 200], 80.0);
+        assert!(wide(&little) < wide(&own) && places(&little)[0][1] <= 200.0, "{:?}", places(&little));
+        let more = at([900, 700], 100.0);
+        assert_eq!(
+            places(&more).map(|at| at.map(f64::round)),
+            places(&own).map(|at| at.map(f64::round)),
+            "room moves nothing"
+        );
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! How a picture is shared by worlds side by side: equal panes that show the same part of each at the same scale.
+//! How a picture is shared by worlds side by side: panes that show the same part of each at the same scale. They are equal but for what lies over
+//! the upper edge of the picture: of several rows the first is higher by that.
 
 use super::camera::{Camera, Pose};
 
@@ -9,6 +10,8 @@ pub struct Tiles {
     count: usize,
     /// How many stand in a row, from 1 to all.
     columns: usize,
+    /// Height of what lies over the upper edge of the picture, which is no room for worlds `[px]`.
+    head: u32,
 }
 
 /// So much larger worlds are in more rows at least, where they are in more `[1]`: side by side they are compared more easily.
@@ -16,15 +19,16 @@ const BETTER: f64 = 1.1;
 
 impl Tiles {
     /// One world, which has the picture for itself.
-    pub const ALONE: Tiles = Tiles { count: 1, columns: 1 };
+    pub const ALONE: Tiles = Tiles { count: 1, columns: 1, head: 0 };
 
     /// `count` panes for worlds of a width and height, in as many rows as leave them largest in a picture of `size` `[px]`. `taken` is what
-    /// of each pane's width and height is not for the world `[px]`.
-    pub fn new(count: usize, [width, height]: [f64; 2], size: [u32; 2], taken: [f64; 2]) -> Self {
-        let count = count.max(1);
+    /// of each pane's width and height is not for the world `[px]`, below `head`, the height of what lies over the picture's upper edge `[px]`.
+    pub fn new(count: usize, [width, height]: [f64; 2], size: [u32; 2], (taken, head): ([f64; 2], f64)) -> Self {
+        let (count, head) = (count.max(1), head.round() as u32);
+        let shared = [size[0], size[1].saturating_sub(head)];
         let scale = |columns: usize| {
             let parts = [columns, count.div_ceil(columns)].map(|parts| parts as f64);
-            let [across, down] = [0, 1].map(|axis| (f64::from(size[axis]) / parts[axis] - taken[axis]).max(1.0));
+            let [across, down] = [0, 1].map(|axis| (f64::from(shared[axis]) / parts[axis] - taken[axis]).max(1.0));
             (across / width).min(down / height)
         };
         let mut best = count;
@@ -33,7 +37,7 @@ impl Tiles {
                 best = columns;
             }
         }
-        Tiles { count, columns: best }
+        Tiles { count, columns: best, head }
     }
 
     /// How many worlds there are.
@@ -55,9 +59,20 @@ impl Tiles {
         [place % self.columns, place / self.columns]
     }
 
+    /// How far a column or a row is from the first `[px]`, in a picture that is so long.
+    fn way(&self, axis: usize, cell: usize, length: u32) -> u32 {
+        let shared = length - self.head_of(axis, length);
+        (cell as u64 * u64::from(shared) / self.parts()[axis] as u64) as u32
+    }
+
+    /// By how much the first column or row is longer than the others `[px]`.
+    fn head_of(&self, axis: usize, length: u32) -> u32 {
+        if axis == 1 { self.head.min(length) } else { 0 }
+    }
+
     /// Where a column or a row begins `[px]`, in a picture that is so long.
     fn edge(&self, axis: usize, cell: usize, length: u32) -> u32 {
-        (cell as u64 * u64::from(length) / self.parts()[axis] as u64) as u32
+        if cell == 0 { 0 } else { self.head_of(axis, length) + self.way(axis, cell, length) }
     }
 
     /// Left, top, width and height of a pane in a picture of `size` `[px]`.
@@ -113,7 +128,7 @@ impl Tiles {
     /// How far pane `place` is from the first `[px]`.
     pub fn shift(&self, place: usize, size: [u32; 2]) -> [f64; 2] {
         let cell = self.cell(place);
-        [0, 1].map(|axis| f64::from(self.edge(axis, cell[axis], size[axis])))
+        [0, 1].map(|axis| f64::from(self.way(axis, cell[axis], size[axis])))
     }
 
     /// The camera of world `place` in a picture of `size` `[px]`, where `camera` is that of the first.
@@ -136,7 +151,7 @@ mod tests {
     use glam::{DVec2, DVec3};
 
     fn tiles(count: usize, world: [f64; 2], size: [u32; 2]) -> Tiles {
-        Tiles::new(count, world, size, [0.0; 2])
+        Tiles::new(count, world, size, ([0.0; 2], 0.0))
     }
 
     #[test]
@@ -159,7 +174,27 @@ mod tests {
         let at = [[1279.0, 1.0], [1.0, 719.0], [430.0, 400.0], [1279.0, 719.0]];
         assert_eq!(at.map(|at| five[0].pane_at(at, [1280, 720])), [2, 3, 4, 4]);
         // Where titles take most of what is left, there are fewer rows.
-        assert_eq!(Tiles::new(5, [1.0, 1.0], [1280, 720], [0.0, 300.0]).columns(), 5);
+        assert_eq!(Tiles::new(5, [1.0, 1.0], [1280, 720], ([0.0, 300.0], 0.0)).columns(), 5);
+    }
+
+    #[test]
+    fn below_what_lies_over_the_upper_edge_all_rows_are_alike() {
+        let size = [720, 1280];
+        let tiles = Tiles::new(3, [8.0, 3.0], size, ([0.0; 2], 200.0));
+        let clips = [0, 1, 2].map(|place| tiles.clip(place, size));
+        assert_eq!(clips, [[0, 0, 720, 560], [0, 560, 720, 360], [0, 920, 720, 360]]);
+        assert_eq!([199.0, 559.0, 560.0, 921.0].map(|y| tiles.pane_at([9.0, y], size)), [0, 0, 1, 2]);
+        let own = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 9.0 }, tiles.pane(size));
+        let whole = tiles.whole(&own, size);
+        // What is seen so far below the head in the first is so far below the upper edge of the others.
+        let at = own.world_from_screen([100.0, 250.0]);
+        for place in 1..3 {
+            let there = tiles.camera(place, &whole, size).screen_from_world(at).unwrap();
+            let top = f64::from(clips[place][1]);
+            assert!((there[1] - top - 50.0).abs() < 1e-6, "{there:?} in pane {place}");
+        }
+        let low = [720, 100];
+        assert!((0..3).all(|place| tiles.clip(place, low)[3] <= 100), "a picture lower than what lies over it");
     }
 
     #[test]

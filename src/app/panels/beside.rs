@@ -41,6 +41,11 @@ pub(super) fn height(facts: &Facts) -> f32 {
     }
 }
 
+/// How much of each row a title takes from its upper edge on `[points]`.
+pub(super) fn row(facts: &Facts) -> f32 {
+    if facts.neighbors.is_empty() { 0.0 } else { ROOM + height(facts) }
+}
+
 /// Titles go below what ends above this share of the window's height `[1]`.
 const LOWEST: f32 = 0.6;
 

@@ -95,7 +95,7 @@ fn wrong(at: At, step: &Step, scene: &Scene, tool: Tool) -> Vec<String> {
         let rect = laid.free.unwrap();
         free = [rect.min, rect.max].map(|at| [at.x, at.y].map(f64::from));
         corner = laid.corner.filter(|_| tiles.count() == 1).map(|at| [at.x, at.y].map(f64::from));
-        tiles = opening::shared(scene, &View::of(&*world), 1 + scene.beside.len(), (area, free));
+        tiles = opening::shared(scene, &View::of(&*world), 1 + scene.beside.len(), (area, free, laid.titles.into()));
     }
     let pane = tiles.pane(area);
     let free_here = opening::free_of_pane(pane, (area, free));

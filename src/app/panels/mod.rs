@@ -431,7 +431,8 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         false => room,
     });
     let is_shared = !facts.neighbors.is_empty() && has_panels;
-    (wishes, Laid { size: places.size(all_edge, is_shared, strip), corner: places.corner(&context), column, free })
+    let size = places.size(all_edge, is_shared, strip);
+    (wishes, Laid { size, corner: places.corner(&context), column, titles: beside::row(facts), free })
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.

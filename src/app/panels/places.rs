@@ -41,6 +41,8 @@ pub(in crate::app) struct Laid {
     pub(in crate::app) corner: Option<egui::Pos2>,
     /// Where what belongs to a tool begins at the right edge `[points]`.
     pub(in crate::app) column: Option<f32>,
+    /// Height of what stands above each of several worlds `[points]`.
+    pub(in crate::app) titles: f32,
     /// Where nothing lies over it for long `[points]`; `None`: a sheet lies over all of it for now.
     pub(in crate::app) free: Option<Rect>,
 }

@@ -45,6 +45,8 @@ impl Session {
             difference_most: 1.0,
             area: size,
             free: [[0.0; 2], size.map(f64::from)],
+            titles: 0.0,
+            undocked: None,
             over: Over::default(),
             covered: Vec::new(),
             trails: Trails::new(TrailSettings::default().length),

@@ -37,7 +37,7 @@ impl Session {
     pub(super) fn line_up(&mut self) {
         let view = self.shown().view();
         let alone = opening::alone(&self.scene, &view);
-        self.tiles = opening::shared(&self.scene, &view, self.worlds(), (self.area, self.free));
+        self.tiles = opening::shared(&self.scene, &view, self.worlds(), (self.area, self.free, self.titles));
         self.difference_most = distances::full_distance(&alone) as f32;
         self.fit_distances();
         self.cell = self.cell.min(self.tiles.count() - 1);

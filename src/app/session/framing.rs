@@ -3,7 +3,7 @@
 use egui::Rect;
 
 use super::Session;
-use crate::app::framing::{Framing, Open, Turn};
+use crate::app::framing::{Framing, Open, Turn, Undocked};
 use crate::app::opening::{self, Over};
 use crate::app::panels::Laid;
 use crate::render::Overlay;
@@ -53,15 +53,35 @@ impl Session {
         // What grows once it is there, as figures do, moves nothing.
         let is_wider = corner.is_some() && self.over.corner.is_none() || column != self.over.column;
         self.over = Over { corner, column };
-        let is_resized = area != self.area;
+        self.titles = f64::from(laid.titles * scale);
+        let (before, is_resized) = (self.area, area != self.area);
         let is_other = free != self.free || is_wider;
         (self.area, self.free) = (area, free);
         let shares = self.tiles.count() > 1;
-        match self.framed.turn((whole, self.open_panels()), (is_other, is_resized, shares)) {
+        match self.framed.turn((whole, self.open_panels()), (is_other, is_resized)) {
             Turn::Stay => {}
+            Turn::Keep if shares => self.share_anew(before),
             Turn::Keep => self.camera.resize_still(area),
             Turn::Fit => self.frame_now(),
         }
+    }
+
+    /// Worlds side by side share another part of the window than `before` `[px]`.
+    fn share_anew(&mut self, before: [u32; 2]) {
+        let mut undocked = Undocked::of(self.undocked, self.camera, before);
+        let (tiles, area) = (self.tiles, self.area);
+        let (view, pane) = (self.player.shown().view(), tiles.pane(area));
+        let free = self.free_of_pane(pane);
+        let is_led = self.framing == Framing::Free;
+        let camera = undocked.lead(area, |camera, before| {
+            let mut own = tiles.own(camera, before);
+            match is_led {
+                true => own.resize_still(pane),
+                false => own = opening::narrowed(own, &view, pane, free),
+            }
+            tiles.whole(&own, area)
+        });
+        (self.camera, self.undocked) = (camera, Some(undocked));
     }
 
     /// What is open, by which panels leave more room or less.

@@ -39,7 +39,7 @@ use winit::window::{CursorIcon, Window};
 use super::AppError;
 use super::canvas::{Canvas, Paint};
 use super::fetch::Fetch;
-use super::framing::{Framed, Framing};
+use super::framing::{Framed, Framing, Undocked};
 use super::import::Import;
 use super::keys::{Down, Held};
 use super::leftovers::{Leftover, look};
@@ -112,6 +112,10 @@ pub(super) struct Session {
     area: [u32; 2],
     /// What of it panels leave free for bodies `[px]`, and what lies over it: left, top, right and bottom `[px]`.
     free: Free,
+    /// Height of the titles of worlds side by side `[px]`.
+    titles: f64,
+    /// The view of worlds side by side before a panel took room from them.
+    undocked: Option<Undocked>,
     /// What lies over that at the right.
     over: Over,
     covered: Vec<[f32; 4]>,
