@@ -398,10 +398,10 @@ fn the_gallery_opens_scenes_and_undo_goes_back() {
     let app = display.open(&common::file("rim-still.json"));
     app.wait_for_title("wobble · rim-still");
     app.key("ctrl+k");
-    std::thread::sleep(Duration::from_millis(2000));
+    app.wait_until_still();
     // Letters are those of the search: R does not reset, P does not pause.
     display.xdotool(&["type", "whip"]);
-    std::thread::sleep(Duration::from_millis(300));
+    app.wait_until_still();
     app.key("Return");
     app.wait_for_title("wobble · rope");
     app.key("Next");

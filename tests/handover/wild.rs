@@ -148,3 +148,35 @@ fn the_gallery_bears_a_mouse_that_jumps() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// The smallest area within the outer ring of any rim, as a share of that at the start.
+fn least_ring(world: &dyn Dynamics, start: &mut Vec<f64>) -> f64 {
+    const POINTS: usize = 24;
+    let x = world.positions();
+    let at = |i: usize| [x.get(2 * i), x.get(2 * i + 1)];
+    let area = |rim: usize| {
+        let ring = (0..12).map(|k| [at(POINTS * rim + k), at(POINTS * rim + (k + 1) % 12)]);
+        0.5 * ring.map(|[a, b]| a[0] * b[1] - a[1] * b[0]).sum::<f64>()
+    };
+    let areas: Vec<f64> = (0..world.point_count() / POINTS).map(area).collect();
+    if start.is_empty() {
+        start.clone_from(&areas);
+    }
+    areas.iter().zip(&*start).map(|(now, start)| now / start).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn a_thousand_rims_come_back_when_the_mouse_has_swept_through_them() {
+    let entry = gallery().iter().find(|entry| entry.name == "thousand-rims").unwrap();
+    let mut world = entry.scene().unwrap().world(None).unwrap();
+    let mut start = Vec::new();
+    assert!((least_ring(&*world, &mut start) - 1.0).abs() < 1e-12 && start.len() == 1000);
+    world.apply(&Command::Cursor { to: Some(Cursor::at([-10.0, 0.0])), by: world.time() }).unwrap();
+    world.apply(&Command::Cursor { to: Some(Cursor::at([10.0, 0.0])), by: 1.2 }).unwrap();
+    world.step_until(1.2);
+    let swept = least_ring(&*world, &mut start);
+    world.apply(&Command::Cursor { to: None, by: world.time() }).unwrap();
+    world.step_until(2.2);
+    let after = least_ring(&*world, &mut start);
+    assert!(swept < 0.97 && after > 0.95, "{swept:.3} while it sweeps, {after:.3} a second later");
+}

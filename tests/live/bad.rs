@@ -143,11 +143,22 @@ fn a_joint_that_starts_outside_its_stops_is_told_of() {
             "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}],
             "angles": [{"points": [0, 1, 2], "min": 1.0, "max": 2.0}]})
     };
+    let world = |angle: f64| Scene::parse(&at(angle).to_string(), "joint.json").unwrap().world(None).unwrap();
     let words = |angle: f64| {
-        let world = Scene::parse(&at(angle).to_string(), "joint.json").unwrap().world(None).unwrap();
+        let world = world(angle);
         world.warnings().iter().filter(|words| words.contains("outside `min` to `max`")).count()
     };
     assert_eq!([1.0, 1.5, 2.0, 0.5, 2.5, -2.0].map(words), [0, 0, 0, 1, 1, 1]);
+    // What rests against a stop is a little beyond it: it starts there.
+    for angle in [2.004, 0.996] {
+        let mut world = world(angle);
+        assert_eq!(world.warnings(), [] as [String; 0], "{angle}");
+        let range = world.angles()[0].range.unwrap();
+        assert!((range[0] - angle.min(1.0)).abs() < 1e-12 && (range[1] - angle.max(2.0)).abs() < 1e-12, "{range:?}");
+        let start = world.energy();
+        world.step_until(1.0);
+        assert!((world.energy() - start).abs() < 1e-9, "{} J, {start} J at the start", world.energy());
+    }
 }
 
 #[test]

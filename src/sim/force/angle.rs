@@ -39,9 +39,24 @@ pub struct Angle {
 impl Angle {
     /// The energy `[J]` with which its stops push it in where its points are at these places `[m]`; 0 within its range.
     pub(crate) fn pushed_in<const D: usize>(&self, places: [[f64; D]; 3]) -> f64 {
-        let Some([least, most]) = self.range else { return 0.0 };
-        let beyond = wrapped(measured(places).0 - 0.5 * (least + most)).abs() - 0.5 * (most - least);
+        let beyond = self.beyond(places).abs();
         if beyond > AT_STOP { 0.5 * self.stop * beyond * beyond } else { 0.0 }
+    }
+
+    /// By how much it is above its range `[rad]`, negative below; 0 within.
+    fn beyond<const D: usize>(&self, places: [[f64; D]; 3]) -> f64 {
+        let Some([least, most]) = self.range else { return 0.0 };
+        let (off, half) = (wrapped(measured(places).0 - 0.5 * (least + most)), 0.5 * (most - least));
+        off - off.min(half).max(-half)
+    }
+
+    /// Widens the range to where it stands, if that is beyond it by no more than `margin` `[rad]`.
+    pub(crate) fn reach<const D: usize>(&mut self, places: [[f64; D]; 3], margin: f64) {
+        let beyond = self.beyond(places);
+        if let Some([least, most]) = self.range.as_mut().filter(|_| beyond.abs() <= margin) {
+            *least += beyond.min(0.0);
+            *most += beyond.max(0.0);
+        }
     }
 }
 

@@ -11,7 +11,8 @@ use super::rigid::{Held, Shape};
 use super::skins::Skin;
 use super::strap::{is_led_apart, straps};
 use super::{Draft, FRAMES, bonds, tree};
-use crate::sim::bond::{Bond, BondKind, Limit};
+use crate::sim::bond::{Bond, BondKind, Limit, PointId};
+use crate::sim::bonds::Lengths;
 use crate::sim::colour::by_colour;
 use crate::sim::contact::hinged::Hinged;
 use crate::sim::contact::skin::{MOST_RADIUS, RADIUS};
@@ -136,7 +137,7 @@ impl<S: Real> Bodies<S> {
         }
         corners.sort_unstable();
         corners.dedup();
-        let lengths = lengths(&own.bonds);
+        let lengths = Lengths::of(own.bonds.iter().map(|bond| ([bond.a, bond.b], bond.rest_length)));
         let total = edges.iter().fold(S::ZERO, |sum, edge| sum + length(sub(place(edge.ends[0]), place(edge.ends[1]))));
         let edge_length = if edges.is_empty() { S::ZERO } else { total / S::from_f64(edges.len() as f64) };
         let thin = thickness(&own.triangles, edges.iter().filter(|edge| edge.is_closed), place);
@@ -399,26 +400,14 @@ pub(super) fn path_of(bonds: &[Bond]) -> Option<Vec<Bond>> {
     (path.len() == rigid.len()).then_some(path)
 }
 
-/// Rest lengths of bonds by their ends, ascending.
-fn lengths(bonds: &[Bond]) -> Vec<([u32; 2], f64)> {
-    let of = |bond: &Bond| ([bond.a.0.min(bond.b.0), bond.a.0.max(bond.b.0)], bond.rest_length);
-    let mut list: Vec<([u32; 2], f64)> = bonds.iter().map(of).collect();
-    list.sort_unstable_by_key(|entry| entry.0);
-    list
-}
-
 /// A triangle with the area at rest that is known, or that it is made with; `None` of what has no inside.
 fn area<S: Real>(
     corners: [u32; 3],
     (places, known): ([[S; 2]; 3], Option<f64>),
-    (lengths, local): (&[([u32; 2], f64)], &[u32]),
+    (lengths, local): (&Lengths, &[u32]),
 ) -> Option<Area<S>> {
-    let side = |from: u32, to: u32| {
-        let ends = [from.min(to), from.max(to)];
-        lengths.binary_search_by_key(&ends, |entry| entry.0).ok().map(|found| lengths[found].1)
-    };
     let [p, q, r] = corners;
-    let made = || area::rest(places, [side(p, q), side(q, r), side(r, p)]);
+    let made = || area::rest(places, [[p, q], [q, r], [r, p]].map(|ends| lengths.between(ends.map(PointId))));
     let size = known.map_or_else(made, |known| (known > 0.0).then_some(known))?;
     Some(Area { corners: corners.map(|corner| local[corner as usize]), rest: S::from_f64(size) })
 }

@@ -2,35 +2,22 @@
 
 use super::{Model, ModelError, require};
 use crate::sim::bond::PointId;
+use crate::sim::bonds::Lengths;
 use crate::sim::force::angle::{Angle, Angles, measured};
 use crate::sim::force::area::{self, Areas};
 use crate::sim::sets::Sets;
 use crate::sim::vector::{dot, length, sub};
 
-/// How far a joint goes beyond its range at most `[rad]`, under what its body can bring up by itself.
+/// How far a joint goes beyond its range at most `[rad]`, under what its body can bring up by itself. One that is made so near to a stop
+/// of it is at that stop.
 const MOST_BEYOND: f64 = 0.005;
 /// Least oscillation of a joint beyond its range `[rad/s]`, where nothing says what will press it.
 const SLOWEST_STOP: f64 = 200.0;
 
-/// Rest lengths of bonds by their ends, ascending.
-struct Lengths(Vec<([PointId; 2], f64)>);
-
-impl Lengths {
-    /// Of some bonds.
-    fn of(bonds: impl Iterator<Item = ([PointId; 2], f64)>) -> Self {
-        let mut list: Vec<([PointId; 2], f64)> = bonds.map(|([a, b], rest)| ([a.min(b), a.max(b)], rest)).collect();
-        list.sort_unstable_by_key(|entry| entry.0);
-        Lengths(list)
-    }
-
-    /// The area that a triangle between these places is made with `[m^2]`; 0 of what has no inside.
-    fn area<const D: usize>(&self, [a, b, c]: [PointId; 3], places: [[f64; D]; 3]) -> f64 {
-        let side = |p: PointId, q: PointId| {
-            let found = self.0.binary_search_by_key(&[p.min(q), p.max(q)], |entry| entry.0);
-            found.ok().map(|found| self.0[found].1)
-        };
-        area::rest(places, [side(a, b), side(b, c), side(c, a)]).unwrap_or(0.0)
-    }
+/// The area that a triangle between these places is made with `[m^2]`; 0 of what has no inside.
+fn made<const D: usize>(lengths: &Lengths, [a, b, c]: [PointId; 3], places: [[f64; D]; 3]) -> f64 {
+    let sides = [[a, b], [b, c], [c, a]].map(|ends| lengths.between(ends));
+    area::rest(places, sides).unwrap_or(0.0)
 }
 
 impl<const D: usize> Model<D> {
@@ -144,14 +131,16 @@ impl<const D: usize> Model<D> {
             return Vec::new();
         }
         let lengths = Lengths::of(self.bonds.iter().map(|bond| ([bond.a, bond.b], bond.rest_length)));
-        let of = |corners: &[PointId; 3]| lengths.area(*corners, corners.map(|corner| self.position[corner.index()]));
+        let of = |corners: &[PointId; 3]| made(&lengths, *corners, corners.map(|corner| self.position[corner.index()]));
         self.triangles.iter().map(of).collect()
     }
 
     /// Works out how hard joints stop that do not say it.
     ///
     /// Model: what hangs together of mass M and extent R can bring up the energy E = 2 M (g + a) R + M v^2/2 by itself, with the
-    /// acceleration a of the mouse force and the largest speed v; a spring of stiffness 2 E/e^2 takes it within e.
+    /// acceleration a of the mouse force and the largest speed v; a spring of stiffness 2 E/e^2 takes it within e. A joint that stands
+    /// beyond its range by no more than e, as one that rests against a stop does, has its stop there: copies and what is opened again
+    /// begin without a push.
     fn stop(&self, angles: &mut [Angle]) {
         let mut is_free = vec![true; self.position.len()];
         self.pinned.iter().for_each(|pin| is_free[pin.index()] = false);
@@ -169,6 +158,7 @@ impl<const D: usize> Model<D> {
         let pushed = self.mouse.as_ref().map_or(0.0, |mouse| mouse.strength.abs() * mouse.radius);
         let pull = length(self.gravity) + pushed;
         for angle in angles.iter_mut().filter(|angle| angle.range.is_some() && angle.stop == 0.0) {
+            angle.reach(angle.points.map(|point| self.position[point.index()]), MOST_BEYOND);
             let Some(free) = angle.points.into_iter().find(|point| is_free[point.index()]) else {
                 // Between pins nothing presses it.
                 angle.stop = 1.0;

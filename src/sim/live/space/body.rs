@@ -1,6 +1,7 @@
 //! Bodies in space: each one's points, bonds and skin, one after the other.
 
-use crate::sim::bond::Bond;
+use crate::sim::bond::{Bond, PointId};
+use crate::sim::bonds::Lengths;
 use crate::sim::contact::skin::RADIUS;
 use crate::sim::live::Draft;
 use crate::sim::live::body::{Link, Span};
@@ -49,6 +50,8 @@ pub(super) struct Bodies<S> {
     /// Bonds that are held whatever the substep.
     pub(super) holds: Vec<Link<S>>,
     pub(super) triangles: Vec<[u32; 3]>,
+    /// The longest side of each at rest `[m]`.
+    pub(super) sizes: Vec<S>,
     /// Sides of triangles, and bonds at points of none.
     pub(super) edges: Vec<[u32; 2]>,
     /// Points of skins.
@@ -116,6 +119,13 @@ impl<S: Real> Bodies<S> {
         let radius = radius.map_or(edge_length * S::from_f64(RADIUS), S::from_f64);
         let thin = own.triangles.iter().map(|corners| height(corners.map(place)));
         let most = thin.fold(edge_length, S::min) * S::from_f64(FROM_ITSELF);
+        let lengths = Lengths::of(own.bonds.iter().map(|bond| ([bond.a, bond.b], bond.rest_length)));
+        let size = |&[a, b, c]: &[u32; 3]| {
+            let now = |[p, q]: [u32; 2]| length(sub(place(p), place(q)));
+            let side = |ends: [u32; 2]| lengths.between(ends.map(PointId)).map_or_else(|| now(ends), S::from_f64);
+            side([a, b]).max(side([b, c])).max(side([c, a]))
+        };
+        self.sizes.extend(own.triangles.iter().map(size));
         let within = |i: u32| local[i as usize];
         self.triangles.extend(own.triangles.iter().map(|corners| corners.map(within)));
         self.edges.extend(edges.iter().map(|ends| ends.map(within)));

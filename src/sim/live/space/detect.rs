@@ -17,6 +17,9 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// Share of a frame after which it is looked anew at the soonest, however fast points are.
 const LEAST_TIME: f64 = 0.25;
+/// How long the sides of a triangle may get, as a multiple of its longest at rest: what is stretched further meets nothing of its own body,
+/// so that bonds can untangle it.
+const STRETCHED: f64 = 2.0;
 
 /// Finds anew what obstacles touch.
 pub(super) fn look_at_obstacles<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
@@ -126,6 +129,7 @@ pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>,
     state.rooms.clear();
     let grid = Grid::over(state, widest + widest + state.least_promise + pushed);
     let reaches = Reaches::new(state);
+    let stretched = Stretched::of(state, &common.bodies.sizes);
     let mut seen = Seen::of(state.triangles.len());
     let mut looked = 0;
     for &(p, number) in &state.corners {
@@ -138,7 +142,8 @@ pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>,
         for &triangle in seen.list.iter().filter(|&&triangle| reaches.are_near(triangle, state.now[p as usize], reach))
         {
             let (corners, of_triangle, other) = state.triangles[triangle as usize];
-            let meets = if other == body { contact.with_itself } else { contact.with_others };
+            let meets_itself = || contact.with_itself && !stretched.has(p, triangle);
+            let meets = if other == body { meets_itself() } else { contact.with_others };
             let points = [p, corners[0], corners[1], corners[2]];
             if !meets || corners.contains(&p) || points.iter().all(|&i| state.w[i as usize] == S::ZERO) {
                 continue;
@@ -201,6 +206,36 @@ fn promise<S: Real>(state: &mut Cluster<S>, reach: S) -> Vec<S> {
     let nearing = patches.promise(of_points, (time, state.least_promise * S::HALF, reach + longest.sqrt()));
     state.patches = patches;
     nearing
+}
+
+/// Triangles that are stretched beyond all measure, and their corners: nothing where there is none.
+struct Stretched {
+    triangles: Vec<bool>,
+    points: Vec<bool>,
+}
+
+impl Stretched {
+    /// `sizes`: longest sides at rest, by the numbers of triangles `[m]`.
+    fn of<S: Real>(state: &Cluster<S>, sizes: &[S]) -> Self {
+        let is_stretched = |&(corners, number, _): &([u32; 3], u32, u32)| {
+            let [a, b, c] = three(&state.now, corners);
+            let most = sizes[number as usize] * S::from_f64(STRETCHED);
+            [sub(a, b), sub(b, c), sub(c, a)].into_iter().any(|side| dot(side, side) > most * most)
+        };
+        if !state.triangles.iter().any(is_stretched) {
+            return Stretched { triangles: Vec::new(), points: Vec::new() };
+        }
+        let triangles: Vec<bool> = state.triangles.iter().map(is_stretched).collect();
+        let mut points = vec![false; state.now.len()];
+        for (&(corners, ..), _) in state.triangles.iter().zip(&triangles).filter(|(_, stretched)| **stretched) {
+            corners.iter().for_each(|&corner| points[corner as usize] = true);
+        }
+        Stretched { triangles, points }
+    }
+
+    fn has(&self, point: u32, triangle: u32) -> bool {
+        !self.triangles.is_empty() && (self.triangles[triangle as usize] || self.points[point as usize])
+    }
 }
 
 /// Of triangles the middle, and how far corners are from it with what is promised of them `[m]`.

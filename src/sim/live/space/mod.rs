@@ -185,6 +185,7 @@ impl<S: Real> Mover<S, 3> for Space<S> {
         let skins = 12 * bodies.triangles.capacity() + 8 * bodies.edges.capacity() + 4 * bodies.corners.capacity();
         links
             + skins
+            + size_of::<S>() * bodies.sizes.capacity()
             + 4 * bodies.order.capacity()
             + self.anchor.capacity() * size_of::<[S; 3]>()
             + 16 * self.sides.capacity()

@@ -26,78 +26,116 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
     let before = state.counts.truncations;
     let pairs = std::mem::take(&mut state.pairs);
     let chosen: Vec<&Pair<S>> = state.chosen.iter().map(|&number| &pairs[number as usize]).collect();
-    let close: Vec<&Pair<S>> = chosen.iter().copied().filter(|pair| closes(pair, state)).collect();
+    let close: Vec<Gap<S>> = chosen.iter().filter_map(|pair| Gap::of(pair, state)).collect();
+    let mut looks = chosen.len();
+    if !close.is_empty() {
+        let mut moved = vec![false; state.now.len()];
+        divide_all(&close, &mut moved, state);
+        looks += halve(&chosen, (&close, moved), state);
+    }
+    let cuts = state.counts.truncations - before;
+    state.counts.work += 20 * looks as u64 + 400 * close.len() as u64 + 2_000 * cuts;
+    state.pairs = pairs;
+}
+
+/// Where a point and a triangle are nearest at the start of the substep, of those whose ways could bring the two together.
+struct Gap<'a, S> {
+    pair: &'a Pair<S>,
+    shares: [S; 3],
+    /// From the triangle to the point, and how far they are from each other `[m]`.
+    normal: [S; 3],
+    wide: S,
+    /// How far the corners are behind the place `[m]`.
+    behind: [S; 3],
+}
+
+impl<'a, S: Real> Gap<'a, S> {
+    #[inline(always)]
+    fn of(pair: &'a Pair<S>, state: &Cluster<S>) -> Option<Self> {
+        let start = pair.of(&state.start);
+        let found = nearest(start);
+        let wide = dot(found.from, found.from).sqrt();
+        if wide == S::ZERO {
+            return None;
+        }
+        let normal = scale(found.from, S::ONE / wide);
+        let foot = sub(start[0], found.from);
+        let behind = [1, 2, 3].map(|k| dot(normal, sub(foot, start[k])));
+        let gap = Gap { pair, shares: found.shares, normal, wide, behind };
+        (gap.excess(state) > S::ZERO).then_some(gap)
+    }
+
+    /// By how much the ways use up more of the gap than they may `[m]`.
+    #[inline(always)]
+    fn excess(&self, state: &Cluster<S>) -> S {
+        let way = self.pair.of(&state.way);
+        let rises = (0..3).map(|k| dot(way[k + 1], self.normal) - self.behind[k]);
+        let rise = rises.fold(-S::INFINITY, S::max);
+        rise - dot(way[0], self.normal) - S::from_f64(USED) * self.wide
+    }
+
+    /// Whether the point leaves its side through the triangle. What is on the wrong side may come back.
+    fn is_passed(&self, state: &Cluster<S>) -> bool {
+        let start = self.pair.of(&state.start);
+        self.excess(state) > S::ZERO
+            && self.pair.side * volume(start) >= S::ZERO
+            && passage(start, self.pair.of(&state.now)) == Passage::Through
+    }
+
+    /// Cuts what would pass, in the way of the nearest places. Returns whether there was any.
+    fn divide(&self, state: &mut Cluster<S>) -> bool {
+        if !self.is_passed(state) {
+            return false;
+        }
+        let (shares, own) = (signed(self.shares), self.pair.of(&state.w));
+        let w = (0..4).fold(S::ZERO, |sum, k| sum + shares[k] * shares[k] * own[k]);
+        if w == S::ZERO {
+            return false;
+        }
+        let excess = self.excess(state);
+        state.counts.truncations += 1;
+        for k in 0..4 {
+            state.shift(self.pair.points[k] as usize, scale(self.normal, excess / w * shares[k] * own[k]));
+        }
+        true
+    }
+}
+
+/// Cuts what would pass a few times over; notes whose ways it changes.
+fn divide_all<S: Real>(close: &[Gap<S>], moved: &mut [bool], state: &mut Cluster<S>) {
     for _ in 0..ROUNDS {
         let mut is_clear = true;
-        for pair in &close {
-            is_clear &= !divide(pair, state);
+        for gap in close {
+            if gap.divide(state) {
+                is_clear = false;
+                gap.pair.points.iter().for_each(|&i| moved[i as usize] = true);
+            }
         }
         if is_clear {
             break;
         }
     }
-    let looks = 1 + if close.is_empty() { 0 } else { halve(&chosen, state) };
-    let cuts = state.counts.truncations - before;
-    state.counts.work += 20 * looks * chosen.len() as u64 + 400 * close.len() as u64 + 2_000 * cuts;
-    state.pairs = pairs;
 }
 
-/// Whether ways of this substep could bring the two together.
-#[inline(always)]
-fn closes<S: Real>(pair: &Pair<S>, state: &Cluster<S>) -> bool {
-    excess(pair, state).is_some_and(|(excess, ..)| excess > S::ZERO)
-}
-
-/// By how much the ways use up more of the gap than they may `[m]`; the shares of the nearest place, and the direction from it.
-#[inline(always)]
-fn excess<S: Real>(pair: &Pair<S>, state: &Cluster<S>) -> Option<(S, [S; 3], [S; 3])> {
-    let start = pair.of(&state.start);
-    let found = nearest(start);
-    let gap = dot(found.from, found.from).sqrt();
-    if gap == S::ZERO {
-        return None;
-    }
-    let normal = scale(found.from, S::ONE / gap);
-    let foot = sub(start[0], found.from);
-    let way = pair.of(&state.way);
-    let rises = (1..4).map(|k| dot(way[k], normal) - dot(normal, sub(foot, start[k])));
-    let rise = rises.fold(-S::INFINITY, S::max);
-    Some((rise - dot(way[0], normal) - S::from_f64(USED) * gap, found.shares, normal))
-}
-
-/// Whether the point leaves its side through the triangle. What is on the wrong side may come back.
-fn is_passed<S: Real>(pair: &Pair<S>, state: &Cluster<S>) -> bool {
-    let start = pair.of(&state.start);
-    pair.side * volume(start) >= S::ZERO && passage(start, pair.of(&state.now)) == Passage::Through
-}
-
-/// Cuts what one pair would pass, in the way of its nearest places. Returns whether there was any.
-fn divide<S: Real>(pair: &Pair<S>, state: &mut Cluster<S>) -> bool {
-    let Some((excess, shares, normal)) = excess(pair, state).filter(|found| found.0 > S::ZERO) else { return false };
-    if !is_passed(pair, state) {
-        return false;
-    }
-    let (shares, own) = (signed(shares), pair.of(&state.w));
-    let w = (0..4).fold(S::ZERO, |sum, k| sum + shares[k] * shares[k] * own[k]);
-    if w == S::ZERO {
-        return false;
-    }
-    state.counts.truncations += 1;
-    for k in 0..4 {
-        state.shift(pair.points[k] as usize, scale(normal, excess / w * shares[k] * own[k]));
-    }
-    true
-}
-
-/// What would still pass goes with all others, more and more. Returns how often it looked at all pairs.
-fn halve<S: Real>(pairs: &[&Pair<S>], state: &mut Cluster<S>) -> u64 {
+/// What would still pass goes with all others, more and more: of pairs of which no point's way changed nothing new passes. Returns how many
+/// it looked at.
+fn halve<S: Real>(
+    pairs: &[&Pair<S>],
+    (close, mut moved): (&[Gap<S>], Vec<bool>),
+    state: &mut Cluster<S>,
+) -> usize {
+    let is_moved = |pair: &Pair<S>, moved: &[bool]| pair.points.iter().any(|&i| moved[i as usize]);
+    let mut looks = close.len();
+    let still = close.iter().filter(|gap| !is_moved(gap.pair, &moved) && gap.is_passed(state));
+    let mut passing: Vec<&Pair<S>> = still.map(|gap| gap.pair).collect();
     for round in 0..=HALVINGS + STOPS {
-        let passing: Vec<&Pair<S>> =
-            pairs.iter().copied().filter(|pair| closes(pair, state) && is_passed(pair, state)).collect();
+        let anew = pairs.iter().copied().filter(|pair| is_moved(pair, &moved)).inspect(|_| looks += 1);
+        passing.extend(anew.filter(|pair| Gap::of(pair, state).is_some_and(|gap| gap.is_passed(state))));
         if passing.is_empty() {
-            return u64::from(round) + 1;
+            break;
         }
-        let mut points: Vec<u32> = passing.iter().flat_map(|pair| pair.points).collect();
+        state.counts.truncations += passing.len() as u64;
+        let mut points: Vec<u32> = passing.drain(..).flat_map(|pair| pair.points).collect();
         points.sort_unstable();
         points.dedup();
         if round == HALVINGS + STOPS {
@@ -106,14 +144,17 @@ fn halve<S: Real>(pairs: &[&Pair<S>], state: &mut Cluster<S>) -> u64 {
         let is_held = points.iter().any(|&i| state.w[i as usize] == S::ZERO);
         let mean = if is_held { [S::ZERO; 3] } else { momentum(state, &points) };
         let kept = if round >= HALVINGS { S::ZERO } else { S::HALF };
-        for i in points.into_iter().map(|i| i as usize).filter(|&i| state.w[i] != S::ZERO) {
-            let way = add(mean, scale(sub(state.way[i], mean), kept));
-            state.way[i] = way;
-            state.now[i] = add(state.start[i], way);
+        moved.fill(false);
+        for i in points.into_iter().map(|i| i as usize) {
+            moved[i] = true;
+            if state.w[i] != S::ZERO {
+                let way = add(mean, scale(sub(state.way[i], mean), kept));
+                state.way[i] = way;
+                state.now[i] = add(state.start[i], way);
+            }
         }
-        state.counts.truncations += passing.len() as u64;
     }
-    u64::from(HALVINGS + STOPS) + 1
+    looks
 }
 
 /// The way that these points go together `[m]`.
