@@ -173,3 +173,18 @@ fn walls_that_hold_everything_make_no_energy() {
         }
     }
 }
+
+#[test]
+fn rigid_boxes_that_give_all_back_gain_nothing_in_a_minute() {
+    let of = |(k, [x, y]): (u32, [f64; 2])| {
+        let k = f64::from(k);
+        json!({"make": "box", "width": 0.5, "height": 0.5, "supports": 2, "origin": [x, y],
+            "velocity": [2.0 - k, 1.0 + 0.7 * k], "spin": k + 1.0, "material": {"kind": "rigid", "point_mass": 0.1}})
+    };
+    let places = [[0.0, 0.0], [1.2, 0.0], [0.0, 1.2], [1.2, 1.2]];
+    let scene = json!({"wobble": 1, "contact": {"restitution": 1, "friction": 0}, "method": {"solver": "live"},
+        "bodies": (0..).zip(places).map(of).collect::<Vec<_>>(),
+        "bounds": {"min": [-0.6, -0.6], "max": [1.9, 1.9], "restitution": 1}});
+    let [start, most] = energies("boxes", &scene, 60.0);
+    assert!(most < 1.001 * start, "{start} J, then {most} J");
+}

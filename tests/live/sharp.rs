@@ -149,6 +149,27 @@ fn no_spike_pierces_a_soft_disc() {
     }
 }
 
+/// Squeezed hard a skin slips over a wide tip: it comes out again, whichever edge is nearest, and nobody else takes the body before.
+#[test]
+fn a_block_that_a_needle_pierced_is_led_off_it() {
+    for (speed, stiffness, x) in [(5.0, 20_000.0, -0.43), (20.0, 5_000.0, -0.37), (50.0, 20_000.0, -0.5)] {
+        let block = json!({"make": "lattice", "columns": 6, "rows": 6, "spacing": 0.2, "origin": [x, 0.1], "velocity": [0, -speed],
+            "material": {"kind": "spring", "stiffness": stiffness, "damping": 10, "point_mass": 1}});
+        let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": [block],
+            "obstacles": [{"polygon": [[[-0.3, -2], [0.3, -2], [0, 0]]], "friction": 0.5},
+                {"plane": {"point": [0, -3], "normal": [0, 1]}, "friction": 0.5}]});
+        let mut world = world(&scene);
+        let mut last = 0.0;
+        while world.time() < 4.0 {
+            world.step();
+            if is_covered(&*world, &world.sample(world.time()), [0.0, 0.0]) {
+                last = world.time();
+            }
+        }
+        assert!(last < 2.0, "at {speed} m/s, of {stiffness} N/m, {x} m off: pierced at {last} s");
+    }
+}
+
 #[test]
 fn a_rope_hangs_over_a_spike() {
     for half in [0.02, 0.1, 0.3] {

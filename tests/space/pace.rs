@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use wobble::sim::{MovedBy, Why, frame_of};
 
-use super::{run, world};
+use super::{length, run, world};
 
 /// Counted work of a frame that a scene is held to [ms].
 const FRAME: f64 = 8.0;
@@ -59,4 +59,30 @@ fn a_net_of_rigid_bonds_stays_exact() {
     let (sample, world) = run(&scene, 1.0);
     assert!(world.moved_by().iter().all(|moved| moved.why == Why::Plan), "{:?}", world.moved_by());
     assert!(sample.max_strain < 1e-6, "{}", sample.max_strain);
+}
+
+/// A cloth of rigid bonds whose bar is swept to and fro over a box and a ball: what holds it back strains its bonds, and these throw nothing.
+#[test]
+fn a_cloth_whose_bar_is_swept_over_things_is_not_thrown() {
+    let way = |k: u32| {
+        let at = |frame: u32| {
+            let t = f64::from(frame) / 60.0;
+            json!([t, 1.0 - 0.2 * f64::from(k), 1.6 - 1.4 * t.min(1.0), 1.2 * (20.0 / 1.2 * t).sin()])
+        };
+        json!({"point": k, "track": (0..=120).map(at).collect::<Vec<_>>()})
+    };
+    let mut scene: Value =
+        serde_json::from_str(wobble::scene::gallery().iter().find(|entry| entry.name == "cloth-space").unwrap().json)
+            .unwrap();
+    scene.as_object_mut().unwrap().remove("parameters");
+    scene["bodies"][0]["material"] = json!({"kind": "rigid", "point_mass": 0.03});
+    scene["pin_motion"] = json!((0..11).map(way).collect::<Vec<_>>());
+    let mut world = world(&scene);
+    let mut most: f64 = 0.0;
+    while world.time() < 1.6 {
+        world.step();
+        let sample = world.sample(world.time());
+        most = sample.velocity.iter().map(|v| length(*v)).fold(most, f64::max);
+    }
+    assert!(most < 300.0, "{most} m/s");
 }

@@ -4,6 +4,7 @@
 //! Bonds, joints and skins cannot all be as they are to be there. What they push about by turns is no speed: what holds such a body makes
 //! no point of it faster than forces made it, or than its pins go.
 
+use super::body::Link;
 use super::cluster::{Cluster, Common};
 use super::strap::tautness;
 use crate::sim::real::Real;
@@ -36,12 +37,7 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     for (member, (body, base)) in (0..).zip(state.members(common)) {
         let (is_led, links) = (!body.straps.is_empty(), common.holds(body));
         state.counts.work += 5 * links.len() as u64;
-        let is_strained = links.iter().any(|link| {
-            let (a, b) = (base + link.a as usize, base + link.b as usize);
-            let off = length(sub(state.now[a], state.now[b])) - link.rest;
-            let is_rigid = !link.stiffness.is_finite() && link.relaxed.is_none() && link.rest > S::ZERO;
-            is_rigid && link.limit.acts(off, S::ZERO) && off.abs() > S::from_f64(TORN) * link.rest
-        });
+        let is_strained = are_strained(links, &state.now[base..]);
         let was_torn = &mut state.tangle.torn[member as usize];
         *was_torn = if is_strained { is_led || *was_torn } else { is_led && *was_torn };
         let is_torn = is_strained || *was_torn;
@@ -77,12 +73,26 @@ pub(super) fn keep<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
         };
         for i in points.filter(|&i| state.w[i] != S::ZERO) {
             let most = h * floor.max(kept * length(state.velocity[i]));
-            let gets = add(state.way[i], state.turned[i]);
-            let square = dot(gets, gets);
-            if square > most * most {
-                state.turned[i] = sub(scale(gets, most / square.sqrt()), state.way[i]);
-            }
+            bound(state.way[i], &mut state.turned[i], most);
         }
     }
     state.torn = torn;
+}
+
+/// Whether a rigid bond of a body is strained as no motion strains it, between points at these places.
+pub(super) fn are_strained<S: Real, const D: usize>(links: &[Link<S>], now: &[[S; D]]) -> bool {
+    links.iter().any(|link| {
+        let off = length(sub(now[link.a as usize], now[link.b as usize])) - link.rest;
+        let is_rigid = !link.stiffness.is_finite() && link.relaxed.is_none() && link.rest > S::ZERO;
+        is_rigid && link.limit.acts(off, S::ZERO) && off.abs() > S::from_f64(TORN) * link.rest
+    })
+}
+
+/// What goes `way` and is turned besides `[m]` gets no faster than `most` a substep `[m]`: where it goes is left.
+pub(super) fn bound<S: Real, const D: usize>(way: [S; D], turned: &mut [S; D], most: S) {
+    let gets = add(way, *turned);
+    let square = dot(gets, gets);
+    if square > most * most {
+        *turned = sub(scale(gets, most / square.sqrt()), way);
+    }
 }

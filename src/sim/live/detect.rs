@@ -33,9 +33,9 @@ const MOST_PAIRS: [usize; 2] = [100_000, 16];
 const CLEAR: f64 = 0.2;
 
 /// An edge as points look at it.
-struct Line<S> {
-    from: [S; 2],
-    along: [S; 2],
+pub(super) struct Line<S> {
+    pub(super) from: [S; 2],
+    pub(super) along: [S; 2],
     square: S,
     /// How far from it a point may be that has no radius and goes nowhere `[m]`.
     reach: S,
@@ -45,14 +45,14 @@ struct Line<S> {
 
 /// Where a point lies of an edge.
 #[derive(Clone, Copy)]
-struct Found<S> {
-    edge: usize,
+pub(super) struct Found<S> {
+    pub(super) edge: usize,
     /// Square of the distance `[m^2]`.
-    square: S,
+    pub(super) square: S,
     /// > 0 on the left of the edge.
     across: S,
     /// The nearest place is an end.
-    is_end: bool,
+    pub(super) is_end: bool,
 }
 
 /// A grid over a box.
@@ -132,6 +132,7 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
         long.iter().for_each(|&edge| see(edge));
         search.pair(state, common, (p, number), around);
     }
+    search.lead_out(state, common);
     circle::near_edges(state, common, (&boxes, &mut search));
     let mut pairs = search.pairs;
     pairs.sort_unstable_by_key(|pair| pair.key);
@@ -147,7 +148,7 @@ fn most_each([all, least]: [usize; 2], corners: usize) -> usize {
 
 /// What is looked through for edges around corners.
 pub(super) struct Search<'a, S> {
-    lines: Vec<Line<S>>,
+    pub(super) lines: Vec<Line<S>>,
     /// Sides from this step, and from before it.
     known: [Seen<'a>; 2],
     /// The least way that a point may go `[m]`.
@@ -156,7 +157,7 @@ pub(super) struct Search<'a, S> {
     most_pairs: usize,
     /// Edges near the corner that is looked at.
     near: Vec<Found<S>>,
-    pairs: Vec<Pair<S>>,
+    pub(super) pairs: Vec<Pair<S>>,
 }
 
 impl<S: Real> Search<'_, S> {
@@ -251,7 +252,12 @@ fn side<S: Real>(state: &Cluster<S>, p: u32, found: &Found<S>, (near, sure): (&[
     i8::from(!near.iter().any(is_nearer))
 }
 
-fn pair<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, edge, key): (u32, usize, u64), side: i8) -> Pair<S> {
+pub(super) fn pair<S: Real>(
+    state: &Cluster<S>,
+    common: &Common<S>,
+    (p, edge, key): (u32, usize, u64),
+    side: i8,
+) -> Pair<S> {
     let of = &state.edges[edge];
     let (edge_of, round) = (of.body, common.radius_at((key >> 32) as u32));
     let contact = common.contact.copied().unwrap_or_default();
@@ -316,7 +322,7 @@ fn radius<S: Real>(state: &Cluster<S>, common: &Common<S>, body: u32) -> S {
 
 /// Where a point lies of an edge, if that is near.
 #[inline(always)]
-fn find<S: Real>(line: &Line<S>, edge: usize, x: [S; 2], around: S) -> Option<Found<S>> {
+pub(super) fn find<S: Real>(line: &Line<S>, edge: usize, x: [S; 2], around: S) -> Option<Found<S>> {
     let (u, r) = (line.along, sub(x, line.from));
     let most = line.reach + around;
     let along = dot(r, u);

@@ -8,8 +8,10 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 const FORGIVEN: f64 = 0.5;
 /// Speed that is left to what is led or owes energy, in the mean `[m/s]`.
 const LEFT: f64 = 0.3;
-/// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs.
+/// Share of the energy of its own motion and of springs that contacts may make in a step without being seen: overlaps that are mended load
+/// springs, and sweeps swing. Where there are neither, rounding alone.
 const SLACK: f64 = 1e-3;
+const ROUNDING: f64 = 1e-7;
 
 /// Kinetic and gravity's energy `[J]`.
 pub(super) fn energy<S: Real>(state: &Cluster<S>, gravity: [f64; 2]) -> S {
@@ -96,10 +98,6 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     let (kinetic, fall) = moving(state, gravity);
     let elastic = elastic(state, common);
     let excess = kinetic + fall + elastic - before - state.work + debt;
-    if excess <= S::from_f64(SLACK) * (kinetic + elastic) {
-        state.debt = S::ZERO;
-        return;
-    }
     let leans = state.on_planes.iter().any(|on| on.pressed > S::ZERO)
         || state
             .pairs
@@ -113,6 +111,11 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     }
     let mean = if mass > S::ZERO { scale(momentum, S::ONE / mass) } else { zero() };
     let own = kinetic - S::HALF * mass * dot(mean, mean);
+    let slack = if elastic > S::ZERO || is_swept { SLACK } else { ROUNDING };
+    if excess <= S::from_f64(slack) * (own + elastic) {
+        state.debt = S::ZERO;
+        return;
+    }
     // Bodies that are led, and springs that are to let go, need some speed.
     let free = (0..state.own()).filter(|&i| state.w[i] != S::ZERO).fold(S::ZERO, |sum, i| sum + S::ONE / state.w[i]);
     let left = if debt > S::ZERO || is_led_back { S::HALF * free * S::from_f64(LEFT * LEFT) } else { S::ZERO };

@@ -29,6 +29,7 @@ mod gather;
 mod given;
 mod guard;
 mod heir;
+mod impaled;
 mod layout;
 mod mend;
 mod pair;

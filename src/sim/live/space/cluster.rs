@@ -23,6 +23,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) bodies: Vec<usize>,
     /// Where the points of each begin here; one more entry at the end.
     pub(super) bases: Vec<u32>,
+    /// Which of its bodies are torn at in this step.
+    pub(super) torn: Vec<bool>,
     /// Which of its bodies touched something in the last step.
     pub(super) touched: Vec<bool>,
     /// Positions at the start of the substep `[m]`.

@@ -56,6 +56,7 @@ impl<S: Real> Space<S> {
     fn cluster(&self, bodies: Vec<usize>, points: &Points<S, 3>, common: &Common<S>) -> Cluster<S> {
         let own: usize = bodies.iter().map(|&body| self.bodies.list[body].points.len()).sum();
         let mut cluster = Cluster {
+            torn: Vec::new(),
             touched: bodies.iter().map(|&body| self.rests[body].touches).collect(),
             bases: vec![0],
             start: Vec::new(),

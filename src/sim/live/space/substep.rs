@@ -1,6 +1,7 @@
 //! One substep of a cluster in space, from top to bottom.
 
 use super::bonds;
+use super::calm;
 use super::cluster::{Cluster, Common};
 use super::detect::{self, farthest};
 use super::truncate;
@@ -42,6 +43,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     truncate::cut(state);
     state.follow_sides();
     detect::count_ways(state);
+    calm::keep(state, time);
     state.finish(common, h, outside.around.gravity);
     state.counts.substeps += 1;
     state.counts.points += state.now.len() as u64;

@@ -119,11 +119,7 @@ fn divide_all<S: Real>(close: &[Gap<S>], moved: &mut [bool], state: &mut Cluster
 
 /// What would still pass goes with all others, more and more: of pairs of which no point's way changed nothing new passes. Returns how many
 /// it looked at.
-fn halve<S: Real>(
-    pairs: &[&Pair<S>],
-    (close, mut moved): (&[Gap<S>], Vec<bool>),
-    state: &mut Cluster<S>,
-) -> usize {
+fn halve<S: Real>(pairs: &[&Pair<S>], (close, mut moved): (&[Gap<S>], Vec<bool>), state: &mut Cluster<S>) -> usize {
     let is_moved = |pair: &Pair<S>, moved: &[bool]| pair.points.iter().any(|&i| moved[i as usize]);
     let mut looks = close.len();
     let still = close.iter().filter(|gap| !is_moved(gap.pair, &moved) && gap.is_passed(state));
