@@ -288,6 +288,17 @@ fn what_fails_says_so_in_one_line() {
 }
 
 #[test]
+fn what_left_the_finite_numbers_is_told_of() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pushed.json");
+    let scene = r#"{"wobble": 1, "contact": true, "points": {"position": [[0, 1]]},
+        "forces": [{"points": [0], "force": [1e308, 1e308]}]}"#;
+    std::fs::write(&file, scene).unwrap();
+    let done = wobble(&["simulate", file.to_str().unwrap(), "--samples", "0.5", "-q"]);
+    assert!(done.status.success() && text(&done.stderr).contains("an island left the finite numbers"), "{done:?}");
+}
+
+#[test]
 fn a_tolerance_is_kept_or_what_was_reached_is_said() {
     let folder = tempfile::tempdir().unwrap();
     let (scene, out) = (folder.path().join("swing.json"), folder.path().join("x.json"));

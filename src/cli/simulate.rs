@@ -395,6 +395,11 @@ fn made(
             counters.fallbacks, counters.substeps
         ));
     }
+    if counters.frozen > 0 {
+        let what = if counters.frozen == 1 { "an island".to_owned() } else { format!("{} islands", counters.frozen) };
+        warnings
+            .push(format!("{what} left the finite numbers: what stands still since then, and where, is in `moved_by`"));
+    }
     Recording {
         scene: scene.name().to_owned(),
         solver: scene.method.solver.unwrap_or(SolverName::Auto).name(),

@@ -6,7 +6,7 @@ use crate::sim::live::calm::{are_strained, bound};
 use crate::sim::real::Real;
 use crate::sim::vector::length;
 
-/// Looks which bodies of a cluster are torn at as a step begins.
+/// Looks which bodies of a cluster are torn at: as a step begins, and in each substep in which something may touch something.
 pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     let is_torn = |(body, base)| are_strained(common.bodies.holds(body), &state.now[base..]);
     let torn: Vec<bool> = state.members(common).map(is_torn).collect();

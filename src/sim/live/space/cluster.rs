@@ -23,7 +23,7 @@ pub(super) struct Cluster<S: Real> {
     pub(super) bodies: Vec<usize>,
     /// Where the points of each begin here; one more entry at the end.
     pub(super) bases: Vec<u32>,
-    /// Which of its bodies are torn at in this step.
+    /// Which of its bodies are torn at.
     pub(super) torn: Vec<bool>,
     /// Which of its bodies touched something in the last step.
     pub(super) touched: Vec<bool>,
