@@ -262,6 +262,9 @@ pub(super) struct Facts {
     pub(super) primitive: Primitive,
     /// What the tools for muscles and motors make.
     pub(super) drives: Drives,
+    /// Why nothing can be a muscle in the scene, and why no hinge can have a motor, where that is so.
+    pub(super) no_muscles: Option<String>,
+    pub(super) no_motors: Option<String>,
     /// What the tool for forces makes.
     pub(super) push: PushWay,
     /// What drawn bonds are made of.

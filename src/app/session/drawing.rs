@@ -12,7 +12,7 @@ use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, theme};
-use crate::app::tools::{Mark, Role, Scope, probe};
+use crate::app::tools::{Mark, Role, Scope, no_motors, no_muscles, probe};
 use crate::lessons::heading_of;
 use crate::render::{Look, Overlay, RenderError, View, body_color};
 use crate::scene::{Parameter, PrecisionName};
@@ -135,6 +135,8 @@ impl Session {
             links: self.hand.links(),
             push: self.hand.push_way(),
             drives: self.hand.drives(),
+            no_muscles: no_muscles(self.shown().driving),
+            no_motors: no_motors(self.shown().driving),
             brush: self.hand.brush(),
             draws_lasso: self.hand.draws_lasso(),
             matter: self.shown().matter.clone().filter(|_| !self.inspected.is_empty()),
