@@ -169,9 +169,9 @@ impl Session {
             Wish::SaveTo(path) => {
                 // The sheet stays until it is written.
                 self.panels.save_to.begin_to_write(&path);
-                match self.panels.save_to.is_moment {
-                    true => self.save_moment(path),
-                    false => self.save_to(path),
+                match self.panels.save_to.is_all {
+                    true => self.save_to(path),
+                    false => self.save_moment(path),
                 }
             }
             Wish::StopOpening => {
