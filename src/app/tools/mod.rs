@@ -38,6 +38,7 @@ mod knot;
 mod lead;
 #[cfg(test)]
 mod lead_tests;
+mod likeness;
 mod marks;
 #[cfg(test)]
 mod matrix_tests;
@@ -87,6 +88,7 @@ pub(super) use hidden::bodies as hidden_bodies;
 pub(super) use hover::strength;
 use lead::Lead;
 pub(super) use lead::PinWay;
+pub(super) use likeness::marks as labels;
 pub(super) use marks::{Mark, Role, probe};
 use muscles::Swipe;
 pub(super) use muscles::no_muscles;
