@@ -303,6 +303,52 @@ fn a_lesson_closes_with_its_scene_and_one_click_leads_back() {
 }
 
 #[test]
+fn a_lesson_whose_panel_was_closed_is_left_with_its_scene_and_the_list_comes_next() {
+    let mut panels = open(&[Action::Lessons]);
+    let [first, second] = [0, 1].map(|lesson| &wobble::lessons::lessons()[lesson]);
+    press(&mut panels, &first.title);
+    panels.state_mut().act(Action::Lessons);
+    panels.state_mut().act(Action::Gallery);
+    panels.run_steps(3);
+    panels.get_by_label("search the gallery").type_text("wrecking");
+    panels.run_steps(2);
+    panels.key_press(Key::Enter);
+    panels.run_steps(4);
+    assert!(panels.query_by_label("Back to the lesson").is_none(), "what was put away is not offered");
+    panels.state_mut().act(Action::Lessons);
+    panels.run_steps(4);
+    assert!(says(&panels, &second.title) && !says(&panels, &first.steps[0].heading), "no step beside another scene");
+}
+
+#[test]
+fn a_tool_that_the_scene_has_no_use_for_is_off_and_says_why() {
+    let of = |name: &str| {
+        let scene = gallery().iter().find(|entry| entry.name == name).unwrap().scene().unwrap();
+        harness(Rehearsal::new(scene).unwrap(), SIZE, 1.0).0
+    };
+    for (name, tool, why) in [
+        ("cloth-space", "make a bond a muscle: it gets longer and shorter", "in space nothing is a muscle"),
+        ("cloth-space", "hinge a body to another or to the ground, with a motor", "in the plane only"),
+        ("relaxation", "make a bond a muscle: it gets longer and shorter", ""),
+    ] {
+        let mut panels = of(name);
+        panels.get_by_label(tool).hover();
+        panels.run_steps(8);
+        assert!(why.is_empty() || says(&panels, why), "{name}: {tool}");
+        press(&mut panels, tool);
+        assert_eq!(panels.state().tool() == Tool::Hand, !why.is_empty(), "{name}: {tool}");
+    }
+}
+
+#[test]
+fn how_stiff_relaxed_bonds_are_stands_among_the_figures() {
+    let scene = gallery().iter().find(|entry| entry.name == "relaxation").unwrap().scene().unwrap();
+    let panels = harness(Rehearsal::new(scene).unwrap(), SIZE, 1.0).0;
+    assert!(says(&panels, "152 N/m"));
+    assert!(!says(&open(&[]), "N/m"));
+}
+
+#[test]
 fn the_palette_is_changed_in_the_settings() {
     let mut panels = open(&[Action::Settings]);
     panels.get_by_label("search the settings").focus();

@@ -106,6 +106,23 @@ impl Undocked {
     }
 }
 
+/// The view before panels that opened took room from it: it comes back with the room.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beside {
+    /// As it was, and what was made of it.
+    before: Camera,
+    now: Camera,
+}
+
+impl Beside {
+    /// What a view is beside panels, where `last` is what was known of it: somebody may have moved it since.
+    pub(super) fn of(last: Option<Beside>, camera: Camera, look: impl FnOnce(Camera) -> Camera) -> (Self, Camera) {
+        let before = last.filter(|last| last.now == camera).map_or(camera, |last| last.before);
+        let now = look(before);
+        (Beside { before, now }, now)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -155,6 +172,21 @@ mod tests {
             at(8.0)
         });
         assert_eq!(moved, at(8.0));
+    }
+
+    #[test]
+    fn what_panels_took_from_the_view_comes_back_with_them_whichever_closes_first() {
+        use crate::render::Pose;
+        let at = |height: f64| Camera::new(Pose::Plane { center: glam::DVec2::ZERO, height }, SIZE);
+        let (one, now) = Beside::of(None, at(4.0), |_| at(6.0));
+        let (both, now) = Beside::of(Some(one), now, |before| {
+            assert_eq!(before, at(4.0), "nothing adds up");
+            at(8.0)
+        });
+        let (_, closed) = Beside::of(Some(both), now, |before| before);
+        assert_eq!(closed, at(4.0));
+        let (_, moved) = Beside::of(Some(both), at(5.0), |before| before);
+        assert_eq!(moved, at(5.0), "somebody moved it since");
     }
 
     #[test]

@@ -292,6 +292,27 @@ pub fn beside_all(look: impl Fn(Free) -> Camera, seen: &View<'_>, (free, over): 
     beside_corner(look, seen, [free[0], [left, free[1][1]]], over.corner.filter(|corner| corner[0] < left))
 }
 
+/// The camera of a picture in which panels opened over what is `taken` of it `[px]`: as it is where they hide no point, else drawn back and moved
+/// by as little as it takes that all lies in the `free` part.
+pub fn beside_panels(camera: Camera, seen: &View<'_>, (free, over): (Free, Over), taken: &[[f64; 4]]) -> Camera {
+    let hides = |[x, y]: [f64; 2]| {
+        let is_in = |&[left, top, right, bottom]: &[f64; 4]| (left..right).contains(&x) && (top..bottom).contains(&y);
+        taken.iter().any(is_in)
+    };
+    let x = seen.current;
+    let place =
+        |first: usize| DVec3::from_array([0, 1, 2].map(|k| if k < seen.dimensions { x.get(first + k) } else { 0.0 }));
+    let mut points = (0..x.len()).step_by(seen.dimensions.max(1)).map(place);
+    if !points.any(|place| camera.screen_from_world(place).is_some_and(hides)) {
+        return camera;
+    }
+    let look = |free: Free| match camera.pose {
+        Pose::Plane { .. } => clear(camera, seen, free),
+        Pose::Orbit { .. } => whole(camera, seen, free),
+    };
+    beside_all(look, seen, (free, over))
+}
+
 /// Where the points of a plane are.
 fn places<'a>(seen: &'a View<'_>) -> impl Iterator<Item = DVec3> + use<'a> {
     let x = seen.current;
@@ -528,6 +549,34 @@ mod tests {
             let after = at(beside_corner(look, &view, free, Some(corner)));
             assert_eq!(after[1] >= corner[1] - 0.1, is_hidden, "{after:?}");
         }
+    }
+
+    #[test]
+    fn a_panel_that_opens_over_points_takes_room_from_the_view_and_one_that_hides_none_does_not() {
+        let scene = Scene::parse(
+            r#"{"wobble": 1, "points": {"position": [[-3, 0], [0, 1], [3, 0]]}, "view": {"center": [0, 0], "height": 4}}"#,
+            "x.json",
+        )
+        .unwrap();
+        let world = scene.world(None).unwrap();
+        let view = View::of(&*world);
+        let size = [1280, 720];
+        let before = camera(&scene, &view, size);
+        let seen = |camera: &Camera| {
+            [[-3.0, 0.0], [0.0, 1.0], [3.0, 0.0]].map(|[x, y]| camera.screen_from_world(DVec3::new(x, y, 0.0)).unwrap())
+        };
+        let all = [[0.0; 2], [1280.0, 720.0]];
+        let corner = [0.0, 500.0, 300.0, 720.0];
+        assert_eq!(
+            beside_panels(before, &view, ([[300.0, 0.0], all[1]], Over::default()), &[corner]).pose,
+            before.pose
+        );
+        let left = [0.0, 200.0, 300.0, 720.0];
+        let after = beside_panels(before, &view, ([[300.0, 0.0], all[1]], Over::default()), &[left]);
+        assert!(seen(&after).iter().all(|at| (300.0..1280.0).contains(&at[0])), "{:?}", seen(&after));
+        let column = Over { corner: None, column: Some(1000.0) };
+        let after = beside_panels(before, &view, (all, column), &[[1000.0, 0.0, 1280.0, 720.0]]);
+        assert!(seen(&after).iter().all(|at| (0.0..1000.0).contains(&at[0])), "{:?}", seen(&after));
     }
 
     #[test]

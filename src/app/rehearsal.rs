@@ -8,7 +8,7 @@ use super::action::{Action, Tool};
 use super::matter::{Among, MatterChange, Overload, overload};
 use super::panels::{self, Facts, Met, PanelState, Pushing, Setting, Settings, Sheet, Wish, parameters, theme};
 use super::player::{Note, Order, Shown, Stage};
-use super::tools::PushWay;
+use super::tools::{PushWay, no_motors, no_muscles};
 use crate::history::{History, HistoryError};
 use crate::lessons::lessons;
 use crate::render::{Look, Palette};
@@ -202,6 +202,8 @@ impl Rehearsal {
             pace: 1.0,
             tool: self.tool,
             push: self.push,
+            no_muscles: no_muscles(self.shown.driving),
+            no_motors: no_motors(self.shown.driving),
             matter: self.shown.matter.clone().filter(|_| !self.selected.is_empty()),
             look: Look::in_palette(self.palette),
             palette: self.palette,

@@ -56,6 +56,30 @@ impl Saving {
     }
 }
 
+/// Where files go that nobody named a place for: beside the `last` one, else to the user's documents, else home, else to where the program was
+/// started.
+pub(super) fn folder(last: Option<&Path>) -> PathBuf {
+    let beside = last.and_then(Path::parent).map(Path::to_owned);
+    let home = etcetera::home_dir().ok();
+    let documents = home.as_deref().map(|home| {
+        let named = std::env::var_os("XDG_CONFIG_HOME").map_or_else(|| home.join(".config"), PathBuf::from);
+        documents(home, std::fs::read_to_string(named.join("user-dirs.dirs")).ok().as_deref())
+    });
+    let all = [beside, documents, home, std::env::current_dir().ok()];
+    all.into_iter().flatten().find(|folder| folder.is_dir()).unwrap_or_default()
+}
+
+/// The folder of documents of a user at home there: as the desktop's list of folders names it, if there is one.
+fn documents(home: &Path, list: Option<&str>) -> PathBuf {
+    let named = list.and_then(|list| list.lines().find_map(|line| line.trim().strip_prefix("XDG_DOCUMENTS_DIR=")));
+    let path = named.map(|path| path.trim_matches('"'));
+    match path.map(|path| (path, path.strip_prefix("$HOME"))) {
+        Some((_, Some(below))) => home.join(below.trim_start_matches('/')),
+        Some((path, None)) if Path::new(path).is_absolute() => path.into(),
+        _ => home.join("Documents"),
+    }
+}
+
 /// A name in `folder` that no file has: the scene's with a number.
 pub(super) fn free_name(folder: &Path, scene: &str, ending: &str) -> PathBuf {
     let named = |number: u32| folder.join(format!("wobble-{}-{number:03}.{ending}", plain(scene)));
@@ -73,6 +97,25 @@ fn plain(name: &str) -> String {
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
+
+    #[test]
+    fn files_go_beside_the_last_one_or_to_the_documents_that_the_desktop_names() {
+        let folder = tempfile::tempdir().unwrap();
+        let last = folder.path().join("mine.json");
+        assert_eq!(super::folder(Some(&last)), folder.path());
+        let elsewhere = super::folder(Some(&folder.path().join("gone/mine.json")));
+        assert!(elsewhere.is_absolute() && elsewhere.is_dir(), "{elsewhere:?}");
+        let home = Path::new("/home/ada");
+        for (list, is) in [
+            (None, "/home/ada/Documents"),
+            (Some("# x\nXDG_DESKTOP_DIR=\"$HOME/Desk\"\nXDG_DOCUMENTS_DIR=\"$HOME/Papiere\"\n"), "/home/ada/Papiere"),
+            (Some("XDG_DOCUMENTS_DIR=\"/data/papers\""), "/data/papers"),
+            (Some("XDG_DOCUMENTS_DIR=\"$HOME/\""), "/home/ada/"),
+            (Some("XDG_DOCUMENTS_DIR=\"papers\""), "/home/ada/Documents"),
+        ] {
+            assert_eq!(documents(home, list), Path::new(is), "{list:?}");
+        }
+    }
 
     #[test]
     fn names_are_free_and_plain() {

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::pack::Packed;
-use crate::picture::{self, Coat, Picture, Skin, Tint};
-use crate::scene::{Scene, SceneError};
+use crate::picture::{self, Coat, HUES, Picture, Skin, Tint};
+use crate::scene::{Known, Scene, SceneError};
 use crate::sim::{Dynamics, PointId};
 
 /// Points that are selected and deleted as one.
@@ -32,6 +32,17 @@ fn groups(scene: &Scene) -> Vec<Group> {
         list.push(Group { name, points });
     }
     list
+}
+
+/// The numbers that bodies get from the next one on: where one is to have a hue, the first that has it.
+fn numbers(mut next: u32, known: &[Known]) -> Vec<u32> {
+    let number = |body: &Known| {
+        let has_it = |number: &u32| body.hue.is_none_or(|hue| picture::hue(*number) == hue);
+        let number = (next..next.saturating_add(2 * HUES)).find(has_it).unwrap_or(next);
+        next = number + 1;
+        number
+    };
+    known.iter().map(number).collect()
 }
 
 /// How a body without a colour of its own is written.
@@ -74,19 +85,28 @@ impl Dress {
         }
     }
 
-    /// Bodies come with their names, counted from 0, and points get coats.
-    pub(super) fn tint(&mut self, (mut tints, names): (Vec<Tint>, Vec<Option<String>>), coats: &[(Vec<u32>, Coat)]) {
+    /// Bodies come, counted from 0, with what they are called and the hues that they have; points get coats.
+    pub(super) fn tint(&mut self, (mut tints, known): (Vec<Tint>, Vec<Known>), coats: &[(Vec<u32>, Coat)]) {
         if tints.is_empty() && coats.is_empty() {
             return;
         }
         let next = self.tints.iter().map(|tint| tint.body + 1).max().unwrap_or(0);
-        tints.iter_mut().for_each(|tint| tint.body += next);
         if !tints.is_empty() {
-            let known = Arc::make_mut(&mut self.names);
-            known.resize(next as usize, None);
-            known.extend(names);
+            let numbers = numbers(next, &known);
+            let names = Arc::make_mut(&mut self.names);
+            names.resize(next as usize, None);
+            for (number, Known { name, .. }) in numbers.iter().zip(known) {
+                names.resize(*number as usize, None);
+                names.push(name);
+            }
+            let number = |body: u32| numbers.get(body as usize).copied().unwrap_or(next + body);
+            tints.iter_mut().for_each(|tint| tint.body = number(tint.body));
         }
         let mut all = self.tints.to_vec();
+        // What was painted up to the last point ends where new ones begin.
+        if let Some(first) = tints.first() {
+            all.retain(|tint| tint.first < first.first);
+        }
         all.extend(tints);
         coats.iter().for_each(|(points, coat)| Tint::paint(&mut all, points, *coat));
         (self.tints, self.is_tinted) = (all.into(), true);
@@ -198,7 +218,18 @@ impl Dress {
             width.put(to);
             is_hidden.put(to);
         }
+        let names: &[Option<String>] = if self.is_tinted { &self.names } else { &[] };
+        serde_json::to_vec(names).map_err(|error| error.to_string())?.put(to);
         Ok(())
+    }
+
+    /// Takes what bodies are called from the front of the bytes, where anything is said; `None` where they are not enough, or none of it.
+    pub(super) fn take_names(&mut self, from: &mut &[u8]) -> Option<()> {
+        let names: Vec<Option<String>> = serde_json::from_slice(&Vec::<u8>::take(from)?).ok()?;
+        if !names.is_empty() {
+            self.names = Arc::new(names);
+        }
+        Some(())
     }
 
     /// Takes what came after the start of the scene from the front of the bytes, of a world of `points` points; `has_sides`: behind the

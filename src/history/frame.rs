@@ -120,7 +120,7 @@ impl Frame {
                 let applied = self.world.apply(&command)?;
                 let is_dressed = !(made.skins.is_empty() && made.coats.is_empty());
                 self.dress.wear(made.skins);
-                self.dress.tint((made.tints, made.names), &made.coats);
+                self.dress.tint((made.tints, made.known), &made.coats);
                 Ok(Applied { is_something: applied.is_something || is_dressed, ..applied })
             }
             Resolved::Group => {

@@ -19,7 +19,7 @@ use super::pack::{AnyCore, Core, FIRST_WITH_HAND_OVERS, FIRST_WITH_TRIANGLES, Pa
 use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 
 /// How the numbers are laid out.
-pub(super) const LAYOUT: u64 = 10;
+pub(super) const LAYOUT: u64 = 11;
 
 /// The first layout that says which body added points are of.
 const FIRST_WITH_TINTS: u64 = 8;
@@ -29,6 +29,9 @@ const FIRST_WITH_COATS: u64 = 9;
 
 /// The first layout that says which numbers are on their way.
 const FIRST_WITH_EASED: u64 = 10;
+
+/// The first layout that says what bodies are called.
+const FIRST_WITH_NAMES: u64 = 11;
 
 /// The first layout that begins with the core.
 const FIRST_WITH_CORE: u64 = 2;
@@ -110,6 +113,9 @@ pub(super) fn go_on(state: &Value, start: &dyn Dynamics, dress: Dress) -> Result
         let has_triangles = layout >= FIRST_WITH_TRIANGLES;
         let has = [!has_triangles, layout >= FIRST_WITH_TINTS, layout >= FIRST_WITH_COATS];
         dress.take_added(&mut rest, points, has).ok_or_else(damaged)?;
+        if layout >= FIRST_WITH_NAMES {
+            dress.take_names(&mut rest).ok_or_else(damaged)?;
+        }
         if layout >= FIRST_WITH_EASED {
             frame.eased = take_eased(&mut rest).ok_or_else(damaged)?;
         }

@@ -59,7 +59,7 @@ pub use settings::{LEAST_SPACING, MAX_POINTS, Settings, Size, Strokes, Threshold
 pub use skin::Skin;
 pub use stats::{Stats, stats};
 pub use strand::{Line, Node, Strands};
-pub use tint::{Coat, Tint};
+pub use tint::{Coat, HUES, Tint, hue};
 pub use watch::{Stage, Watch};
 
 use settings::{MAX_EDGE_POINTS, UNIT_TRIANGLE};

@@ -1,5 +1,15 @@
 //! Which body points belong to, and how it is drawn.
 
+/// How many colours there are for bodies that have none of their own.
+pub const HUES: u32 = 7;
+/// Each round through them begins so many colours on: copies in rows of that length do not stand in columns of one colour.
+const SHIFT: u32 = 3;
+
+/// Which of the colours the body of a number has, from 0 to [`HUES`] - 1.
+pub fn hue(body: u32) -> u32 {
+    (body % HUES + SHIFT * (body / HUES % HUES)) % HUES
+}
+
 /// A run of points of one body, up to where the next run begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tint {
@@ -67,6 +77,16 @@ impl Tint {
 
     /// Gives points a coat. Those before the first run stay without one.
     pub fn paint(runs: &mut Vec<Tint>, points: &[u32], coat: Coat) {
+        Tint::change(runs, points, |run| run.with(coat));
+    }
+
+    /// Makes points those of the body of this number. Those before the first run stay of none.
+    pub fn part(runs: &mut Vec<Tint>, points: &[u32], body: u32) {
+        Tint::change(runs, points, |run| Tint { body, ..run });
+    }
+
+    /// Changes the runs of points.
+    fn change(runs: &mut Vec<Tint>, points: &[u32], to: impl Fn(Tint) -> Tint) {
         let mut points = points.to_vec();
         points.sort_unstable();
         points.dedup();
@@ -76,7 +96,7 @@ impl Tint {
             let inside = |run: &Tint| (first..end).contains(&run.first);
             let mut painted: Vec<Tint> = Tint::of(runs, first).map(|run| Tint { first, ..*run }).into_iter().collect();
             painted.extend(runs.iter().copied().filter(|run| inside(run) && run.first > first));
-            painted.iter_mut().for_each(|run| *run = run.with(coat));
+            painted.iter_mut().for_each(|run| *run = to(*run));
             runs.retain(|run| !inside(run) && run.first != end);
             painted.push(beyond);
             let place = runs.partition_point(|run| run.first < first);
@@ -164,6 +184,22 @@ mod tests {
         Tint::paint(&mut runs, &[1, 2], Coat { width: Some(0.0), visible: Some(true), ..Coat::default() });
         assert_eq!(Tint::of(&runs, 2), Some(&Tint { first: 1, ..run(0, Some([9; 3])) }));
         assert!(Coat::default().is_empty() && !Coat::of_color([0; 3]).is_empty());
+    }
+
+    #[test]
+    fn points_become_those_of_another_body_in_the_coat_that_they_have() {
+        let mut runs = vec![run(0, Some([7; 3])), run(4, None)];
+        Tint::part(&mut runs, &[2, 3, 4], 9);
+        let of = |point| Tint::of(&runs, point).map(|run| (run.body, run.color));
+        let own = Some([7; 3]);
+        assert_eq!([1, 2, 3, 4, 5].map(of), [(0, own), (9, own), (9, own), (9, None), (4, None)].map(Some));
+    }
+
+    #[test]
+    fn bodies_have_all_hues_in_turn() {
+        let mut round: Vec<u32> = (3 * HUES..4 * HUES).map(hue).collect();
+        round.sort_unstable();
+        assert!(round.into_iter().eq(0..HUES));
     }
 
     #[test]

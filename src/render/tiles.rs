@@ -32,7 +32,9 @@ impl Tiles {
             (across / width).min(down / height)
         };
         let mut best = count;
-        for columns in (1..=count).map(|rows| count.div_ceil(rows)) {
+        // Three have no row of their own for the last one: a quarter of the picture would be empty.
+        let is_full = |columns: &usize| count.is_multiple_of(*columns) || count > 4;
+        for columns in (1..=count).map(|rows| count.div_ceil(rows)).filter(is_full) {
             if scale(columns) > BETTER * scale(best) {
                 best = columns;
             }
@@ -162,6 +164,9 @@ mod tests {
         assert_eq!(clips, [[0, 0, 533, 900], [533, 0, 533, 900], [1066, 0, 534, 900]], "all of it, to the last pixel");
         let at = [[-5.0, 1.0], [532.0, 1.0], [533.0, 1.0], [9999.0, 1.0]];
         assert_eq!(at.map(|at| wide.pane_at(at, [1600, 900])), [0, 0, 1, 2]);
+        // Three leave no part of it empty: they stand beside or below each other.
+        let three = [[1280, 720], [900, 1000], [720, 1280]].map(|size| tiles(3, [1.0, 1.0], size).columns());
+        assert_eq!(three, [3, 1, 1]);
         let high = tiles(2, [8.0, 3.0], [720, 1280]);
         assert_eq!(high.columns(), 1);
         assert_eq!(high.clip(1, [720, 1280]), [0, 640, 720, 640]);

@@ -1,9 +1,12 @@
 //! What is added to a running world, made: bodies become points and bonds, numbers those of the world.
 
+use std::ops::Range;
+
 use super::check;
 use super::error::{Fault, SceneError, Source, Within};
-use super::keys::{AddKeys, BondKeys, BondList, DrawnKeys, ObstacleKeys, PointKeys, Scene};
+use super::keys::{AddKeys, BondKeys, BondList, DrawnKeys, LookKeys, ObstacleKeys, PointKeys, Scene};
 use super::model::{angle, anticlockwise, force, material, of_length, rest_length, skin};
+use super::one_line;
 use super::support;
 use crate::picture::{Coat, Skin, Tint};
 use crate::sim::vector::{embed, truncate};
@@ -18,10 +21,19 @@ pub(crate) struct Made {
     pub(crate) skins: Vec<Skin>,
     /// Which bodies new points are of, counted from 0, by the numbers of the world.
     pub(crate) tints: Vec<Tint>,
-    /// What those are called: see [`Scene::body_names`].
-    pub(crate) names: Vec<Option<String>>,
+    /// What is known of those, by their numbers.
+    pub(crate) known: Vec<Known>,
     /// Points with the colours that they get.
     pub(crate) coats: Vec<(Vec<u32>, Coat)>,
+}
+
+/// What is known of a body that comes.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Known {
+    /// What it is called: see [`Scene::body_names`].
+    pub(crate) name: Option<String>,
+    /// Which colour of the palette it has, if it is to have one.
+    pub(crate) hue: Option<u32>,
 }
 
 /// Pinned points with the knots of their tracks.
@@ -126,11 +138,12 @@ impl AddKeys {
             angles.push(angle(keys, own).item(k).at("angles")?);
         }
         angles.extend(model.angles.list.iter().map(|angle| Angle { points: angle.points.map(offset), ..*angle }));
-        let (tints, names) = self.tints(&alone, first)?;
+        check::check_looks(&self.looks, first..count)?;
+        let (tints, known) = self.tints(&alone, first..count)?;
         Ok(Made {
             skins: self.skins(&alone, (first, count), world)?,
             tints,
-            names,
+            known,
             coats: self
                 .skins
                 .iter()
@@ -262,16 +275,40 @@ impl AddKeys {
 }
 
 impl AddKeys {
-    /// Which bodies new points are of, explicit ones by the bonds and triangles among them; and what these are called.
-    fn tints(&self, alone: &Scene, first: u32) -> Result<(Vec<Tint>, Vec<Option<String>>), Fault> {
-        let own = |point: u32| point.checked_sub(first);
+    /// Which bodies new points are of, explicit ones by the bonds and triangles among them unless it is said; and what is known of these.
+    fn tints(&self, alone: &Scene, new: Range<u32>) -> Result<(Vec<Tint>, Vec<Known>), Fault> {
+        let own = |point: u32| point.checked_sub(new.start);
         let bonds = self.bonds.iter().filter_map(|bond| Some(BondKeys { a: own(bond.a)?, b: own(bond.b)?, ..*bond }));
         let bonds: Vec<BondKeys> = bonds.collect();
         let with_bonds = Scene { bonds: bonds.into(), ..alone.clone() };
         let mut tints = with_bonds.all_tints()?;
-        tints.iter_mut().for_each(|tint| tint.first += first);
-        Ok((tints, with_bonds.all_names()?))
+        tints.iter_mut().for_each(|tint| tint.first += new.start);
+        let mut known: Vec<Known> = with_bonds.all_names()?.into_iter().map(|name| Known { name, hue: None }).collect();
+        for LookKeys { points, title, hue } in &self.looks {
+            Tint::part(&mut tints, points, known.len() as u32);
+            known.push(Known { name: title.as_deref().map(one_line), hue: *hue });
+        }
+        tints.retain(|tint| new.contains(&tint.first));
+        if !self.looks.is_empty() {
+            compact(&mut tints, &mut known);
+        }
+        Ok((tints, known))
     }
+}
+
+/// Leaves out bodies that have no point any more.
+fn compact(tints: &mut [Tint], known: &mut Vec<Known>) {
+    let mut is_there = vec![false; known.len()];
+    tints.iter().for_each(|tint| is_there[tint.body as usize] = true);
+    let mut next = 0;
+    let count = |is_there: &bool| {
+        next += u32::from(*is_there);
+        next
+    };
+    let place: Vec<u32> = is_there.iter().map(count).collect();
+    tints.iter_mut().for_each(|tint| tint.body = place[tint.body as usize] - 1);
+    let mut is_there = is_there.into_iter();
+    known.retain(|_| is_there.next() == Some(true));
 }
 
 /// Where a point of the world is, or a new one from number `first` on `[m]`.

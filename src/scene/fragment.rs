@@ -115,7 +115,7 @@ impl Fragment {
 
     /// Errors: what names points that are not in it, lies too far off, or comes by other keys than what is copied.
     fn check(&self) -> Result<(), String> {
-        let AddKeys { points, bonds, bodies, triangles, skins, forces, angles, obstacles, pin_motion, textures } =
+        let AddKeys { points, bonds, bodies, triangles, skins, forces, angles, obstacles, pin_motion, textures, looks } =
             &self.keys;
         if !bodies.is_empty() {
             return Err("`bodies` are not copied: give their points and bonds".to_owned());
@@ -152,7 +152,7 @@ impl Fragment {
             return Err("there is nothing in it".to_owned());
         }
         let known: Range<u32> = 0..count as u32;
-        let named: [(&str, Vec<u32>); 8] = [
+        let named: [(&str, Vec<u32>); 9] = [
             ("points.pinned", pins),
             ("bonds", bonds.iter().flat_map(|bond| [bond.a, bond.b]).collect()),
             ("triangles", triangles.iter().flat_map(|corners| corners.0).collect()),
@@ -160,6 +160,7 @@ impl Fragment {
             ("skins", skins.iter().flat_map(|skin| skin.points.iter().copied()).collect()),
             ("forces", forces.iter().flat_map(|force| force.points.iter().copied()).collect()),
             ("textures", textures.iter().flat_map(|texture| texture.points.iter().copied()).collect()),
+            ("looks", looks.iter().flat_map(|look| look.points.iter().copied()).collect()),
             ("groups", self.groups.iter().flat_map(|group| group.points.iter().copied()).collect()),
         ];
         for (key, list) in named {
@@ -178,7 +179,8 @@ mod tests {
 
     const TEXT: &str = r#"{"wobble_clip":1,"dimensions":2,"middle":[0.1,-0.0],"contact":{"friction":0.3},"groups":[{"points":[0,1],"title":"pair"}],
         "points":{"position":[[0.1,0.30000000000000004],[1e-320,2]],"pinned":[1]},"bonds":[{"a":0,"b":1,"rest":0.7}],
-        "textures":[{"image":"data:image/png;base64,AA==","points":[0,1],"uv":[[0,0.5],[1,1]]}]}"#;
+        "textures":[{"image":"data:image/png;base64,AA==","points":[0,1],"uv":[[0,0.5],[1,1]]}],
+        "looks":[{"points":[1,0],"title":"doll","hue":2}]}"#;
 
     #[test]
     fn a_text_is_read_as_it_was_written_to_the_bit() {
@@ -209,6 +211,7 @@ mod tests {
             ("\"friction\":0.3", "\"fiction\":0.3", "contact: "),
             ("[0,1],\"title", "[0,2],\"title", "`groups` names point 2"),
             ("[0,1],\"uv", "[0,9],\"uv", "`textures` names point 9"),
+            ("[1,0]", "[1,3]", "`looks` names point 3"),
             ("data:image/png;base64,AA==", "secret.png", "names a file"),
             ("[1]", "[4294967295]", "`points.pinned` names point 4294967295"),
             ("1e-320,2", "1e300,2", "points.position[1]"),

@@ -40,7 +40,7 @@ mod support;
 mod tint;
 mod write;
 
-pub(crate) use addition::{Made, Shape};
+pub(crate) use addition::{Known, Made, Shape};
 pub use anew::Cut;
 pub(crate) use check::MOST_BESIDE;
 pub use error::{SceneError, SceneErrorKind, Source};
@@ -50,10 +50,10 @@ pub(crate) use keys::macros::object;
 pub use keys::{
     AddKeys, AngleKeys, AreaKeys, AreaKindName, BesideKeys, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys,
     BraceName, BudgetKeys, CircleKeys, ColorKey, ContactKeys, DiagonalsName, DrawnKeys, DriveKeys, ForceKeys, KeyName,
-    KindName, LimitName, MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys, OrderName,
-    ParameterKeys, PatternName, PenaltyKeys, PictureKeys, PinMotionKeys, PlaneKeys, PointGroupKeys, PointKeys,
-    PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName, SourceName,
-    StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    KindName, LimitName, LookKeys, MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys,
+    OrderName, ParameterKeys, PatternName, PenaltyKeys, PictureKeys, PinMotionKeys, PlaneKeys, PointGroupKeys,
+    PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName,
+    SourceName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub use keywords::{keywords, topic_place};

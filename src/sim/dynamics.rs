@@ -11,7 +11,7 @@ use super::drive::Key;
 use super::force::angle::Angle;
 use super::force::mouse::{Cursor, MouseForce};
 use super::ledger::{Energies, Ledger};
-use super::model::Method;
+use super::model::{Driving, Method};
 use super::moved::MovedBy;
 use super::plan_part::PlanPart;
 use super::real::{Positions, Precision};
@@ -167,6 +167,8 @@ pub trait Dynamics: Send {
     fn moved_by(&self) -> Vec<MovedBy>;
     /// How the motion is computed now.
     fn method(&self) -> Method;
+    /// What decides whether bonds and angles can have drives now.
+    fn driving(&self) -> Driving;
     /// Whether an island that its own method moves would take clearly less counted work in the live step, where that may move it.
     fn is_cheaper_live(&self) -> bool;
     /// What moves a point that can move: the group of islands that it is in; `None` where it is gone.

@@ -1,6 +1,7 @@
 //! What a world is made from: points, bonds, forces, walls and a method, in `f64` and checked.
 
 mod drives;
+mod driving;
 mod form;
 mod printed;
 
@@ -23,6 +24,7 @@ use super::solver::{Order, Solver};
 use super::source::Source;
 use super::vector::{add, scale};
 
+pub use driving::{Driving, NoDrive};
 pub use form::angle_at;
 
 /// A start: everything that decides a motion. The same model runs bit for bit as it did before.

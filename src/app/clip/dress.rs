@@ -1,11 +1,11 @@
 //! What is seen of a copy and no step knows of: colours, pictures, groups.
 
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 use crate::history::{Do, Group, History};
-use crate::picture::{Coat, Picture, Skin, Tint};
-use crate::render::palette_color;
-use crate::scene::{DrawnKeys, PointGroupKeys, Row, SkinKeys, picture_as_text};
+use crate::picture::{Coat, Picture, Skin, Tint, hue};
+use crate::scene::{DrawnKeys, LookKeys, PointGroupKeys, Row, SkinKeys, picture_as_text};
 use crate::sim::{PointId, SkinMaterial};
 
 /// Runs of points, counted in their order, that have the same.
@@ -20,26 +20,13 @@ fn runs<T: PartialEq>(points: &[PointId], of: impl Fn(&PointId) -> T) -> Vec<(T,
     list
 }
 
-/// How points are drawn, and what their skins are made of. What is filled without a colour of its own has one by its number,
-/// which is another's in a copy: so it is said.
+/// How points are drawn, and what their skins are made of.
 pub(super) fn skins(history: &History, points: &[PointId]) -> Vec<SkinKeys> {
     let (world, tints) = (history.world(), history.tints());
-    let mut drawn: Vec<[u32; 3]> = history.skins().iter().flat_map(|skin| skin.triangles.iter().copied()).collect();
-    drawn.iter_mut().for_each(|corners| corners.sort_unstable());
-    drawn.sort_unstable();
-    let mut is_filled = vec![false; world.point_count()];
-    for corners in world.triangles() {
-        let mut sorted = corners.map(|corner| corner.0);
-        sorted.sort_unstable();
-        if drawn.binary_search(&sorted).is_err() {
-            sorted.iter().for_each(|&corner| is_filled[corner as usize] = true);
-        }
-    }
     let look = |point: &PointId| {
         let tint = Tint::of(tints, point.0);
-        let by_number = || tint.filter(|_| is_filled[point.index()]).map(|tint| palette_color(tint.body));
         let coat = Coat {
-            color: tint.and_then(|tint| tint.color).or_else(by_number),
+            color: tint.and_then(|tint| tint.color),
             width: tint.map(|tint| tint.width).filter(|width| *width > 0.0),
             visible: tint.filter(|tint| tint.is_hidden).map(|_| false),
         };
@@ -51,6 +38,27 @@ pub(super) fn skins(history: &History, points: &[PointId]) -> Vec<SkinKeys> {
         is_said.then(|| SkinKeys { friction, restitution, radius, ..SkinKeys::of_coat(points, coat) })
     };
     runs(points, look).into_iter().filter_map(keys).collect()
+}
+
+/// The bodies that points, ascending, are of: what they are called, and which colour of the palette they have. What has neither a name nor
+/// triangles is as what holds together there.
+pub(super) fn looks(history: &History, points: &[PointId]) -> Vec<LookKeys> {
+    let (tints, names) = (history.tints(), history.body_names());
+    let mut is_filled = vec![false; points.len()];
+    let corners = history.world().triangles().iter().flatten();
+    corners.filter_map(|corner| points.binary_search(corner).ok()).for_each(|place| is_filled[place] = true);
+    let mut bodies: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    for (place, point) in points.iter().enumerate() {
+        if let Some(tint) = Tint::of(tints, point.0) {
+            bodies.entry(tint.body).or_default().push(place as u32);
+        }
+    }
+    let of = |(body, points): (u32, Vec<u32>)| {
+        let title = names.get(body as usize).cloned().flatten();
+        let is_seen = title.is_some() || points.iter().any(|&place| is_filled[place as usize]);
+        is_seen.then(|| LookKeys { points, title, hue: Some(hue(body)) })
+    };
+    bodies.into_iter().filter_map(of).collect()
 }
 
 /// The pictures that are drawn on triangles among points, ascending, each with where the points lie in it.

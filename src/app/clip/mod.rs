@@ -78,6 +78,7 @@ impl Clip {
             bonds: bonds.collect(),
             triangles: world.triangles().iter().filter_map(covered).collect(),
             skins: dress::skins(history, &points),
+            looks: dress::looks(history, &points),
             textures: dress::textures(history.skins(), &points),
             forces: world.forces().into_iter().filter_map(force).collect(),
             angles: world.angles().iter().filter_map(|angle| angle_keys(angle, place)).collect(),
@@ -116,6 +117,7 @@ impl Clip {
         keys.triangles.iter_mut().flat_map(|corners| &mut corners.0).for_each(|corner| *corner += next);
         keys.angles.iter_mut().flat_map(|angle| &mut angle.points.0).for_each(|point| *point += next);
         keys.skins.iter_mut().flat_map(|skin| &mut skin.points).for_each(|point| *point += next);
+        keys.looks.iter_mut().flat_map(|look| &mut look.points).for_each(|point| *point += next);
         keys.textures.iter_mut().flat_map(|texture| &mut texture.points).for_each(|point| *point += next);
         keys.forces.iter_mut().flat_map(|force| &mut force.points).for_each(|point| *point += next);
         led::put(&mut keys.pin_motion, (world.time(), by, next));

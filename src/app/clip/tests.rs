@@ -213,9 +213,10 @@ fn a_copy_keeps_its_picture_its_colours_and_its_groups_here_and_as_text() {
         assert_eq!((skin.first, &skin.triangles[..]), (first, &[[first, first + 1, first + 2]][..]));
         assert_eq!(skin.texture[..3], [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
         assert_eq!((skin.picture.width, skin.picture.height, &skin.picture.rgba), (3, 2, &picture.rgba));
-        let color = |point: u32| Tint::of(history.tints(), first + point).and_then(|tint| tint.color);
+        let tint = |point: u32| *Tint::of(history.tints(), first + point).unwrap();
         let second = Tint::of(&Scene::parse(&text, "x.json").unwrap().tints().unwrap(), 3).unwrap().body;
-        assert_eq!((color(3), color(6)), (Some(palette_color(second)), Some([1, 2, 3])));
+        assert_eq!(palette_color(tint(3).body), palette_color(second));
+        assert_eq!((tint(3).color, tint(6).color), (None, Some([1, 2, 3])));
         let groups = history.groups();
         let copied: Vec<(&str, usize)> = groups
             .iter()
@@ -235,6 +236,45 @@ fn a_copy_keeps_its_picture_its_colours_and_its_groups_here_and_as_text() {
         stage.obey(Order::Redo(None));
         assert!(stage.history().skins().iter().any(|skin| skin.first == first));
     }
+}
+
+#[test]
+fn copies_of_figures_are_figures_in_the_same_colours_here_in_other_scenes_and_in_what_is_saved() {
+    let text = r#"{"wobble": 1, "bodies": [{"make": "rope", "count": 3, "spacing": 0.2}, {"make": "ragdoll", "origin": [0, 1]},
+        {"make": "ragdoll", "origin": [2, 1]}], "bonds": [], "contact": true}"#;
+    let mut own = stage(text);
+    let count = own.history().world().point_count() as u32;
+    let body = |stage: &Stage, point: u32| Tint::of(stage.history().tints(), point).unwrap().body;
+    let known = |history: &History, point: u32| {
+        let tint = Tint::of(history.tints(), point).unwrap();
+        (history.body_names()[tint.body as usize].clone(), palette_color(tint.body), tint.color)
+    };
+    let was: Vec<_> = (0..count).map(|point| known(own.history(), point)).collect();
+    assert_eq!([0, 3, count - 1].map(|point| was[point as usize].0.as_deref()), ["rope", "figure", "figure"].map(Some));
+    let clip = Clip::of(own.history(), &points(0..count));
+    let read = Fragment::parse(&clip.fragment().to_text().unwrap()).unwrap();
+    assert_eq!(Clip::of_fragment(read), clip);
+    let mut other = stage(r#"{"wobble": 1, "points": {"position": [[0,-9]]}}"#);
+    for stage in [&mut own, &mut other] {
+        for again in 0..3 {
+            let first = stage.history().world().point_count() as u32;
+            let clip = clip.clone();
+            let wish = wish([-3.0, 2.0 * f64::from(again), 0.0], true);
+            let note = stage.obey(Order::Add(Box::new(move |history| clip.coming(history, &wish))));
+            assert!(matches!(note, Some(Note::Came(..))), "{note:?}");
+            let is: Vec<_> = (first..first + count).map(|point| known(stage.history(), point)).collect();
+            assert_eq!(is, was, "copy {again}");
+            // All points of one are one body, and two figures are two.
+            let bodies = [3, 38, 39].map(|point| body(stage, first + point));
+            assert!(bodies[0] == bodies[1] && bodies[1] != bodies[2], "{bodies:?}");
+        }
+    }
+    // Something is painted between two copies, too; what is saved has all of it.
+    let history = own.history();
+    let opened = History::new(history.snapshot().unwrap().into()).unwrap();
+    let end = history.world().point_count() as u32;
+    let all = |history: &History| (0..end).map(|point| known(history, point)).collect::<Vec<_>>();
+    assert_eq!(all(&opened), all(history));
 }
 
 #[test]

@@ -111,10 +111,10 @@ pub static TABLE: &[Binding] = &[
     binding("N", "draw a body on a canvas", &[(Writes("n"), Action::Paint)]),
     binding("I", "cut the scene's first picture out anew", &[(Writes("i"), Action::Import)]),
     binding("Ctrl+O", "open a scene, a recording or a picture", &[(Ctrl("o"), Action::Open)]),
-    binding("Ctrl+S", "save this moment as a scene, or all that was done as a recording", &[(Ctrl("s"), Action::Save)]),
+    binding("Ctrl+S", "save the scene as it stands, or all that was done as a recording", &[(Ctrl("s"), Action::Save)]),
     binding(
         "F2",
-        "a screenshot, in the folder that wobble was started in",
+        "a screenshot, beside the last file or among your documents",
         &[(Named(NamedKey::F2), Action::Screenshot)],
     ),
     binding(

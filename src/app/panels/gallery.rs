@@ -22,9 +22,9 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
     let width = columns as f32 * (THUMBNAIL[0] + GAP);
     let stays = sheet::show(context, "gallery", "Gallery", |ui| {
         ui.set_width(width);
-        let search =
-            TextEdit::singleline(&mut state.search).id(search_id()).hint_text("search").desired_width(f32::INFINITY);
-        let field = ui.add(search);
+        let hint = RichText::new("search …").italics();
+        let search = TextEdit::singleline(&mut state.search).id(search_id()).hint_text(hint);
+        let field = ui.add(search.desired_width(f32::INFINITY));
         takes_words(&field);
         field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, SEARCH));
         if std::mem::take(&mut state.is_fresh) {

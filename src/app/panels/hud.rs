@@ -15,6 +15,9 @@ const ENERGY: &str = "energy";
 const STRETCH: &str = "stretch";
 pub(super) const STRETCHED: f64 = 0.01;
 const OF_ENERGY: &str = "energy of motion, springs and gravity (0 at y = 0)";
+/// That of how stiff relaxed bonds are.
+const RELAXED: &str = "relaxed";
+const OF_RELAXED: &str = "relaxed bonds give way like springs of this stiffness, by this substep and so many sweeps: measured as the scene begins";
 
 /// Shows them at the right edge, below the buttons where those leave no place for them.
 pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) {
@@ -23,13 +26,15 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
     places.make_way(width);
     let place = Area::new(id).anchor(Align2::RIGHT_TOP, [-10.0, places.right]).interactable(false);
     let shown = place.show(context, |ui| {
-        let mut row = Rect::NOTHING;
+        let mut said: Vec<(Rect, &str)> = Vec::new();
         floating(ui).show(ui, |ui| {
             egui::Grid::new("figures").num_columns(2).spacing([14.0, 1.0]).show(ui, |ui| {
                 for (name, value) in rows(facts) {
                     let label = ui.weak(name);
-                    if name == ENERGY {
-                        row = label.rect;
+                    match name {
+                        ENERGY => said.push((label.rect, OF_ENERGY)),
+                        RELAXED => said.push((label.rect, OF_RELAXED)),
+                        _ => {}
                     }
                     let is_marked = name == STRETCH && facts.stretch.is_some_and(|stretch| stretch >= STRETCHED);
                     let value = RichText::new(value).monospace();
@@ -39,15 +44,17 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
                 }
             });
         });
-        row
+        said
     });
-    let (all, row) = (shown.response.rect, shown.inner);
-    let row = Rect::from_x_y_ranges(all.x_range(), row.y_range());
+    let (all, said) = (shown.response.rect, shown.inner);
     // Presses go through the figures, so that what is said of them is shown by hand.
-    if let Some(at) = context.pointer_hover_pos().filter(|at| row.contains(*at)) {
+    let is_under = |row: &Rect, at| Rect::from_x_y_ranges(all.x_range(), row.y_range()).contains(at);
+    let at = context.pointer_hover_pos();
+    let under = at.and_then(|at| said.into_iter().find(|(row, _)| is_under(row, at)).map(|(_, words)| (at, words)));
+    if let Some((at, words)) = under {
         let layer = LayerId::new(Order::Tooltip, id);
         let anchor = PopupAnchor::Position(at + vec2(0.0, 16.0));
-        Tooltip::always_open(context.clone(), layer, id.with("said"), anchor).show(|ui| ui.label(OF_ENERGY));
+        Tooltip::always_open(context.clone(), layer, id.with("said"), anchor).show(|ui| ui.label(words));
     }
     places.right = shown.response.rect.bottom() + APART;
 }
@@ -64,7 +71,9 @@ fn rows(facts: &Facts) -> Vec<(&'static str, String)> {
         ("bonds", figures.bonds.to_string()),
         (ENERGY, energy(figures.energy)),
     ];
-    rows.into_iter().chain(facts.stretch.map(|stretch| (STRETCH, percent(stretch)))).collect()
+    let stretch = facts.stretch.map(|stretch| (STRETCH, percent(stretch)));
+    let relaxed = figures.relaxed.map(|stiffness| (RELAXED, of_stiffness(stiffness)));
+    rows.into_iter().chain(stretch).chain(relaxed).collect()
 }
 
 /// A strain in percent, rounded as it is called stretched: from one on.
@@ -74,6 +83,15 @@ fn percent(strain: f64) -> String {
         percent if percent < 9.95 => format!("{percent:.1} %"),
         percent if percent < 1e4 => format!("{percent:.0} %"),
         percent => format!("{percent:.1e} %"),
+    }
+}
+
+/// A stiffness `[N/m]` with three digits.
+fn of_stiffness(stiffness: f64) -> String {
+    match stiffness {
+        stiffness if stiffness < 99.95 => format!("{stiffness:.1} N/m"),
+        stiffness if stiffness < 99_950.0 => format!("{stiffness:.0} N/m"),
+        stiffness => format!("{stiffness:.1e} N/m"),
     }
 }
 
@@ -89,7 +107,20 @@ fn energy(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{energy, percent};
+    use super::{Facts, RELAXED, energy, percent, rows};
+    use crate::app::player::Figures;
+
+    #[test]
+    fn how_stiff_relaxed_bonds_are_is_seen_at_once() {
+        let of = |relaxed: Option<f64>| {
+            let figures = Figures { relaxed, ..Figures::default() };
+            rows(&Facts { figures, ..Facts::default() }).into_iter().find(|(name, _)| *name == RELAXED)
+        };
+        assert_eq!(of(None), None);
+        for (stiffness, words) in [(151.58, "152 N/m"), (7.04, "7.0 N/m"), (2.3e6, "2.3e6 N/m")] {
+            assert_eq!(of(Some(stiffness)), Some((RELAXED, words.to_owned())));
+        }
+    }
 
     #[test]
     fn what_keeps_its_length_is_called_stretched_from_a_hundredth_on() {

@@ -90,15 +90,18 @@ impl Lessons {
         Some(At { lesson, step: self.step(lesson) })
     }
 
-    /// A scene is there that no step asked for: a lesson whose scene it is not closes, and one that was left comes back with its own.
+    /// A scene is there that no step asked for: a lesson whose scene it is not closes, also where its panel was closed before, and one that was
+    /// left comes back with its own.
     pub(in crate::app) fn meet(&mut self, scene: &Scene) -> Met {
         let is_of = |at: &At| {
             let own = lessons().get(at.lesson).and_then(|lesson| lesson.scene(at.step));
             own.is_some_and(|own| own.is_ok_and(|own| own == *scene))
         };
-        if let Some(at) = self.open_at().filter(|at| !is_of(at)) {
-            // The list is what opens next.
-            (self.is_open, self.lesson, self.left) = (false, None, Some(at));
+        let kept = self.lesson.map(|lesson| At { lesson, step: self.step(lesson) });
+        if let Some(at) = kept.filter(|at| !is_of(at)) {
+            // The list is what opens next; what was put away by hand is not offered again.
+            self.left = Some(at).filter(|_| self.is_open);
+            (self.is_open, self.lesson) = (false, None);
             return Met::Left { had_plots: std::mem::take(&mut self.plots) };
         }
         // Whoever opens a third scene has left the lesson behind.

@@ -3,7 +3,7 @@
 
 use egui::{Color32, Event, FontId, Pos2, Rect, Shape};
 
-use super::lessons::{self, At, Lessons};
+use super::lessons::{self, At, Lessons, Met};
 use super::pointer::click;
 use super::theme::{self, colors};
 use super::{Wish, settings};
@@ -119,6 +119,25 @@ fn a_lesson_is_chosen_gone_through_and_left_where_it_is() {
     assert_eq!(screen.click("Next lesson"), [Wish::Learn(At { lesson: 1, step: 2 })], "where it was left");
     screen.enter(last(lessons().len() - 1));
     assert!(screen.place_of("Next lesson").is_none() && screen.place_of("Next").is_none());
+}
+
+#[test]
+fn a_lesson_that_was_put_away_is_left_with_its_scene() {
+    let own = |at: At| lessons()[at.lesson].scene(at.step).unwrap().unwrap();
+    let other = crate::scene::gallery()[0].scene().unwrap();
+    let at = At { lesson: 1, step: 1 };
+    assert_ne!(own(at), other);
+    for is_open in [true, false] {
+        let mut lessons = Lessons::default();
+        lessons.enter(at);
+        lessons.is_open = is_open;
+        assert_eq!(lessons.meet(&own(at)), Met::Nothing, "its own scene");
+        assert_eq!(lessons.lesson, Some(1));
+        assert_eq!(lessons.meet(&other), Met::Left { had_plots: false });
+        lessons.is_open = true;
+        assert_eq!(lessons.open_at(), None, "H shows the list");
+        assert_eq!(lessons.left, Some(at).filter(|_| is_open), "what was put away by hand is not offered again");
+    }
 }
 
 #[test]

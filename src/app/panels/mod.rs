@@ -83,7 +83,7 @@ pub(super) use open_from::{OpenFrom, meant};
 pub(super) use opened::Opened;
 pub(super) use parameters::all as parameters;
 use places::Places;
-pub(super) use places::{Laid, covered, kept_in};
+pub(super) use places::{Laid, covered, kept_in, read as read_at};
 pub(super) use plots::{PlotsAt, figure, lie as plots_lie};
 pub(super) use presses::listen;
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
@@ -262,6 +262,9 @@ pub(super) struct Facts {
     pub(super) primitive: Primitive,
     /// What the tools for muscles and motors make.
     pub(super) drives: Drives,
+    /// Why nothing can be a muscle in the scene, and why no hinge can have a motor, where that is so.
+    pub(super) no_muscles: Option<String>,
+    pub(super) no_motors: Option<String>,
     /// What the tool for forces makes.
     pub(super) push: PushWay,
     /// What drawn bonds are made of.

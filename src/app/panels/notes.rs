@@ -14,6 +14,8 @@ use crate::app::warnings::seen;
 /// What was just done is said so long, and what an edit warned of.
 const MOMENT: Duration = Duration::from_secs(4);
 const WARNING: Duration = Duration::from_secs(9);
+/// So is what was refused, unless something else is pressed before.
+const REFUSED: Duration = Duration::from_secs(9);
 /// Warnings that are shown at most.
 const MOST_WARNINGS: usize = 3;
 /// In a warning of pins that are led too far apart, which is said only while that is so, and as they are led.
@@ -23,7 +25,9 @@ const OF_REACH: &str = "further apart than the bonds between them reach";
 #[derive(Debug, Default)]
 pub(in crate::app) struct Notes {
     /// What went wrong, or should be known: until it is closed.
-    pub(in crate::app) complaint: Option<String>,
+    complaint: Option<String>,
+    /// When that was said, where it is of something that was refused and goes by itself.
+    refused: Option<Instant>,
     /// A session that was cut off, which can be gone on with.
     pub(in crate::app) offer: Option<String>,
     /// What was just done, and when.
@@ -59,6 +63,29 @@ const HINT: &str = "press and drag: grab it, throw it";
 const HINT_SIZE: egui::Vec2 = egui::vec2(220.0, 28.0);
 
 impl Notes {
+    /// Says what went wrong, or should be known, until it is closed.
+    pub(in crate::app) fn complain(&mut self, line: String) {
+        (self.complaint, self.refused) = (Some(line), None);
+    }
+
+    /// Says why something was not done: until something else is tried, or for a while.
+    pub(in crate::app) fn refuse(&mut self, line: String) {
+        (self.complaint, self.refused) = (Some(line), Some(Instant::now()));
+    }
+
+    /// What went wrong is read. Returns whether anything was said of it.
+    pub(in crate::app) fn close(&mut self) -> bool {
+        self.refused = None;
+        self.complaint.take().is_some()
+    }
+
+    /// Something else is tried: what was refused before is said no more.
+    pub(in crate::app) fn go_on(&mut self) {
+        if self.refused.is_some() {
+            self.close();
+        }
+    }
+
     /// Says what was just done.
     pub(in crate::app) fn say(&mut self, line: String) {
         self.done = Some((line, Instant::now()));
@@ -97,12 +124,16 @@ impl Notes {
     pub(in crate::app) fn until(&self) -> Option<Instant> {
         let ends = |(_, since): &(String, Instant), long| since.checked_add(long);
         let done = self.done.iter().filter_map(|done| ends(done, MOMENT));
-        done.chain(self.warnings.iter().filter_map(|warning| ends(warning, WARNING))).min()
+        let refused = self.refused.and_then(|since| since.checked_add(REFUSED));
+        done.chain(refused).chain(self.warnings.iter().filter_map(|warning| ends(warning, WARNING))).min()
     }
 
     /// Says it below the buttons, one below another, where nothing else is.
     pub(super) fn show(&mut self, context: &egui::Context, places: &Places, facts: &Facts, wishes: &mut Vec<Wish>) {
         self.done.take_if(|(_, since)| since.elapsed() >= MOMENT);
+        if self.refused.is_some_and(|since| since.elapsed() >= REFUSED) {
+            self.close();
+        }
         let is_so = |line: &str, since: &Instant| !is_of_reach(line) || is_stretched(facts) || since.elapsed() < MOMENT;
         self.warnings.retain(|(line, since)| since.elapsed() < WARNING && is_so(line, since));
         let mut top = places.bar_bottom().max(places.room.top() + APART);
@@ -137,7 +168,7 @@ impl Notes {
             }
         }
         if is_read {
-            self.complaint = None;
+            self.close();
         }
         // What lies over the world is done with first.
         if let Some(line) = self.offer.as_ref().filter(|_| !places.is_covered && !facts.waits) {
@@ -269,6 +300,20 @@ mod tests {
         for sheet in [whole, narrow] {
             assert_eq!(on_top(Some(sheet)), [COMPLAINT], "{sheet}");
         }
+    }
+
+    #[test]
+    fn what_was_refused_goes_with_the_next_try_or_by_itself_and_what_went_wrong_stays() {
+        let mut notes = Notes::default();
+        notes.refuse("no room".to_owned());
+        assert!(notes.until().is_some_and(|until| until <= Instant::now() + REFUSED), "it goes by itself");
+        notes.go_on();
+        assert_eq!((notes.complaint.as_deref(), notes.until()), (None, None));
+        notes.refuse("no room".to_owned());
+        notes.complain("the disk is full".to_owned());
+        notes.go_on();
+        assert_eq!((notes.complaint.as_deref(), notes.until()), (Some("the disk is full"), None));
+        assert!(notes.close() && !notes.close());
     }
 
     #[test]

@@ -37,18 +37,18 @@ fn words(tool: Tool) -> (Icon, &'static str) {
 /// The last of them: the tool for forces, set to wind.
 const WIND: &str = "wind: drag an arrow through the air";
 
-/// A button with what is said of it beside it: below it lies the next one.
+/// A button with what is said of it beside it: below it lies the next one. What the scene lacks for it is said in place of that.
 fn choice(
     ui: &mut egui::Ui,
     (sign, name): (Icon, &str),
     action: Action,
-    (can, is_on): (bool, bool),
+    (lack, is_on): (Option<&str>, bool),
     wishes: &mut Vec<Wish>,
 ) {
     let said = described(name, action);
     let add = |ui: &mut egui::Ui| icons::button(ui, sign, name, icons::TOOL, is_on);
-    let button = ui.add_enabled_ui(can, add).inner;
-    let why = "in the plane only: this scene is in space";
+    let button = ui.add_enabled_ui(lack.is_none(), add).inner;
+    let why = lack.unwrap_or_default();
     for (mut tooltip, words) in [(Tooltip::for_enabled(&button), &*said), (Tooltip::for_disabled(&button), why)] {
         tooltip.popup = tooltip.popup.align(RectAlign::RIGHT).gap(TO_TOOLTIP);
         tooltip.show(|ui| ui.label(words));
@@ -96,15 +96,18 @@ pub(super) fn show(
     let shown = place.show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 3.0;
-            let is_plane = facts.dimensions == 2;
             let blows = facts.tool == Tool::Push && facts.push == PushWay::Wind;
             for tool in Tool::ALL {
                 let (sign, name) = words(tool);
-                let can = tool != Tool::Motor || is_plane;
+                let lack = match tool {
+                    Tool::Muscle => facts.no_muscles.as_deref(),
+                    Tool::Motor => facts.no_motors.as_deref(),
+                    _ => None,
+                };
                 let is_on = tool == facts.tool && !blows;
-                choice(ui, (sign, name), Action::Take(tool), (can, is_on), wishes);
+                choice(ui, (sign, name), Action::Take(tool), (lack, is_on), wishes);
             }
-            choice(ui, (Icon::Wind, WIND), Action::Wind, (true, blows), wishes);
+            choice(ui, (Icon::Wind, WIND), Action::Wind, (None, blows), wishes);
         });
     });
     if facts.tool == Tool::Build {

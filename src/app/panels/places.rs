@@ -300,6 +300,22 @@ fn areas(context: &Context) -> Vec<(LayerId, Rect)> {
     })
 }
 
+/// What is read while one looks at the world, and lies over it: settings, lessons, plots that were not dragged there.
+const READ: [&str; 5] = ["settings", "lessons", "plots", "plots above", "plots below"];
+
+/// Where what is read lies over the world: left, top, right and bottom of each `[px]`.
+pub(in crate::app) fn read(context: &Context, (scale, has_plots): (f32, bool)) -> Vec<[f64; 4]> {
+    let is_meant = |name: &&str| has_plots || !name.starts_with("plots");
+    let rect = |name: &str| {
+        let id = egui::Id::unique(name);
+        let is_shown = context.memory(|memory| memory.areas().is_visible(&LayerId::new(Order::Middle, id)));
+        context.memory(|memory| memory.area_rect(id)).filter(|_| is_shown)
+    };
+    let corners = |rect: Rect| [rect.left(), rect.top(), rect.right(), rect.bottom()];
+    let all = READ.into_iter().filter(is_meant).filter_map(rect).map(corners);
+    all.map(|rect| rect.map(|side| f64::from((side * scale).round()))).collect()
+}
+
 /// What floats over the world: left, top, right and bottom of each `[px]`.
 pub(in crate::app) fn covered(context: &Context, scale: f32) -> Vec<[f32; 4]> {
     let corners = |rect: Rect| [rect.left(), rect.top(), rect.right(), rect.bottom()].map(|x| x * scale);

@@ -76,7 +76,7 @@ pub(in crate::app) struct PlotsAt {
 
 impl PlotsAt {
     /// Whether it was dragged to where it is.
-    pub(super) fn is_dragged(self) -> bool {
+    pub(in crate::app) fn is_dragged(self) -> bool {
         self.is_dragged
     }
 
@@ -223,16 +223,17 @@ fn quiet((room, top): (Rect, f32), size: Vec2, points: &[Pos2]) -> Pos2 {
     places.into_iter().min_by_key(inside).unwrap_or(at_left)
 }
 
-/// The left lower corner of a panel of this size in a room, as near to `corner` as may be so that it lies over nothing that is `taken`; and how
-/// much lower it is to be for that, where it has no place as high as it is; `None`: there is no place at all.
+/// The left lower corner of a panel of this size in a room, where it lies over nothing that is `taken`: where it is, if it has a place there when
+/// it is lower, else as near to that as may be; and how much lower it is to be for that; `None`: there is no place at all.
 fn clear_of(corner: Pos2, size: Vec2, room: Rect, taken: &[Rect]) -> Option<(Pos2, f32)> {
     let at = |corner: Pos2, high: f32| Rect::from_min_size(corner - vec2(0.0, high), vec2(size.x, high));
     let is_free = |rect: &Rect| !taken.iter().any(|other| other.expand(0.5 * APART).intersects(*rect));
-    for less in [0.0, 0.25, 0.5, 1.0].map(|share| share * (size.y - HEAD - LEAST).max(0.0)) {
+    let all = [0.0, 0.25, 0.5, 1.0].map(|share| share * (size.y - HEAD - LEAST).max(0.0));
+    if let Some(less) = all.into_iter().find(|less| is_free(&at(corner, size.y - less))) {
+        return Some((corner, less));
+    }
+    for less in all {
         let high = size.y - less;
-        if is_free(&at(corner, high)) {
-            return Some((corner, less));
-        }
         let beside = taken.iter().flat_map(|other| [other.right() + APART, other.left() - APART - size.x]);
         let across: Vec<f32> = beside.chain([corner.x]).collect();
         let over = taken.iter().flat_map(|other| [other.top() - APART, other.bottom() + APART + high]);
@@ -261,10 +262,10 @@ fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>
         if ui.button("Close").on_hover_text(described("close the plots", Action::Plots)).clicked() {
             wishes.push(Wish::Act(Action::Plots));
         }
-        if ui.button("CSV").on_hover_text("a table, in the folder that wobble was started in").clicked() {
+        if ui.button("CSV").on_hover_text("a table, beside the last file or among your documents").clicked() {
             wishes.push(Wish::WriteTable);
         }
-        if ui.button("SVG").on_hover_text("this plot, in the folder that wobble was started in").clicked() {
+        if ui.button("SVG").on_hover_text("this plot, beside the last file or among your documents").clicked() {
             wishes.push(Wish::WriteFigure);
         }
     });
@@ -349,10 +350,10 @@ fn named(probe: Probe) -> String {
 fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
     let [name, unit] = plots.quantity.words();
     let frame = match plots.subject {
-        Subject::Energies => frame("energies", ["s", "J"], colors(ui)),
-        Subject::Probes => frame(("probes", name), ["s", unit], colors(ui)),
-        Subject::Phase => frame(("phase", name), [unit, unit], colors(ui)),
-        Subject::Orbit => frame(("orbit", name), [unit, "m/s"], colors(ui)),
+        Subject::Energies => frame("energies", ["s", "J"], width, colors(ui)),
+        Subject::Probes => frame(("probes", name), ["s", unit], width, colors(ui)),
+        Subject::Phase => frame(("phase", name), [unit, unit], width, colors(ui)),
+        Subject::Orbit => frame(("orbit", name), [unit, "m/s"], width, colors(ui)),
     };
     let colors = colors(ui);
     // In a low plot fewer lines have numbers, but each line has one.
@@ -376,13 +377,27 @@ fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
     }
 }
 
-/// A plot without curves, which is to show all of them and stays as it is under the pointer. Units: those of its axes.
-fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2], colors: &Colors) -> Plot<'static> {
+/// Width of what stands left of a plot, and of a sign of a number below it, about `[points]`.
+const NUMBERS: f32 = 52.0;
+const SIGN: f64 = 6.6;
+
+/// The number at a line across a range, in a plot so wide `[points]`: none where half of it would lie beyond the right edge.
+fn across_tick(mark: GridMark, range: &std::ops::RangeInclusive<f64>, (unit, width): (&str, f32)) -> String {
+    let words = tick(mark, unit);
+    let long = f64::from((width - NUMBERS).max(1.0));
+    let left = (range.end() - mark.value) / (range.end() - range.start()) * long;
+    let half = 0.5 * SIGN * words.chars().count() as f64;
+    if left < half { String::new() } else { words }
+}
+
+/// A plot so wide `[points]` without curves, which is to show all of them and stays as it is under the pointer. Units: those of its axes.
+fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2], width: f32, colors: &Colors) -> Plot<'static> {
     // Curves over time take all of the width.
     let margin = if across == "s" { 0.0 } else { 0.08 };
-    let axis = |axis: AxisHints<'static>, unit: &'static str, room: f32| {
-        axis.formatter(move |mark, _| tick(mark, unit)).label_spacing(room..=room + 1.0).tick_label_color(colors.weak)
-    };
+    let axis =
+        |axis: AxisHints<'static>, room: f32| axis.label_spacing(room..=room + 1.0).tick_label_color(colors.weak);
+    let below = AxisHints::new_x().formatter(move |mark, range| across_tick(mark, range, (across, width)));
+    let beside = AxisHints::new_y().formatter(move |mark, _| tick(mark, up));
     Plot::new(id)
         .allow_drag(false)
         .allow_zoom(false)
@@ -391,8 +406,8 @@ fn frame(id: impl AsIdSalt, [across, up]: [&'static str; 2], colors: &Colors) ->
         .allow_axis_zoom_drag(false)
         .allow_double_click_reset(false)
         .set_margin_fraction(vec2(margin, 0.08))
-        .custom_x_axes(vec![axis(AxisHints::new_x(), across, 36.0)])
-        .custom_y_axes(vec![axis(AxisHints::new_y(), up, 14.0).min_thickness(52.0)])
+        .custom_x_axes(vec![axis(below, 36.0)])
+        .custom_y_axes(vec![axis(beside, 14.0).min_thickness(NUMBERS)])
         .grid_color(colors.line)
         .label_formatter(move |at| match at {
             HoverPosition::NearDataPoint { plot_name, position, .. } => {
@@ -576,5 +591,12 @@ mod tests {
         assert_eq!(ticks(3.01, 3.42), ["3.1 J", "3.2 J", "3.3 J", "3.4 J"]);
         assert_eq!(ticks(1.0e6, 1.7e6), ["1.0e6 J", "1.2e6 J", "1.4e6 J", "1.6e6 J"]);
         assert!(ticks(1.0, 1.0).is_empty() && ticks(f64::NAN, 1.0).is_empty());
+    }
+
+    #[test]
+    fn a_number_that_would_lie_over_the_right_edge_is_left_out() {
+        let at = |value: f64| across_tick(GridMark { value, step_size: 0.5 }, &(0.0..=2.0), ("s", 252.0));
+        // The plot is 200 points wide, and half of a number 16.
+        assert_eq!([0.0, 1.5, 1.8, 1.9, 2.0].map(at), ["0.0 s", "1.5 s", "1.8 s", "", ""]);
     }
 }

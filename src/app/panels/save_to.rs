@@ -18,17 +18,17 @@ pub(in crate::app) struct SaveTo {
     asked: Option<PathBuf>,
     /// The file that is being written.
     written: Option<PathBuf>,
-    /// This moment is saved, not all that was done.
-    pub(in crate::app) is_moment: bool,
+    /// All that was done is saved, not the scene as it stands.
+    pub(in crate::app) is_all: bool,
 }
 
 pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut Vec<Wish>) {
     let stays = sheet::show(context, "save to", "Save", |ui| {
         ui.set_width(460.0);
-        let is_moment = &mut state.save_to.is_moment;
-        ui.radio_value(is_moment, false, ALL).on_hover_text("a recording: opened, it is replayed as it was done");
-        ui.radio_value(is_moment, true, MOMENT)
+        let is_all = &mut state.save_to.is_all;
+        ui.radio_value(is_all, false, MOMENT)
             .on_hover_text("opened, it goes on from here, without what was done before");
+        ui.radio_value(is_all, true, ALL).on_hover_text("a recording: opened, it is replayed from its start");
         ui.add_space(4.0);
         let hint = "the path of the file that is to be written";
         let field = ui.add(TextEdit::singleline(&mut state.path).hint_text(hint).desired_width(f32::INFINITY));
@@ -71,8 +71,8 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
 /// Said where the field is empty.
 const NO_NAME: &str = "write a name for the file first";
 /// What can be saved.
-const ALL: &str = "all that was done (a recording)";
-const MOMENT: &str = "this moment as a scene";
+const MOMENT: &str = "the scene as it stands";
+const ALL: &str = "all that was done, as a recording";
 
 /// What is written is to be the path: its ending is added where it has none, so that one sees what is written.
 pub(in crate::app) fn ask(state: &mut PanelState, wishes: &mut Vec<Wish>) {

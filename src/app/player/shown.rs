@@ -13,7 +13,7 @@ use crate::history::{BranchView, Group};
 use crate::picture::{Skin, Tint};
 use crate::render::{Hinge, View, joints};
 use crate::sim::{
-    Angle, Bond, Bonds, Convex, Cursor, Dynamics, ForceView, GrabView, Jam, Key, MouseForce, PointId, Polygon,
+    Angle, Bond, Bonds, Convex, Cursor, Driving, Dynamics, ForceView, GrabView, Jam, Key, MouseForce, PointId, Polygon,
     Positions, SceneChange,
 };
 
@@ -303,6 +303,8 @@ pub struct Shown {
     pub base: Option<f64>,
     /// Where its cursor is.
     pub cursor: Option<Cursor>,
+    /// What decides whether bonds and angles can have drives.
+    pub driving: Driving,
     /// What is grabbed.
     pub grab: Option<GrabView>,
     /// What is in the way of obstacles that are dragged and has no room.

@@ -22,6 +22,10 @@ const LARGER: f64 = 1.15;
 impl Session {
     /// Does what the user asks; leaving is the window's affair.
     pub(in crate::app) fn act(&mut self, action: Action) {
+        // Esc closes what is said itself.
+        if action != Action::Cancel {
+            self.panels.notes.go_on();
+        }
         match action {
             Action::TogglePlay => self.player.play(!self.player.is_playing()),
             Action::Step => self.player.ask(Order::Step(self.told)),
@@ -165,9 +169,9 @@ impl Session {
             Wish::SaveTo(path) => {
                 // The sheet stays until it is written.
                 self.panels.save_to.begin_to_write(&path);
-                match self.panels.save_to.is_moment {
-                    true => self.save_moment(path),
-                    false => self.save_to(path),
+                match self.panels.save_to.is_all {
+                    true => self.save_to(path),
+                    false => self.save_moment(path),
                 }
             }
             Wish::StopOpening => {
@@ -199,8 +203,7 @@ impl Session {
         if was_busy {
             return;
         }
-        let is_closed =
-            self.panels.notes.complaint.take().is_some() || self.loading.take().is_some() || self.stop_opening();
+        let is_closed = self.panels.notes.close() || self.loading.take().is_some() || self.stop_opening();
         if is_closed {
             return;
         }
@@ -437,9 +440,15 @@ impl Session {
         self.touch();
     }
 
+    /// Says why something was not done, until something else is tried.
+    pub(super) fn refuse(&mut self, line: &str) {
+        self.panels.notes.refuse(line.to_owned());
+        self.touch();
+    }
+
     /// Says what went wrong, until it is read.
     pub(super) fn complain(&mut self, line: &str) {
-        self.panels.notes.complaint = Some(line.to_owned());
+        self.panels.notes.complain(line.to_owned());
         self.touch();
     }
 }

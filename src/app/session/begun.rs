@@ -47,6 +47,8 @@ impl Session {
             free: [[0.0; 2], size.map(f64::from)],
             titles: 0.0,
             undocked: None,
+            beside_panels: None,
+            taken: Vec::new(),
             over: Over::default(),
             covered: Vec::new(),
             trails: Trails::new(TrailSettings::default().length),

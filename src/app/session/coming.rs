@@ -63,7 +63,7 @@ impl Session {
         self.call_window();
         (self.named, self.has_picture) = (Vec::new(), false);
         self.panels.notes.has_caption = false;
-        self.panels.notes.complaint = None;
+        self.panels.notes.close();
         self.panels.notes.begin();
     }
 
@@ -145,7 +145,10 @@ impl Session {
         let warnings: Vec<&str> = self.shown().scenery.warnings.iter().map(|line| seen(line)).collect();
         let warning = (!warnings.is_empty()).then(|| listed(&warnings));
         let said: Vec<String> = [warning, through, self.taken_keys()].into_iter().flatten().collect();
-        self.panels.notes.complaint = (!said.is_empty()).then(|| said.join("\n"));
+        match said.is_empty() {
+            true => _ = self.panels.notes.close(),
+            false => self.panels.notes.complain(said.join("\n")),
+        }
         self.panels.notes.begin();
         if self.player.start().is_replayed() {
             self.panels.notes.warn(REPLAYED.to_owned());

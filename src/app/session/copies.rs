@@ -86,7 +86,7 @@ impl Session {
 
     /// Nothing comes from the clipboard, and why.
     pub(super) fn refuse_to_paste(&mut self, why: &str) {
-        self.complain(&format!("{NOT_PASTED}: {why}"));
+        self.refuse(&format!("{NOT_PASTED}: {why}"));
     }
 
     /// Bodies come to where the pointer is, or to the middle of what is seen while it is on a panel.

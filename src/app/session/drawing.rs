@@ -12,7 +12,7 @@ use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, theme};
-use crate::app::tools::{Mark, Role, Scope, probe};
+use crate::app::tools::{Mark, Role, Scope, labels, no_motors, no_muscles, probe};
 use crate::lessons::heading_of;
 use crate::render::{Look, Overlay, RenderError, View, body_color};
 use crate::scene::{Parameter, PrecisionName};
@@ -75,7 +75,9 @@ impl Session {
         if was_open && self.panels.sheet.is_none() {
             self.leave_field();
         }
-        self.give_world(&laid, output.pixels_per_point);
+        let has_plots = !self.panels.plots_at.is_dragged();
+        let read = panels::read_at(&context, (output.pixels_per_point, has_plots));
+        self.give_world(&laid, output.pixels_per_point, read);
         self.covered = panels::covered(&context, output.pixels_per_point);
         self.egui.handle_platform_output(&self.window, output.platform_output);
         let delay = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
@@ -135,6 +137,8 @@ impl Session {
             links: self.hand.links(),
             push: self.hand.push_way(),
             drives: self.hand.drives(),
+            no_muscles: no_muscles(self.shown().driving),
+            no_motors: no_motors(self.shown().driving),
             brush: self.hand.brush(),
             draws_lasso: self.hand.draws_lasso(),
             matter: self.shown().matter.clone().filter(|_| !self.inspected.is_empty()),
@@ -325,6 +329,9 @@ impl Session {
         if !self.is_covered() && self.shown().point_count() <= MOST_MARKED {
             // What is selected is seen while its panel is used.
             marks.extend(self.hand.marks(scope, self.pixel().filter(|_| !is_idle)));
+        }
+        if !self.is_covered() && !self.panels.hides_hud {
+            marks.extend(labels(scope, self.shown().figures.relaxed));
         }
         marks.extend(probes);
         marks.extend(self.ghosts());

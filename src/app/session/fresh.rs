@@ -14,7 +14,8 @@ impl Session {
     pub(super) fn open_empty(&mut self) {
         match EMPTY.scene() {
             Ok(scene) => {
-                let plays = self.player.is_playing();
+                // What came to its end by itself was not paused by anybody.
+                let plays = self.player.is_playing() || self.shown().figures.ended;
                 self.open(scene.into());
                 if !plays {
                     self.player.play(false);

@@ -85,7 +85,7 @@ impl Session {
             Note::Held => self.say(HELD_HERE.to_owned()),
             Note::Refused(why) => {
                 self.import = self.adding.take().or_else(|| self.import.take());
-                self.complain(&why);
+                self.refuse(&why);
             }
             Note::Warned(lines) => lines.into_iter().for_each(|line| self.panels.notes.warn(line)),
             Note::Written(path) => {

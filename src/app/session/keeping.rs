@@ -7,7 +7,7 @@ use super::trails::AllTrails;
 use crate::app::opening::keys;
 use crate::app::panels::{Sheet, Wish, ask_to_save, is_recording};
 use crate::app::player::Order;
-use crate::app::saving::{Chosen, Saving, free_name};
+use crate::app::saving::{Chosen, Saving, folder, free_name};
 use crate::render::{Capture, View};
 
 impl Session {
@@ -32,12 +32,15 @@ impl Session {
         self.last_file = std::path::absolute(path).ok();
     }
 
+    /// A name that no file has, of this ending, where files go that nobody named a place for.
+    pub(super) fn free_path(&self, ending: &str) -> PathBuf {
+        free_name(&folder(self.last_file.as_deref()), self.scene.name(), ending)
+    }
+
     /// A path can be written.
     fn ask_where_to_save(&mut self) {
-        let beside = self.last_file.as_deref().and_then(Path::parent).filter(|folder| folder.is_dir());
-        let folder = beside.map_or_else(|| std::env::current_dir().unwrap_or_default(), Path::to_owned);
         self.panels.save_to.begin();
-        self.panels.path = free_name(&folder, self.scene.name(), "json").display().to_string();
+        self.panels.path = self.free_path("json").display().to_string();
         (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
         self.place_hint();
     }
@@ -116,7 +119,7 @@ impl Session {
         let drawn = capture.and_then(|mut capture| capture.pictures(&panes));
         match drawn {
             Ok(picture) => {
-                let path = free_name(Path::new("."), self.scene.name(), "png");
+                let path = self.free_path("png");
                 self.tell_view();
                 self.player.ask(Order::Picture(path, Box::new(picture)));
             }

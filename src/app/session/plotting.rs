@@ -1,14 +1,11 @@
 //! Plots of the running world, while their panel is open.
 
-use std::path::Path;
-
 use glam::DVec2;
 
 use super::Session;
 use crate::app::panels::{self, figure};
 use crate::app::player::{Measured, Order, Probe};
 use crate::app::plots::Plots;
-use crate::app::saving::free_name;
 use crate::lessons::Plot;
 use crate::sim::BondKind;
 
@@ -103,13 +100,13 @@ impl Session {
         probes.into_iter().enumerate().filter_map(|(place, probe)| Some((place, probe?)))
     }
 
-    /// Writes what is plotted as a table into the folder that the program was started in.
+    /// Writes what is plotted as a table, beside the last file or among the documents.
     pub(super) fn write_table(&mut self) {
         let Some(plots) = &self.panels.plots else { return };
         let mut bytes = Vec::new();
         match plots.series().write_csv(&mut bytes) {
             Ok(()) => {
-                let path = free_name(Path::new("."), self.scene.name(), "csv");
+                let path = self.free_path("csv");
                 self.player.ask(Order::Table(path, bytes));
             }
             Err(error) => self.complain(&error.to_string()),
@@ -120,7 +117,7 @@ impl Session {
     pub(super) fn write_figure(&mut self) {
         let Some(plots) = &self.panels.plots else { return };
         let bytes = figure(plots).into_bytes();
-        let path = free_name(Path::new("."), self.scene.name(), "svg");
+        let path = self.free_path("svg");
         self.player.ask(Order::Table(path, bytes));
     }
 }

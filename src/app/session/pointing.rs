@@ -51,6 +51,9 @@ impl Session {
             // A field has what is written in it before what is selected changes, and with that what the field is of.
             self.show_panels();
         }
+        if is_pressed {
+            self.panels.notes.go_on();
+        }
         self.pointer.press(button, state);
         if button != MouseButton::Left {
             return;

@@ -1,16 +1,18 @@
 //! The tool for motors: bodies turn about a hinge, by a motor if one likes.
 
+use std::borrow::Cow;
+
 use glam::DVec2;
 
 use super::Deed;
-use super::hinge::{Hinge, Meant, pins};
+use super::hinge::{Hinge, IN_SPACE, Meant, pins};
 use super::hub::Hub;
 use super::marks::{Mark, Role};
 use super::muscles::MuscleChoice;
 use super::pick::Scope;
 use crate::history::{DeleteKeys, Do};
 use crate::scene::{AddKeys, DriveKeys, KeyName};
-use crate::sim::{Angle, AngleDrive};
+use crate::sim::{Angle, AngleDrive, Driving};
 
 /// A motor that is this much stronger or weaker than another is the same `[1]`.
 const SAME_TORQUE: f64 = 0.1;
@@ -69,6 +71,9 @@ impl Drives {
             Some(Err(why)) => Deed::words(why.to_owned()),
             Some(Ok(Meant::There(hub))) => self.change(scope, &hub, takes_away).1,
             Some(Ok(Meant::New(hinge))) => {
+                if let Some(why) = no_motors(scope.shown.driving).filter(|_| hinge.has_motor) {
+                    return Deed::words(why);
+                }
                 let name = if hinge.has_motor { "motor" } else { "hinge" };
                 Deed::edit(name, Do::Add(Box::new(hinge.keys(scope, &self.motor))))
             }
@@ -76,12 +81,12 @@ impl Drives {
     }
 
     /// What a click does with a hinge that is there, in words and as a deed.
-    fn change(&self, scope: Scope<'_>, hub: &Hub, takes_away: bool) -> (&'static str, Deed) {
+    fn change(&self, scope: Scope<'_>, hub: &Hub, takes_away: bool) -> (Cow<'static, str>, Deed) {
         let props = hub.props(scope);
         if takes_away {
             let points = std::iter::once(hub.point).chain(props).map(|point| point.0).collect();
             return (
-                "the hinge goes",
+                "the hinge goes".into(),
                 Deed::edit("hinge away", Do::Delete(DeleteKeys { points, ..DeleteKeys::default() })),
             );
         }
@@ -94,10 +99,13 @@ impl Drives {
         let is_off = self.motor.is_on == Some(false);
         match hub.motors.is_empty() {
             false if is_off || self.is_set(scope, hub, &hinge) => {
-                ("a click: motor off; with Shift the hinge goes", Deed::edit("motor off", without))
+                ("a click: motor off; with Shift the hinge goes".into(), Deed::edit("motor off", without))
             }
-            true if is_off => (HINGED, Deed::words(HINGED.to_owned())),
+            true if is_off => (HINGED.into(), Deed::words(HINGED.to_owned())),
             has_none => {
+                if let Some(why) = no_motors(scope.shown.driving) {
+                    return (why.clone().into(), Deed::words(why));
+                }
                 let props = Hinge::prop(scope, &hinge, hub.is_pinned);
                 let reference = hinge.struts.first().map_or(scope.shown.point_count() as u32, |strut| strut.0);
                 let keys = AddKeys {
@@ -115,7 +123,7 @@ impl Drives {
                 } else {
                     "a click: this motor instead"
                 };
-                (words, deed)
+                (words.into(), deed)
             }
         }
     }
@@ -143,11 +151,14 @@ impl Drives {
                 let role = if takes_away { Role::Away } else { Role::Hold };
                 let (words, _) = self.change(scope, &hub, takes_away);
                 let mut marks = Hinge::of(scope, &hub).marks(scope, [role; 2]);
-                marks.push(Mark::Words(beside(scope, at), words.to_owned()));
+                marks.push(Mark::Words(beside(scope, at), words.into_owned()));
                 return marks;
             }
             Some(Ok(Meant::New(hinge))) => hinge,
         };
+        if let Some(why) = no_motors(scope.shown.driving).filter(|_| hinge.has_motor) {
+            return vec![Mark::Words(beside(scope, at), why)];
+        }
         let mut marks = hinge.marks(scope, [Role::Come, Role::Hold]);
         let what = if hinge.has_motor { "a motor" } else { "a hinge" };
         let on = match hinge.struts.is_empty() {
@@ -163,6 +174,14 @@ impl Drives {
         marks.push(Mark::Words(beside(scope, at), format!("{what} {on}{why}")));
         marks
     }
+}
+
+/// Why no hinge can have a motor in what is shown, if none can.
+pub(in crate::app) fn no_motors(driving: Driving) -> Option<String> {
+    let Driving { solver, is_in_space, .. } = driving;
+    let knows_none = driving.of_motor().is_some() || solver.form_refusal().is_some();
+    let words = || format!("solver {solver} knows no motors: \"auto\" does");
+    is_in_space.then(|| IN_SPACE.to_owned()).or_else(|| knows_none.then(words))
 }
 
 /// Where words beside the pointer begin.

@@ -37,6 +37,8 @@ const HINGED_AT: f64 = 0.5;
 const SQUASHED: f64 = 0.5;
 /// What lies so near is meant by a click `[logical px]`.
 const SNAP: f64 = 12.0;
+/// Said in space.
+pub(super) const IN_SPACE: &str = "in the plane only: this scene is in space";
 /// Said where something holds the body already.
 const PINNED: &str = "a pin is here already: hold T and click it to let it go";
 const JOINT: &str = "a joint is here already: its limbs turn about it";
@@ -81,7 +83,7 @@ impl Meant {
     /// it, or of that and the background. `None`: no body lies there.
     pub(super) fn at(scope: Scope<'_>, pixel: DVec2, wants_motor: Option<bool>) -> Option<Result<Self, &'static str>> {
         if scope.shown.dimensions != 2 {
-            return Some(Err("this scene is in space, and hinges are of the plane"));
+            return Some(Err(IN_SPACE));
         }
         let hit = scope.nearest(pixel)?;
         let hubs = Hubs::of(scope, hit.point);

@@ -1,10 +1,11 @@
-//! Loose ends of ropes: a body that is drawn over one is tied to it, and one that the hand lets go on a body is tied to that.
+//! Loose ends of ropes: a body that is drawn over one, or up to one, is tied to it, and one that the hand lets go on a body is tied to that. A
+//! body that is drawn from or to a pin, or a point of a rope, is tied to that.
 
 use glam::DVec2;
 
 use super::Deed;
 use super::marks::{Mark, Role};
-use super::pick::Scope;
+use super::pick::{Scope, distance_to_segment};
 use super::room::here;
 use super::skin;
 use crate::history::{DeleteKeys, Do};
@@ -20,10 +21,16 @@ const TIE: &str = "tie a rope";
 /// Said where the end of a rope is dragged onto a body.
 const LET_GO: &str = "let go: it is tied here (not with Shift)";
 
-/// What becomes of a rope whose end a body is drawn over.
+/// An end of a rope this near to the outline of a body is tied to it, and so is a corner this near to a point that it is drawn from or to
+/// `[logical px]`.
+const NEAR: f64 = 12.0;
+/// What lies no further from a point is welded to it `[m]`.
+const AT_IT: f64 = 1e-6;
+
+/// What becomes of a rope whose end a body is drawn over, or of a point that one is drawn from or to.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Knot {
-    /// What of it lies within the body and goes.
+    /// What of it lies within the body and goes; none of a point that stays.
     gone: Vec<PointId>,
     /// The last of its points that stays, and how that was bonded to the next.
     from: PointId,
@@ -65,8 +72,16 @@ impl Ends {
     }
 }
 
-/// The ropes whose loose ends lie in what keys bring, once that is put `way` `[m]` out of obstacles.
-pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, way: DVec2) -> Vec<Knot> {
+/// Whether a body can be tied to a point: to a pin, or a point of a rope or a net, but to no part of what covers something, which it may lie on.
+pub(super) fn can_hold(scope: Scope<'_>, point: PointId) -> bool {
+    let is_part = scope.shown.scenery.triangles.iter().any(|corners| corners.contains(&point));
+    scope.is_there(point) && !is_part
+}
+
+/// The ropes whose loose ends lie in what keys bring, once that is put `way` `[m]` out of obstacles. Of what is drawn as a whole those at its outline
+/// too, and the points that it is drawn from and to, `held`, that a corner of it is near to; `None`: it is drawn click by click, from points that
+/// are there.
+pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, (way, held): (DVec2, Option<&[PointId]>)) -> Vec<Knot> {
     let first = scope.shown.point_count() as u32;
     let Some(Shape { places, triangles, .. }) = keys.shape(first) else { return Vec::new() };
     if triangles.is_empty() {
@@ -75,20 +90,38 @@ pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, way: DVec2) -> Vec<Knot> {
     let places: Vec<DVec2> = places.into_iter().map(|at| DVec2::from(at) + way).collect();
     let at = |point: u32| places.get(point as usize).copied().unwrap_or(DVec2::NAN);
     let covers = |place: DVec2| triangles.iter().any(|corners| is_in(corners.map(at), place));
-    let mut rim: Vec<u32> = skin::lone(triangles.iter().copied()).into_iter().flatten().collect();
+    let sides = skin::lone(triangles.iter().copied());
+    let mut rim: Vec<u32> = sides.iter().flatten().copied().collect();
     rim.sort_unstable();
     rim.dedup();
+    let near = NEAR * scope.scale / scope.camera.pixels_per_metre();
+    let is_at = |place: DVec2| {
+        let far = |side: &[u32; 2]| distance_to_segment(place, at(side[0]), at(side[1]));
+        covers(place) || held.is_some() && sides.iter().any(|side| far(side) <= near)
+    };
     let ends = Ends::of(scope);
-    let loose: Vec<PointId> = ends.loose(scope).into_iter().filter(|&end| covers(here(scope, end))).collect();
+    let loose: Vec<PointId> = ends.loose(scope).into_iter().filter(|&end| is_at(here(scope, end))).collect();
+    let held = held.unwrap_or_default().iter().filter(|point| !loose.contains(point));
+    let mut held: Vec<PointId> = held.copied().collect();
+    held.dedup();
+    let stays = held.into_iter().filter_map(|point| {
+        let place = here(scope, point);
+        let far = |corner: u32| at(corner).distance(place);
+        let to = rim.iter().copied().min_by(|&a, &b| far(a).total_cmp(&far(b))).filter(|&to| far(to) <= near)?;
+        let bond = Bond { kind: BondKind::Rigid, ..Bond::new(point, point, far(to)) };
+        Some(Knot { gone: Vec::new(), from: point, bond, to: (to, at(to)) })
+    });
+    let mut stays: Vec<Knot> = stays.collect();
     if loose.is_empty() {
-        return Vec::new();
+        return stays;
     }
     let bonds: Vec<Bond> = scope.shown.scenery.bonds.iter().collect();
     let knot = |end: PointId| {
         let mut gone = Vec::new();
         let mut point = end;
         loop {
-            if !covers(here(scope, point)) {
+            // The end itself goes where it is at the outline only, too.
+            if point != end && !covers(here(scope, point)) {
                 break;
             }
             // What branches, or is held, within the body is no end of a rope.
@@ -113,7 +146,8 @@ pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, way: DVec2) -> Vec<Knot> {
         let to = to.min_by(|&a, &b| far(a).total_cmp(&far(b)))?;
         Some(Knot { gone, from: point, bond, to: (to, at(to)) })
     };
-    loose.into_iter().filter_map(knot).collect()
+    stays.extend(loose.into_iter().filter_map(knot));
+    stays
 }
 
 fn is_in([a, b, c]: [DVec2; 3], at: DVec2) -> bool {
@@ -140,7 +174,11 @@ fn like(bond: &Bond, a: u32, b: u32) -> BondKeys {
 /// What ties ropes to a body that comes with keys: bonds beside it, and what goes after it.
 pub(super) fn tied(scope: Scope<'_>, mut keys: AddKeys, knots: &[Knot]) -> Vec<Do> {
     let first = scope.shown.point_count() as u32;
-    keys.bonds.extend(knots.iter().map(|knot| like(&knot.bond, knot.from.0, first + knot.to.0)));
+    keys.bonds.extend(knots.iter().map(|knot| {
+        // What lies right on a point is one with it.
+        let rest = (knot.gone.is_empty() && knot.bond.rest_length <= AT_IT).then_some(0.0);
+        BondKeys { rest, ..like(&knot.bond, knot.from.0, first + knot.to.0) }
+    }));
     let mut gone: Vec<u32> = knots.iter().flat_map(|knot| &knot.gone).map(|point| point.0).collect();
     gone.sort_unstable();
     let add = Do::Add(Box::new(keys));
@@ -161,13 +199,22 @@ pub(super) fn marks(scope: Scope<'_>, knots: &[Knot]) -> Vec<Mark> {
     knots.iter().filter_map(of).flatten().collect()
 }
 
-/// What is said of so many knots.
-pub(super) fn words(count: usize) -> Option<String> {
-    match count {
+/// What is said of knots.
+pub(super) fn words(scope: Scope<'_>, knots: &[Knot]) -> Option<String> {
+    let (ropes, points): (Vec<&Knot>, Vec<&Knot>) = knots.iter().partition(|knot| !knot.gone.is_empty());
+    let of_ropes = match ropes.len() {
         0 => None,
         1 => Some("the rope's end is tied to it".to_owned()),
         many => Some(format!("{many} ropes' ends are tied to it")),
-    }
+    };
+    let of_points = match points[..] {
+        [] => None,
+        [one] if scope.is_pinned(one.from) => Some("tied to the pin".to_owned()),
+        [_] => Some("tied to the point".to_owned()),
+        _ => Some(format!("tied to {} points", points.len())),
+    };
+    let all: Vec<String> = of_points.into_iter().chain(of_ropes).collect();
+    (!all.is_empty()).then(|| all.join(", "))
 }
 
 /// The end of a rope among points that are led, and the point of the skin of another body that it would be tied to at a pixel.

@@ -38,6 +38,7 @@ mod knot;
 mod lead;
 #[cfg(test)]
 mod lead_tests;
+mod likeness;
 mod marks;
 #[cfg(test)]
 mod matrix_tests;
@@ -77,7 +78,7 @@ pub(super) use build::{Link, Links, is_of_space};
 pub(super) use chosen::Chosen;
 use cutting::Slash;
 pub(super) use deed::Deed;
-pub(super) use drives::Drives;
+pub(super) use drives::{Drives, no_motors};
 use facing::Hold;
 use handles::Grip;
 pub(super) use handles::Handle;
@@ -87,8 +88,10 @@ pub(super) use hidden::bodies as hidden_bodies;
 pub(super) use hover::strength;
 use lead::Lead;
 pub(super) use lead::PinWay;
+pub(super) use likeness::marks as labels;
 pub(super) use marks::{Mark, Role, probe};
 use muscles::Swipe;
+pub(super) use muscles::no_muscles;
 pub(super) use pick::Scope;
 pub(super) use push::PushWay;
 use region::Region;

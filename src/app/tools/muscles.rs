@@ -14,7 +14,7 @@ use super::selecting::is_drag;
 use crate::app::count::counted;
 use crate::history::{Do, DriveOrNone, OneOrEach, SetKeys};
 use crate::scene::{DriveKeys, KeyName};
-use crate::sim::{Bond, BondKind, Drive, Limit, PointId};
+use crate::sim::{Bond, Drive, Driving, NoDrive, PointId};
 
 /// Said where nothing is clicked, or crossed by a stroke, that could be a muscle.
 const NO_BOND: &str = "no bond lies here that could be a muscle";
@@ -133,7 +133,7 @@ struct Plan {
     takes_away: bool,
     /// How many cannot, and why the first of them cannot.
     left: usize,
-    why: Option<&'static str>,
+    why: Option<String>,
 }
 
 impl MuscleChoice {
@@ -182,7 +182,7 @@ impl MuscleChoice {
         for (place, number, bond) in all {
             let Some(&along) = met.get(&number) else { continue };
             let phase = self.phase_at(along, length);
-            if let Some(why) = no_muscle(&bond) {
+            if let Some(why) = no_muscle(scope, &bond) {
                 plan.left += 1;
                 plan.why.get_or_insert(why);
             } else if self.takes_away(&bond) {
@@ -203,7 +203,7 @@ impl MuscleChoice {
         let (met, length) = if is_click { (swipe.bonds, 0.0) } else { (swipe.until(scope, at), swipe.length(at)) };
         let Plan { changes, takes_away, left, why } = self.plan(scope, &met, length);
         if changes.is_empty() {
-            return Deed::words(why.unwrap_or(NO_BOND).to_owned());
+            return Deed::words(why.unwrap_or_else(|| NO_BOND.to_owned()));
         }
         let name = match (takes_away, changes.len()) {
             (true, 1) => "muscle away",
@@ -224,14 +224,16 @@ impl MuscleChoice {
     pub(super) fn would_be(&self, scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
         let Some((place, [a, b])) = scope.bond(at) else { return Vec::new() };
         let bond = scope.shown.scenery.bonds.get(place);
-        let (role, words) = match no_muscle(&bond) {
-            Some(why) => (Role::Away, why),
+        let said = |words: String| Mark::Words(beside(scope, at), words);
+        let (role, words) = match no_muscle(scope, &bond) {
+            // Nothing would become of it: nothing is marked.
+            Some(why) => return vec![said(why)],
             None if self.takes_away(&bond) => (Role::Away, "a muscle: a click takes it away"),
             None if bond.drive.is_some() => (Role::Come, "another muscle: a click makes it as in the panel"),
             None => (Role::Come, "no muscle yet: a click makes it one, a drag more of them"),
         };
         let line = scope.pixel(a).zip(scope.pixel(b)).map(|(a, b)| Mark::Line(role, a, b, 4.0 * scope.scale));
-        line.into_iter().chain([Mark::Words(beside(scope, at), words.to_owned())]).collect()
+        line.into_iter().chain([said(words.to_owned())]).collect()
     }
 
     /// What a stroke does that goes on to a pixel.
@@ -253,7 +255,7 @@ impl MuscleChoice {
         let corners: Vec<DVec2> = swipe.corners.iter().copied().chain([at]).collect();
         let way = corners.windows(2).map(|side| Mark::Line(Role::Hold, side[0], side[1], 1.5 * scope.scale));
         let words = match (changes.len(), takes_away) {
-            (0, _) => why.unwrap_or("drag over bonds").to_owned(),
+            (0, _) => why.unwrap_or_else(|| "drag over bonds".to_owned()),
             (1, true) => "let go: the muscle goes".to_owned(),
             (count, true) => format!("let go: {} go", counted(count, "muscle")),
             (count, false) if runs => {
@@ -266,12 +268,26 @@ impl MuscleChoice {
     }
 }
 
-/// Why a bond cannot be a muscle.
-fn no_muscle(bond: &Bond) -> Option<&'static str> {
-    match bond.kind {
-        BondKind::Relaxed { .. } => Some("a relaxed bond is no muscle"),
-        _ if bond.limit != Limit::Both => Some("a bond that acts on one side is no muscle"),
-        _ if bond.rest_length == 0.0 => Some("a weld is no muscle"),
-        _ => None,
+/// Why a bond cannot be a muscle in what is shown.
+fn no_muscle(scope: Scope<'_>, bond: &Bond) -> Option<String> {
+    scope.shown.driving.of_bond(bond).map(words)
+}
+
+/// Why nothing can be a muscle in what is shown, if nothing can.
+pub(in crate::app) fn no_muscles(driving: Driving) -> Option<String> {
+    driving.of_any().map(words)
+}
+
+/// The same in the words of who plays.
+fn words(why: NoDrive) -> String {
+    match why {
+        NoDrive::Relaxed => "a relaxed bond is no muscle".to_owned(),
+        NoDrive::OneSided => "a bond that acts on one side is no muscle".to_owned(),
+        NoDrive::Weld => "a weld is no muscle".to_owned(),
+        NoDrive::RigidInSpace => "in space a rigid bond is no muscle: springs alone are".to_owned(),
+        NoDrive::MeetsInSpace => "in space nothing is a muscle where bodies, balls or boxes meet".to_owned(),
+        NoDrive::RigidToTolerance => "a rigid bond is no muscle where a tolerance is kept".to_owned(),
+        NoDrive::RigidBy(solver) => format!("a rigid bond is no muscle by solver {solver}: by \"auto\" it is"),
+        NoDrive::By(solver) | NoDrive::MotorBy(solver) => format!("solver {solver} knows no muscles: \"auto\" does"),
     }
 }

@@ -113,6 +113,77 @@ fn what_can_be_no_muscle_is_left_out_and_that_is_said() {
     assert!(empty.commands.is_empty() && empty.words.unwrap().contains("no bond lies here"));
 }
 
+/// Each scene in which bonds can be no muscles: what is said of one, and whether all are so.
+#[test]
+fn what_a_click_would_refuse_is_said_before_it_and_nothing_is_marked() {
+    let scenes = [
+        (r#""dimensions": 3, "contact": true, "bodies": [SPRING]"#, "where bodies, balls or boxes meet", true),
+        (
+            r#""dimensions": 3, "obstacles": [{"circle": {"center": [0, -9, 0], "radius": 1}}], "bodies": [SPRING]"#,
+            "meet",
+            true,
+        ),
+        (r#""dimensions": 3, "bodies": [RIGID]"#, "springs alone", false),
+        (
+            r#""method": {"solver": "xpbd", "substep": 0.005, "iterations": 3}, "bodies": [SPRING]"#,
+            "knows no muscles",
+            true,
+        ),
+        (r#""method": {"solver": "verlet", "substep": 0.005}, "bodies": [RIGID]"#, "a rigid bond is no muscle", false),
+        (
+            r#""bodies": [{"make": "rope", "count": 2, "spacing": 2, "origin": [-1, 0], "material": {"kind": "relaxed"}}],
+            "method": {"substep": 0.005, "iterations": 3}"#,
+            "relaxed",
+            false,
+        ),
+        // These can.
+        (r#""bodies": [SPRING]"#, "", false),
+        (r#""bodies": [RIGID], "contact": true"#, "", false),
+        (r#""dimensions": 3, "bodies": [SPRING]"#, "", false),
+    ];
+    let rope = |kind: &str, d: usize| {
+        let origin = if d == 3 { "[-1, 0, 0]" } else { "[-1, 0]" };
+        format!(r#"{{"make": "rope", "count": 2, "spacing": 2, "origin": {origin}, "material": {{{kind}}}}}"#)
+    };
+    for (keys, why, all) in scenes {
+        let d = if keys.contains("dimensions") { 3 } else { 2 };
+        let keys = keys.replace("SPRING", &rope(r#""kind": "spring", "stiffness": 90"#, d));
+        let keys = keys.replace("RIGID", &rope(r#""kind": "rigid""#, d));
+        let scene = Scene::parse(&format!(r#"{{"wobble": 1, "drag_rate": 0.1, {keys}}}"#), "x.json").unwrap();
+        let seen = shown(scene.clone());
+        let middle = at(&seen, 0.0, 0.0);
+        let mut hand = Hand::default();
+        hand.take(Tool::Muscle);
+        let marks = hand.marks(scope(&seen), Some(middle));
+        let is_marked = marks.iter().any(|mark| matches!(mark, Mark::Line(Role::Come, ..)));
+        let is_said = |mark: &Mark| matches!(mark, Mark::Words(_, words) if words.contains(why));
+        assert!(is_marked == why.is_empty() && marks.iter().any(is_said), "{keys}: {marks:?}");
+        let deed = {
+            hand.press(scope(&seen), middle);
+            hand.release(scope(&seen), middle)
+        };
+        assert_eq!(super::no_muscles(seen.0.driving).is_some(), all, "{keys}");
+        let mut stage = Stage::new(scene.into()).unwrap();
+        if why.is_empty() {
+            assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None, "{keys}");
+            continue;
+        }
+        assert!(deed.is_empty() && deed.words.as_deref().is_some_and(|words| words.contains(why)), "{keys}: {deed:?}");
+        // The world refuses it too: the preview holds back no click that would do something.
+        let set = crate::history::SetKeys {
+            bonds: Some(vec![0]),
+            drive: Some(DriveOrNone::This(crate::scene::DriveKeys {
+                amplitude: Some(0.2),
+                period: Some(1.0),
+                ..Default::default()
+            })),
+            ..Default::default()
+        };
+        let said = stage.obey(Order::Give(vec![Do::Set(Box::new(set))], Some("muscle")));
+        assert!(matches!(said, Some(Note::Refused(_))), "{keys}: {said:?}");
+    }
+}
+
 #[test]
 fn a_stroke_that_is_cancelled_makes_nothing() {
     let seen = seen();

@@ -1,6 +1,6 @@
 //! Bodies as they are filled: their triangles, and a colour each.
 
-use crate::picture::{Picture, Skin, Tint};
+use crate::picture::{HUES, Picture, Skin, Tint, hue};
 use crate::render::forms::{form, is_rope, ropes};
 use crate::render::look::{Color, Look};
 use crate::render::view::View;
@@ -22,7 +22,7 @@ pub(super) struct Filled {
 /// from the ground by 8 : 1 or more.
 ///
 /// Source: P. Tol, Colour schemes (technical note SRON/EPS/TN/09-002, 3.2, 2021), the scheme `light`, without olive and grey.
-pub(super) const PALETTE: [[u8; 3]; 7] = [
+pub(super) const PALETTE: [[u8; 3]; HUES as usize] = [
     [0x77, 0xAA, 0xDD],
     [0xEE, 0x88, 0x66],
     [0x44, 0xBB, 0x99],
@@ -33,13 +33,9 @@ pub(super) const PALETTE: [[u8; 3]; 7] = [
 ];
 /// The colour of skin: half way between two of them.
 pub(super) const SKIN_COLOR: [u8; 3] = [0xF6, 0xC3, 0x99];
-/// Each round through the palette begins so many colours on: copies in rows of its length do not stand in columns of one colour.
-const SHIFT: u32 = 3;
-
 /// The colour of a body by its number.
 pub fn color_of(body: u32) -> [u8; 3] {
-    let count = PALETTE.len() as u32;
-    PALETTE[((body % count + SHIFT * (body / count % count)) % count) as usize]
+    PALETTE[hue(body) as usize]
 }
 
 /// Bodies in the order of their numbers: with the triangles that no skin is drawn on, then with those that one is.

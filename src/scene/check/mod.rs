@@ -20,7 +20,7 @@ pub(super) use bond::Resistance;
 pub(super) use bond::check_all as check_bonds;
 pub(super) use cutout::{check_cut, skin, wanted};
 pub(super) use repeat::{copies, offsets};
-pub(super) use surfaces::{check_angles, check_image, check_skins, check_triangles};
+pub(super) use surfaces::{check_angles, check_image, check_looks, check_skins, check_triangles};
 pub(super) use surroundings::{check_forces, check_pin_motion};
 
 /// Refuses what the specification excludes, whether this version could run it or not.

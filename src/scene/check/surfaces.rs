@@ -4,9 +4,11 @@ use std::path::Path;
 
 use super::number::{self, Range};
 use super::one_a_point;
+use crate::picture::HUES;
 use crate::scene::error::{Fault, Source, Within};
 use crate::scene::keys::{
-    AngleKeys, AreaKeys, AreaKindName, ContactKeys, Meeting, PointGroupKeys, Row, Scene, SkinKeys, TextureKeys,
+    AngleKeys, AreaKeys, AreaKindName, ContactKeys, LookKeys, Meeting, PointGroupKeys, Row, Scene, SkinKeys,
+    TextureKeys,
 };
 use crate::sim::AngleDrive;
 use crate::sim::Areas;
@@ -67,6 +69,21 @@ pub(in crate::scene) fn check_skins(skins: &[SkinKeys], count: u32) -> Result<()
         number::indices(points, count).at("points").item(i).at("skins")?;
         check_skin([*friction, *restitution, *radius]).item(i).at("skins")?;
         Range::NotNegative.maybe(*width).at("width").item(i).at("skins")?;
+    }
+    Ok(())
+}
+
+/// Errors: the first look with a point that is none of the new ones, or a hue that is none.
+pub(in crate::scene) fn check_looks(looks: &[LookKeys], new: std::ops::Range<u32>) -> Result<(), Fault> {
+    for (i, LookKeys { points, title: _, hue }) in looks.iter().enumerate() {
+        if let Some(other) = points.iter().find(|point| !new.contains(point)) {
+            let message = format!("names point {other}, which does not come with it: name new points");
+            return Err(Fault::invalid(message).at("points").item(i).at("looks"));
+        }
+        if let Some(other) = hue.filter(|hue| *hue >= HUES) {
+            let message = format!("is {other}, and there are {HUES}: give one from 0 to {}", HUES - 1);
+            return Err(Fault::invalid(message).at("hue").item(i).at("looks"));
+        }
     }
     Ok(())
 }

@@ -36,6 +36,24 @@ object! {
             pin_motion: PinMotionKeys,
             /// Pictures that are drawn on the triangles above, and on those that are there.
             textures: DrawnKeys,
+            /// Which of the points above are one body, and how that looks: what bonds and triangles hold together, if not said.
+            looks: LookKeys,
+        }
+    }
+}
+
+object! {
+    /// Points that are one body, as that which they are a copy of.
+    LookKeys: "a look: an object with the key `points`" {
+        required {
+            /// New points, by their numbers of the world.
+            points: Vec<u32>,
+        }
+        optional {
+            /// What the body is called: by what it is made of, if not said.
+            title: String,
+            /// Which colour of the palette it has, from 0 to 6: the next one, if not said.
+            hue: u32,
         }
     }
 }

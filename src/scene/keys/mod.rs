@@ -17,7 +17,7 @@ mod surroundings;
 mod vector;
 mod view;
 
-pub use addition::{AddKeys, DrawnKeys};
+pub use addition::{AddKeys, DrawnKeys, LookKeys};
 pub use beside::BesideKeys;
 pub use body::{BodyKeys, BraceName, DiagonalsName, MakerName, Material, PatternName, RepeatKeys, StrokesName};
 pub use bond::{BondKeys, KindName, LimitName};

@@ -17,7 +17,7 @@ use crate::sim::force::steady::Force;
 use crate::sim::group::Group;
 use crate::sim::ledger::Energies;
 use crate::sim::measure;
-use crate::sim::model::{Method, Model};
+use crate::sim::model::{Driving, Method, Model};
 use crate::sim::moved::MovedBy;
 use crate::sim::plan_part::PlanPart;
 use crate::sim::points::Points;
@@ -263,6 +263,10 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn method(&self) -> Method {
         self.model.method
+    }
+
+    fn driving(&self) -> Driving {
+        self.model.driving()
     }
 
     fn is_cheaper_live(&self) -> bool {

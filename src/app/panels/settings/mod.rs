@@ -155,7 +155,7 @@ fn panel(
                     if is_wanted {
                         search.clear();
                     }
-                    let hint = "search: wind";
+                    let hint = RichText::new("search …").italics();
                     let field = TextEdit::singleline(search).id(settings_search_id()).hint_text(hint);
                     let field = ui.add(field.desired_width(f32::INFINITY));
                     takes_words(&field);

@@ -79,7 +79,7 @@ impl Stage {
         shown.mouse.clone_from(&self.force);
         (shown.cursor, shown.grab) = (mouse.map(|(_, cursor)| cursor), world.grab());
         shown.jam = self.jam.clone().filter(|_| self.is_dragging());
-        (shown.base, shown.settings) = (self.base, world.settings());
+        (shown.base, shown.settings, shown.driving) = (self.base, world.settings(), world.driving());
         shown.figures = self.figures(world);
         shown.measured = self.watch.look(self.history.world());
         shown.matter.clone_from(&self.matter);

@@ -173,9 +173,9 @@ impl Chain {
                 () if size < (LEAST * scope.scale).powi(2) => words = Some(SMALL.to_owned()),
                 () => match filled(corners, &self.nodes, scope.shown.point_count() as u32) {
                     Ok(keys) => {
-                        let knots = knot::knots(scope, &keys, DVec2::ZERO);
+                        let knots = knot::knots(scope, &keys, (DVec2::ZERO, None));
                         let commands = knot::tied(scope, keys, &knots);
-                        return Deed { commands, words: knot::words(knots.len()), ..give(AddKeys::default()) };
+                        return Deed { commands, words: knot::words(scope, &knots), ..give(AddKeys::default()) };
                     }
                     Err(why) => words = Some(why),
                 },

@@ -76,6 +76,10 @@ fn an_outline_that_crosses_itself_is_red_before_and_refused() {
     clicks(&seen, &mut hand, [[0.0, 0.0], [2.0, 1.0], [0.0, 1.0], [1.0, 2.0]]);
     let deed = hand.finish(scope(&seen));
     assert!(deed.words.is_some_and(|words| words.contains("cross")) && hand.is_drawing());
+    let hint = hand.marks(scope(&seen), Some(at(&seen, 0.0, 2.9)));
+    let hint = hint.into_iter().find_map(|mark| if let Mark::Words(_, words) = mark { Some(words) } else { None });
+    let hint = hint.unwrap();
+    assert!(hint.contains("closed now it would cross itself") && !hint.contains("Enter"), "{hint}");
     (0..4).for_each(|_| hand.step_back());
     assert!(!hand.is_busy(), "all corners are taken back");
     assert_eq!(hand.finish(scope(&seen)), Deed::default());

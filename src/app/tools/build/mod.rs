@@ -128,7 +128,9 @@ impl Maker {
                     return Deed::words(why.to_owned());
                 }
                 let mut keys = keys;
-                let knots = if self.is_free { Vec::new() } else { knot::knots(scope, &keys, outcome.way) };
+                let held = self.held(scope, Some(drag), at);
+                let knots =
+                    if self.is_free { Vec::new() } else { knot::knots(scope, &keys, (outcome.way, Some(&held[..]))) };
                 outcome.put(&mut keys);
                 let commands = knot::tied(scope, keys, &knots);
                 let mut deed = Deed { commands, edit: Some(self.primitive.name()), ..Deed::default() };
@@ -136,7 +138,7 @@ impl Maker {
                 if self.primitive == Primitive::Figure && !meets {
                     deed.commands.insert(0, apart_from_itself());
                 }
-                deed.words = outcome.told().or(knot::words(knots.len()));
+                deed.words = outcome.told().or(knot::words(scope, &knots));
                 deed
             }
             Err(words) => Deed::words(words),
@@ -152,7 +154,7 @@ impl Maker {
             return Path::default().marks(self, scope, Some(at));
         }
         match self.form(scope, drag, at) {
-            Ok(form) => outline::of(&form, scope, (at, !self.is_free)),
+            Ok(form) => outline::of(&form, scope, at, (!self.is_free).then(|| self.held(scope, drag, at))),
             Err(words) => vec![outline::label(scope, at, words)],
         }
     }
@@ -180,6 +182,14 @@ impl Maker {
             let surface = tie::surface_at(scope, at).filter(|_| self.primitive == Primitive::Rope);
             to = surface.map_or(End { hold: Hold::None, ..to }, |at| End { at, hold: Hold::Pin });
         }
+        if self.primitive == Primitive::Box && !self.is_free {
+            // A corner that is drawn from or to a pin is right there.
+            let pins = [begun.point, point].map(|point| point.filter(|&point| scope.is_pinned(point)));
+            for (end, pin) in [&mut from, &mut to].into_iter().zip(pins) {
+                let there = pin.filter(|&pin| knot::can_hold(scope, pin)).map(|pin| scope.shown.place(pin.index()));
+                end.at = there.map_or(end.at, |[x, y, _]| DVec2::new(x, y));
+            }
+        }
         [from.at, to.at] = self.spanned([from.at, to.at]);
         let drawn = match self.primitive {
             Primitive::Box | Primitive::Cloth | Primitive::SolidBox => (to.at - from.at).abs().min_element(),
@@ -190,6 +200,12 @@ impl Maker {
             return Err(TOO_SMALL.to_owned());
         }
         Form::drawn(self, [from, to], usual).ok_or_else(String::new)
+    }
+
+    /// The points that a drag to a pixel is drawn from and to, that what is drawn can be tied to.
+    fn held(self, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Vec<PointId> {
+        let from = drag.map_or_else(|| tie::point_at(scope, at), |drag| drag.point);
+        from.into_iter().chain(tie::point_at(scope, at)).filter(|&point| knot::can_hold(scope, point)).collect()
     }
 
     /// What a drag spans `[m]`: of boxes two corners, of what is round its middle and a place on its rim. Both are drawn from corner to corner, what is

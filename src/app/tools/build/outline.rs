@@ -8,24 +8,26 @@ use crate::app::tools::knot;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::Scope;
 use crate::app::tools::room::coming;
+use crate::sim::PointId;
 
 /// Width of outlines `[logical px]`.
 const WIDTH: f64 = 1.5;
 /// The size stands so far from the cursor `[logical px]`.
 const BESIDE: DVec2 = DVec2::new(16.0, -14.0);
 
-/// The outline where it will be, what it puts beside itself, the ropes that it `ties`, and its size.
-pub(super) fn of(form: &Form, scope: Scope<'_>, (at, ties): (DVec2, bool)) -> Vec<Mark> {
+/// The outline where it will be, what it puts beside itself, the ropes and the points that it is tied to, those that it is drawn from and to being
+/// `held`, and its size; `None`: it is tied to nothing.
+pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2, held: Option<Vec<PointId>>) -> Vec<Mark> {
     let keys = form.keys(scope.shown.point_count() as u32);
     let outcome = coming(scope, &keys);
-    let ties = ties && outcome.refused.is_none();
-    let knots = if ties { knot::knots(scope, &keys, outcome.way) } else { Vec::new() };
+    let held = held.filter(|_| outcome.refused.is_none());
+    let knots = held.map_or_else(Vec::new, |held| knot::knots(scope, &keys, (outcome.way, Some(&held[..]))));
     let mut marks: Vec<Mark> = lines(form, scope).into_iter().map(|mark| outcome.lines(scope, mark)).collect();
     marks.extend(outcome.others(scope));
     marks.extend(knot::marks(scope, &knots));
-    let tied = knot::words(knots.len()).map(|words| format!("{words} (not with Shift)"));
-    let words = outcome.words().or(tied);
-    let more = words.map_or_else(String::new, |words| format!(": {words}"));
+    let tied = knot::words(scope, &knots).map(|words| format!("{words} (not with Shift)"));
+    let words: Vec<String> = outcome.words().into_iter().chain(tied).collect();
+    let more = if words.is_empty() { String::new() } else { format!(": {}", words.join("; ")) };
     marks.push(label(scope, at, format!("{}{more}", form.words())));
     marks
 }

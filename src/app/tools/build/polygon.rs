@@ -181,6 +181,7 @@ impl Outline {
             0 => "click corner by corner, or draw around it".to_owned(),
             _ if is_free => format!("{} corners: let go", all.len()),
             1 | 2 => "the next corner".to_owned(),
+            count if crossing(&self.corners, true).contains(&true) => format!("{count} corners: closed now {CROSSES}"),
             count => format!("{count} corners: Enter closes it"),
         };
         marks.extend(outcome.others(scope));

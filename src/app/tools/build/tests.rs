@@ -1,7 +1,7 @@
 //! Primitives that are drawn out, without a window.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use crate::app::action::{Primitive, Tool};
 use crate::app::player::{Note, Order, Shown, Stage};
@@ -556,6 +556,52 @@ fn a_body_that_is_drawn_over_the_loose_end_of_a_rope_is_tied_to_it() {
             assert_eq!(stage.history().world().gone().len(), 0);
         }
     }
+}
+
+#[test]
+fn a_box_that_is_drawn_under_the_loose_end_of_a_rope_or_from_a_pin_hangs_there() {
+    let seen = shown(Scene::parse(LOOSE, "x.json").unwrap());
+    let count = seen.0.point_count();
+    let place = |point: usize| DVec3::from(seen.0.place(point)).truncate();
+    let (end, pin) = (place(8), place(0));
+    let below = [end + DVec2::new(-0.5, -0.05), end + DVec2::new(0.5, -1.05)];
+    let from_pin = [pin + DVec2::new(-0.03, 0.02), pin + DVec2::new(-1.2, 0.9)];
+    for ([from, to], words, weld) in
+        [(below, "the rope's end is tied to it", false), (from_pin, "tied to the pin", true)]
+    {
+        for is_free in [false, true] {
+            let mut hand = hand(Primitive::Box);
+            hand.hold([is_free, false]);
+            hand.press(scope(&seen), at(&seen, from.x, from.y));
+            let to = at(&seen, to.x, to.y);
+            let said = drawn(&hand.marks(scope(&seen), Some(to))).1;
+            assert_eq!(said.contains(words), !is_free, "{said}");
+            let deed = hand.release(scope(&seen), to);
+            let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+            assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+            let is_tie = |bond: &crate::sim::Bond| bond.a.index() < count && bond.b.index() >= count;
+            let ties: Vec<_> = stage.history().world().bonds().iter().filter(is_tie).collect();
+            assert_eq!(ties.len(), usize::from(!is_free), "{ties:?}");
+            assert!(ties.iter().all(|tie| (tie.rest_length == 0.0) == weld), "{ties:?}");
+            for _ in 0..120 {
+                stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
+            }
+            let world = stage.history().world();
+            assert!(world.is_finite());
+            let [_, high] = extent(world, count);
+            assert_eq!(high.y > from.y - 0.6, !is_free, "{words}, free {is_free}: {high} from {from}");
+        }
+    }
+}
+
+#[test]
+fn boxes_are_not_tied_to_bodies_that_they_are_drawn_beside() {
+    let text = LOOSE.replace("[1, 0]", "[0.4, 0.2]");
+    let seen = shown(Scene::parse(&text, "x.json").unwrap());
+    let corner = (0..seen.0.point_count()).map(|point| DVec3::from(seen.0.place(point)).truncate()).skip(9);
+    let corner = corner.max_by(|a, b| (a.x + a.y).total_cmp(&(b.x + b.y))).unwrap();
+    let deed = drag(&seen, &mut hand(Primitive::Box), [corner.x, corner.y], [corner.x + 1.0, corner.y + 1.0]);
+    assert!(added(&deed).bonds.is_empty() && deed.words.is_none(), "{deed:?}");
 }
 
 #[test]
