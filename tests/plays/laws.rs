@@ -11,8 +11,6 @@ use wobble::sim::{BondKind, Dynamics, Figure, Limit, Sample};
 pub(super) enum Law {
     /// Rigid bonds have their length, strings are no longer, struts no shorter: |length/rest - 1| `[1]`.
     Lengths { within: f64 },
-    /// No bond of any kind is off its rest length by more: |length/rest - 1| `[1]`.
-    Strain { within: f64 },
     /// No joint is beyond its stops by more `[rad]`.
     Stops { within: f64 },
     /// No point is deeper in walls, planes, polygons, balls or boxes `[m]`.
@@ -28,8 +26,6 @@ pub(super) enum Law {
     Rests { by: f64, within: f64 },
     /// From a time on `[s]` no triangle is inside out: how many are.
     Whole { by: f64, within: f64 },
-    /// From a time on `[s]` forces are in balance: what springs and gravity leave on a free point, as a share of its weight `[1]`.
-    Balance { by: f64, within: f64 },
 }
 
 /// What is known of a run so far.
@@ -64,24 +60,21 @@ impl Law {
     pub(super) fn within(self) -> f64 {
         match self {
             Law::Lengths { within }
-            | Law::Strain { within }
             | Law::Stops { within }
             | Law::Walls { within }
             | Law::Loses { within }
             | Law::Keeps { within }
             | Law::Books { within }
             | Law::Rests { within, .. }
-            | Law::Whole { within, .. }
-            | Law::Balance { within, .. } => within,
+            | Law::Whole { within, .. } => within,
         }
     }
 
     /// By how much a state misses it.
     pub(super) fn missed(self, world: &dyn Dynamics, sample: &Sample, past: &Past) -> f64 {
         match self {
-            Law::Rests { by, .. } | Law::Whole { by, .. } | Law::Balance { by, .. } if sample.time < by => 0.0,
-            Law::Lengths { .. } => strains(world, sample, |kind| kind == BondKind::Rigid),
-            Law::Strain { .. } => strains(world, sample, |_| true),
+            Law::Rests { by, .. } | Law::Whole { by, .. } if sample.time < by => 0.0,
+            Law::Lengths { .. } => strained(world, sample),
             Law::Stops { .. } => beyond_stops(world, sample),
             Law::Walls { .. } => deepest(world, sample),
             Law::Loses { .. } => past.energy.map_or(0.0, |[_, least]| sample.energy - least),
@@ -101,7 +94,6 @@ impl Law {
                 let now = areas(world, sample);
                 past.areas.iter().zip(&now).filter(|(before, now)| *before * **now < 0.0).count() as f64
             }
-            Law::Balance { .. } => out_of_balance(world, sample),
         }
     }
 }
@@ -118,10 +110,10 @@ fn length(v: [f64; 3]) -> f64 {
     dot(v, v).sqrt()
 }
 
-/// The largest |length/rest - 1| of bonds of some kinds, where they act.
-fn strains(world: &dyn Dynamics, sample: &Sample, counts: impl Fn(BondKind) -> bool) -> f64 {
+/// The largest |length/rest - 1| of rigid bonds, where they act.
+fn strained(world: &dyn Dynamics, sample: &Sample) -> f64 {
     let mut most = 0.0_f64;
-    for bond in world.bonds().iter().filter(|bond| counts(bond.kind) && bond.rest_length > 0.0) {
+    for bond in world.bonds().iter().filter(|bond| bond.kind == BondKind::Rigid && bond.rest_length > 0.0) {
         let [a, b] = [bond.a, bond.b].map(|end| sample.position[end.index()]);
         let strain = length(sub(a, b)) / bond.rest_length - 1.0;
         most = most.max(match bond.limit {
@@ -200,32 +192,4 @@ fn areas(world: &dyn Dynamics, sample: &Sample) -> Vec<f64> {
         (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     };
     world.triangles().iter().map(size).collect()
-}
-
-/// The largest force that springs and gravity leave on a free point, as a share of its weight: a = g + sum of the pulls / m.
-fn out_of_balance(world: &dyn Dynamics, sample: &Sample) -> f64 {
-    let gravity = world.settings().gravity.unwrap_or([0.0; 3]);
-    let masses = world.masses();
-    let mut forces: Vec<[f64; 3]> = masses.iter().map(|m| gravity.map(|g| m * g)).collect();
-    for bond in world.bonds().iter() {
-        let BondKind::Spring { stiffness, .. } = bond.kind else { return f64::INFINITY };
-        let [a, b] = [bond.a.index(), bond.b.index()];
-        let off = sub(sample.position[b], sample.position[a]);
-        let longer = length(off) - bond.rest_length;
-        let acts = match bond.limit {
-            Limit::Both => true,
-            Limit::Max => longer > 0.0,
-            Limit::Min => longer < 0.0,
-        };
-        if acts {
-            for k in 0..3 {
-                let pull = stiffness * longer * off[k] / length(off);
-                forces[a][k] += pull;
-                forces[b][k] -= pull;
-            }
-        }
-    }
-    world.pinned().iter().for_each(|pin| forces[pin.index()] = [0.0; 3]);
-    let share = |(force, m): (&[f64; 3], &f64)| length(*force) / (m * length(gravity));
-    forces.iter().zip(masses).map(share).filter(|share| share.is_finite()).fold(0.0, f64::max)
 }

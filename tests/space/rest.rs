@@ -21,6 +21,29 @@ struct Energy {
     first: Vec<usize>,
 }
 
+/// A spring between two places among the free points.
+struct Ends {
+    places: [Option<usize>; 2],
+    /// From the second to the first, and how far that is `[m]`.
+    way: [f64; 3],
+    far: f64,
+}
+
+impl Ends {
+    /// Adds the second derivatives of its energy, of these stiffnesses along it and across `[N/m]`.
+    fn add_second(&self, rows: &mut [Vec<f64>], [along, across]: [f64; 2]) {
+        for (e, f) in [(0, 0), (1, 1), (0, 1), (1, 0)] {
+            let [Some(a), Some(b)] = [self.places[e], self.places[f]] else { continue };
+            let sign = if e == f { 1.0 } else { -1.0 };
+            for (k, l) in (0..9).map(|at| (at / 3, at % 3)).filter(|(k, l)| 3 * b + l <= 3 * a + k) {
+                let share = self.way[k] * self.way[l] / (self.far * self.far);
+                let all = f64::from(u8::from(k == l));
+                rows[3 * a + k][3 * b + l] += sign * (along * share + across * (all - share));
+            }
+        }
+    }
+}
+
 impl Energy {
     fn new(model: Model<3>) -> Self {
         let is_pinned = |i: usize| model.pinned.iter().any(|pin| pin.index() == i);
@@ -45,12 +68,12 @@ impl Energy {
         let mut slope = vec![0.0; self.first.len()];
         let mut rows: Vec<Vec<f64>> = (0..slope.len()).map(|row| vec![0.0; row + 1]).collect();
         let wind = self.model.wind.map_or([0.0; 3], |wind| wind.velocity);
+        let pull = [0, 1, 2].map(|k| self.model.gravity[k] + self.model.drag_rate * wind[k]);
         for (i, free) in self.free.iter().enumerate() {
             let Some(free) = free else { continue };
-            for k in 0..3 {
-                let weight = self.model.mass[i] * (self.model.gravity[k] + self.model.drag_rate * wind[k]);
-                energy -= weight * x[i][k];
-                slope[3 * free + k] -= weight;
+            for (k, pull) in pull.iter().enumerate() {
+                energy -= self.model.mass[i] * pull * x[i][k];
+                slope[3 * free + k] -= self.model.mass[i] * pull;
             }
         }
         for bond in &self.model.bonds {
@@ -65,19 +88,9 @@ impl Energy {
                 let pull = stiffness * longer * way[k] / far;
                 let signs = [1.0, -1.0];
                 (0..2).for_each(|e| places[e].into_iter().for_each(|at| slope[3 * at + k] += signs[e] * pull));
-                for l in 0..3 {
-                    let along = way[k] * way[l] / (far * far);
-                    let across = f64::from(u8::from(k == l)) - along;
-                    let second = stiffness * (along + longer / far * across);
-                    for (e, f) in [(0, 0), (1, 1), (0, 1), (1, 0)] {
-                        let [Some(a), Some(b)] = [places[e], places[f]] else { continue };
-                        let (row, column) = (3 * a + k, 3 * b + l);
-                        if column <= row {
-                            rows[row][column] += signs[e] * signs[f] * second;
-                        }
-                    }
-                }
             }
+            let ends = Ends { places, way, far };
+            ends.add_second(&mut rows, [stiffness, stiffness * longer / far]);
         }
         (energy, slope, rows)
     }

@@ -78,6 +78,7 @@ pub(super) use chosen::Chosen;
 use cutting::Slash;
 pub(super) use deed::Deed;
 pub(super) use drives::Drives;
+pub(super) use erase::clear as clear_bodies;
 use facing::Hold;
 use handles::Grip;
 pub(super) use handles::Handle;
@@ -88,6 +89,8 @@ pub(super) use hover::strength;
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use marks::{Mark, Role, probe};
+#[cfg(test)]
+pub(super) use matrix_tests::{SCENES, scene_of};
 use muscles::Swipe;
 pub(super) use pick::Scope;
 pub(super) use push::PushWay;
