@@ -84,8 +84,8 @@ impl Energy {
             let longer = far - bond.rest_length;
             energy += 0.5 * stiffness * longer * longer;
             let places = ends.map(|end| self.free[end]);
-            for k in 0..3 {
-                let pull = stiffness * longer * way[k] / far;
+            for (k, along) in way.iter().enumerate() {
+                let pull = stiffness * longer * along / far;
                 let signs = [1.0, -1.0];
                 (0..2).for_each(|e| places[e].into_iter().for_each(|at| slope[3 * at + k] += signs[e] * pull));
             }
