@@ -4,6 +4,7 @@
 mod cloth;
 mod obstacles;
 mod pace;
+mod rest;
 
 use serde_json::Value;
 use wobble::scene::Scene;

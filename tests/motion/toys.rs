@@ -18,8 +18,8 @@ fn until(world: &mut dyn Dynamics, time: f64) -> Sample {
     world.sample(world.time())
 }
 
-/// Takes a point, leads it in a straight line from now on for `seconds`, and lets go.
-fn fling(world: &mut dyn Dynamics, point: u32, velocity: [f64; 2], seconds: f64) {
+/// Takes a point and leads it in a straight line from now on; when it is to be let go [s].
+fn take(world: &mut dyn Dynamics, point: u32, velocity: [f64; 2], seconds: f64) -> f64 {
     let start = world.sample(world.time());
     let [x, y, _] = start.position[point as usize];
     let now = world.time();
@@ -32,9 +32,20 @@ fn fling(world: &mut dyn Dynamics, point: u32, velocity: [f64; 2], seconds: f64)
     ] {
         world.apply(&command).unwrap();
     }
-    until(world, end);
+    end
+}
+
+/// What was taken is let go, and the cursor leaves.
+fn let_go(world: &mut dyn Dynamics) {
     world.apply(&Command::Release).unwrap();
-    world.apply(&Command::Cursor { to: None, by: end }).unwrap();
+    world.apply(&Command::Cursor { to: None, by: world.time() }).unwrap();
+}
+
+/// Takes a point, leads it in a straight line from now on for `seconds`, and lets go.
+fn fling(world: &mut dyn Dynamics, point: u32, velocity: [f64; 2], seconds: f64) {
+    let end = take(world, point, velocity, seconds);
+    until(world, end);
+    let_go(world);
 }
 
 /// How far the farthest joint is beyond its stops [rad].
@@ -49,30 +60,39 @@ fn beyond_stops(joints: &[AngleKeys], sample: &Sample) -> f64 {
     joints.iter().filter_map(off).fold(0.0, f64::max)
 }
 
+/// What is reached, looked at after every step: bones are off by 1.3e-4 at most, as the figure tumbles down its stairs, and the stop that is
+/// passed most, of the arm that is torn down, gives way by 0.031 rad, under two degrees.
 #[test]
 fn ragdolls_stand_a_fling_of_30_metres_a_second_and_come_to_rest() {
     let joints = Scene::load("ragdoll").unwrap().expanded().unwrap().angles;
     assert_eq!(joints.len(), 18);
-    let mut world = world("ragdoll");
-    until(&mut *world, 1.0);
-    fling(&mut *world, 12, [25.0, 16.0], 0.12);
-    let mut worst = 0.0_f64;
-    for tenth in 12..120 {
-        let sample = until(&mut *world, 0.1 * f64::from(tenth));
-        worst = worst.max(beyond_stops(&joints, &sample));
-        for x in &sample.position {
-            assert!((-4.01..4.01).contains(&x[0]) && (-1.61..4.21).contains(&x[1]), "at {x:?}");
-        }
-        for bond in world.bonds().iter() {
-            let [a, b] = [bond.a, bond.b].map(|end| sample.position[end.index()]);
-            let length = (a[0] - b[0]).hypot(a[1] - b[1]);
-            assert!((length / bond.rest_length - 1.0).abs() < 0.2, "{bond:?}: {length} m");
+    for (point, velocity, end) in [(12, [25.0, 16.0], 20.0), (20, [30.0, 0.0], 3.0), (30, [0.0, -30.0], 3.0)] {
+        let mut world = world("ragdoll");
+        let (mut beyond, mut stretched) = (0.0_f64, 0.0_f64);
+        let mut look_until = |world: &mut dyn Dynamics, time: f64| {
+            while world.time() < time - 1e-9 {
+                world.step();
+                let sample = world.sample(world.time());
+                beyond = beyond.max(beyond_stops(&joints, &sample));
+                stretched = stretched.max(sample.max_strain);
+                for x in &sample.position {
+                    assert!((-4.01..4.01).contains(&x[0]) && (-1.61..4.21).contains(&x[1]), "at {x:?}");
+                }
+            }
+        };
+        look_until(&mut *world, 1.0);
+        let led = take(&mut *world, point, velocity, 0.12);
+        look_until(&mut *world, led);
+        let_go(&mut *world);
+        look_until(&mut *world, end);
+        assert!(beyond < 0.04, "{beyond} rad beyond its stops, by point {point}");
+        assert!(stretched < 2e-4, "bones by {stretched}, by point {point}");
+        if end == 20.0 {
+            let fallen = world.sample(world.time());
+            let fastest = fallen.velocity[..36].iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
+            assert!(fastest < 0.02, "{fastest} m/s");
         }
     }
-    assert!(worst < 0.25, "{worst} rad beyond its stops");
-    let fallen = until(&mut *world, 20.0);
-    let fastest = fallen.velocity[..36].iter().map(|v| v[0].hypot(v[1])).fold(0.0, f64::max);
-    assert!(fastest < 0.02, "{fastest} m/s");
 }
 
 #[test]

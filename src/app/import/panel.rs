@@ -16,6 +16,8 @@ const LOOK: Duration = Duration::from_millis(100);
 const WIDE: f32 = 780.0;
 /// Height of what stands over and under the part that scrolls: title, buttons, margins, the bar below `[points]`.
 const BESIDE: f32 = 174.0;
+/// Height of a line of words below the buttons `[points]`.
+const LINE: f32 = 24.0;
 /// Height of that part at least `[points]`.
 const LEAST_TALL: f32 = 60.0;
 /// Height of a canvas's tools `[points]`.
@@ -37,7 +39,8 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
         if let Some(painting) = &mut import.painting {
             painting.keys(ui.ctx());
         }
-        let tall = (room.y - BESIDE).max(LEAST_TALL);
+        let below = if can_add { 0.0 } else { LINE };
+        let tall = (room.y - BESIDE - below).max(LEAST_TALL);
         let broad = room.x - MARGINS;
         let place = egui::ScrollArea::both().max_height(tall).max_width(broad);
         place.min_scrolled_height(tall).min_scrolled_width(broad).show(ui, |ui| {
@@ -162,5 +165,8 @@ fn buttons(ui: &mut egui::Ui, import: &Import, can_add: bool) -> Option<Answer> 
             answer = Some(Answer::Cancel);
         }
     });
+    if !can_add {
+        ui.weak("Bodies of pictures lie in the plane: beside a scene in space it opens by itself.");
+    }
     answer
 }

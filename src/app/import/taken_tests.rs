@@ -33,12 +33,14 @@ fn photograph() -> Arc<Picture> {
 struct Screen {
     context: egui::Context,
     import: Import,
+    /// The scene beside it takes bodies.
+    can_add: bool,
 }
 
 impl Screen {
     fn of(picture: Arc<Picture>) -> Self {
         let import = Import::of_picture("picture".to_owned(), picture, || ());
-        let mut screen = Screen { context: egui::Context::default(), import };
+        let mut screen = Screen { context: egui::Context::default(), import, can_add: true };
         screen.settle();
         screen
     }
@@ -57,7 +59,7 @@ impl Screen {
     fn frame(&mut self, events: Vec<Event>) -> Vec<Shape> {
         let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, egui::vec2(1280.0, 720.0)));
         let input = egui::RawInput { screen_rect, events, ..Default::default() };
-        let mut output = self.context.run_ui(input, |ui| _ = self.import.show(ui.ctx(), true));
+        let mut output = self.context.run_ui(input, |ui| _ = self.import.show(ui.ctx(), self.can_add));
         output.textures_delta.clear();
         output.shapes.into_iter().map(|clipped| clipped.shape).collect()
     }
@@ -123,4 +125,15 @@ fn a_drawing_is_cut_out_and_a_photograph_without_ground_is_taken_whole_which_one
     photograph.import.wish.settings.size = Size::Spacing(9.0);
     photograph.click("what stands out");
     assert!(photograph.bright() < 0.9 && photograph.import.wish.settings.size == Size::Spacing(9.0));
+}
+
+#[test]
+fn beside_a_scene_in_space_it_is_said_that_a_picture_opens_by_itself() {
+    let mut screen = Screen::of(blot());
+    let words = "Bodies of pictures lie in the plane: beside a scene in space it opens by itself.";
+    assert!(screen.says(words).is_none() && screen.says("Add to this scene").is_some());
+    screen.can_add = false;
+    screen.frame(Vec::new());
+    let place = screen.says(words).unwrap();
+    assert!(Rect::from_min_size(Pos2::ZERO, egui::vec2(1280.0, 720.0)).contains(place), "it is in view: {place:?}");
 }

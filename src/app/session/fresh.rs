@@ -3,7 +3,8 @@
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::{Framing, Session};
-use crate::history::{DeleteKeys, Do, Start};
+use crate::app::tools::clear_bodies;
+use crate::history::Start;
 use crate::scene::{EMPTY, MakerName, Scene};
 
 /// Seeds that the dice draw are below this: few digits, as one writes them.
@@ -28,16 +29,8 @@ impl Session {
 
     /// Takes away all bodies: obstacles stay.
     pub(super) fn clear(&mut self) {
-        let count = self.shown().point_count() as u32;
-        let gone = &self.shown().scenery.gone;
-        let points: Vec<u32> =
-            (0..count).filter(|&point| gone.binary_search(&crate::sim::PointId(point)).is_err()).collect();
-        if points.is_empty() {
-            return self.say("there is no body here".to_owned());
-        }
-        let keys = DeleteKeys { points, ..DeleteKeys::default() };
-        self.player.give(vec![Do::Delete(keys)], Some("clear"));
-        self.say("all bodies are gone: Ctrl+Z brings them back".to_owned());
+        let deed = self.with_scope(|_, scope| clear_bodies(scope));
+        self.do_deed(deed);
     }
 
     /// A history goes on from this moment with what is fixed when one begins: it is looked at as before, and undo goes back.
@@ -52,14 +45,21 @@ impl Session {
 
     /// Opens the scene with all that it draws by lot drawn anew.
     pub(super) fn roll(&mut self) {
-        let mut scene = Scene::clone(&self.scene);
         let seed = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |now| now.subsec_nanos().into());
-        if !reseeded(&mut scene, seed % SEEDS) {
-            return self.say("nothing in this scene is drawn by lot".to_owned());
+        match rolled(&self.scene, seed % SEEDS) {
+            Ok(scene) => {
+                self.open(scene.into());
+                self.say("drawn anew: Ctrl+Z goes back".to_owned());
+            }
+            Err(words) => self.say(words.to_owned()),
         }
-        self.open(scene.into());
-        self.say("drawn anew: Ctrl+Z goes back".to_owned());
     }
+}
+
+/// A scene with all that it draws by lot drawn anew; else words that nothing is.
+pub(super) fn rolled(scene: &Scene, seed: u64) -> Result<Scene, &'static str> {
+    let mut scene = scene.clone();
+    if reseeded(&mut scene, seed) { Ok(scene) } else { Err("nothing in this scene is drawn by lot") }
 }
 
 /// Gives all that a scene draws by lot other seeds, from `seed` on. Returns whether there is anything.

@@ -204,14 +204,16 @@ impl Session {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use std::time::{Duration, Instant};
 
+    use super::super::fresh::rolled;
     use super::*;
     use crate::app::player::{Keeping, Note};
+    use crate::app::tools::{SCENES, scene_of};
     use crate::history::Do;
-    use crate::scene::Scene;
+    use crate::scene::{EMPTY, Scene};
     use crate::sim::{Cursor, PointId};
 
     const SCENE: &str = r#"{"wobble": 1, "points": {"position": [[0, 1], [0.5, 2]], "velocity": [[1, 0], [0, 3]]},
@@ -302,6 +304,65 @@ mod tests {
             let left = Left::now(player, camera);
             assert!(!left.player.is_playing(), "it stands still while it is left");
             assert_eq!(left.again(present).0.is_playing(), plays, "{played} {present}");
+        }
+    }
+
+    fn opened(scene: Scene, plays: bool) -> Player {
+        let mut player = Player::open(scene.into(), Keeping::default(), || {});
+        wait_for(&mut player, |player, _| player.is_open());
+        player.play(plays);
+        player
+    }
+
+    /// Some frames pass, if it plays; its time then, and its places.
+    fn passed(player: &mut Player, frames: u32) -> (f64, Vec<[f64; 3]>) {
+        (0..frames).for_each(|_| player.advance(1.0 / 60.0, None, false));
+        player.ask(Order::Bound(BYTES));
+        let last = player.serial();
+        wait_for(player, |player, _| player.shown().serial == last);
+        let shown = player.shown();
+        (shown.figures.time, (0..shown.point_count()).map(|point| shown.place(point)).collect())
+    }
+
+    /// An empty scene and the same one drawn anew, from each kind of scene, paused and running: it is come back to as it was.
+    #[test]
+    fn a_new_scene_and_the_dice_leave_what_was_there_as_it_was_or_say_that_nothing_is_drawn() {
+        let camera = Camera::fit([[-1.0; 3], [1.0; 3]], 2, [100, 100]);
+        // A cloth in gusts.
+        let drawn = |name: &str| name == "space";
+        for (name, keys, _) in SCENES {
+            let scene = scene_of(name, keys);
+            for plays in [false, true] {
+                for dice in [false, true] {
+                    let another = match dice {
+                        false => EMPTY.scene().unwrap(),
+                        true => match rolled(&scene, 7) {
+                            Ok(scene) => scene,
+                            Err(words) => {
+                                assert!(!words.is_empty() && !drawn(name), "{name}");
+                                continue;
+                            }
+                        },
+                    };
+                    assert!(!dice || drawn(name), "{name}");
+                    let mut shelf = Shelf::default();
+                    let mut first = opened(scene.clone(), plays);
+                    passed(&mut first, 4);
+                    let mut left = Left::now(first, camera);
+                    let (time, places) = passed(&mut left.player, 0);
+                    assert_eq!(time > 0.0, plays, "{name}");
+                    shelf.keep(left);
+                    let mut second = opened(another, plays);
+                    let (_, others) = passed(&mut second, 4);
+                    assert_eq!(others.is_empty(), !dice, "{name}");
+                    assert!(!dice || !plays || others != places, "{name} is the same as before");
+                    assert!(leaving(shelf.has_before(), second.is_used()) == Leaving::Goes, "undo goes back at once");
+                    let (mut back, _) = shelf.back().unwrap().again(second.is_playing());
+                    assert_eq!(back.is_playing(), plays, "{name}");
+                    back.play(false);
+                    assert_eq!(passed(&mut back, 0), (time, places), "{name}");
+                }
+            }
         }
     }
 }

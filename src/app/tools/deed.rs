@@ -8,7 +8,7 @@ use crate::history::Do;
 pub(in crate::app) struct Deed {
     pub(in crate::app) commands: Vec<Do>,
     pub(in crate::app) edit: Option<&'static str>,
-    /// Why there are none, where that is not seen.
+    /// Why there are none, where that is not seen; or how what they do is taken back.
     pub(in crate::app) words: Option<String>,
     /// What is to be of the matter that the brush paints with.
     pub(in crate::app) painted: Option<Among>,

@@ -45,6 +45,18 @@ pub(super) fn erase(scope: Scope<'_>, at: DVec2) -> Deed {
     }
 }
 
+/// All bodies go; obstacles stay.
+pub(in crate::app) fn clear(scope: Scope<'_>) -> Deed {
+    let gone = &scope.shown.scenery.gone;
+    let all = (0..scope.shown.point_count() as u32).map(PointId);
+    let points: Vec<PointId> = all.filter(|point| gone.binary_search(point).is_err()).collect();
+    if points.is_empty() {
+        return Deed::words("there is no body here".to_owned());
+    }
+    let words = Some("all bodies are gone: Ctrl+Z brings them back".to_owned());
+    Deed { edit: Some("clear"), words, ..delete_points(points) }
+}
+
 pub(super) fn delete_points(points: Vec<PointId>) -> Deed {
     let points = points.into_iter().map(|point| point.0).collect();
     Deed::edit("delete", Do::Delete(DeleteKeys { points, ..DeleteKeys::default() }))

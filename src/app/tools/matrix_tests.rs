@@ -7,9 +7,10 @@ use glam::DVec2;
 
 use super::handles::{Frame, Handle};
 use super::tests::{SIZE, scope};
-use super::{Chosen, Deed, Hand, Mark, PushWay, Ring, Role};
+use super::{Chosen, Deed, Hand, Mark, PushWay, Ring, Role, clear_bodies};
 use crate::app::action::{Primitive, Tool};
 use crate::app::clip::Clip;
+use crate::app::import::Import;
 use crate::app::matter::{Among, MatterChange, Preset};
 use crate::app::opening;
 use crate::app::player::Coming;
@@ -17,7 +18,7 @@ use crate::app::player::{Note, Order, Shown, Stage};
 use crate::history::{Do, Group, SetKeys, Weather, hash_now};
 use crate::picture::Tint;
 use crate::render::Camera;
-use crate::scene::{Scene, Vector, WindKeys};
+use crate::scene::{Scene, Vector, WindKeys, gallery};
 use crate::sim::{Angle, Bond, ForceView, Obstacle, PointId, SceneChange};
 
 /// What is tried.
@@ -56,20 +57,26 @@ enum Act {
     Group,
     Wind,
     Delete,
+    Lasso,
+    Clear,
+    Drawn,
+    Hover,
 }
 
-/// What comes of it: an edit, words, or a grab, which is no edit.
+/// What comes of it: an edit, words, a grab or a push of the cursor, which are no edits, or nothing: no body is there to be pushed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Comes {
     Edit,
     Words,
     Grab,
+    Push,
+    Nothing,
 }
 
-use Comes::{Edit as E, Grab as G, Words as W};
+use Comes::{Edit as E, Grab as G, Nothing as N, Push as P, Words as W};
 
-/// The scenes of the columns, and the point that is meant in each; `None`: the obstacle in the middle.
-const SCENES: [(&str, &str, Option<usize>); 7] = [
+/// The scenes of the columns, and the point that is meant in each; `None`: the obstacle in the middle. That in space is the gallery's own cloth.
+pub(in crate::app) const SCENES: [(&str, &str, Option<usize>); 7] = [
     (
         "soft",
         r#""bodies": [{"make": "picture", "file": "pictures/jelly.png", "height": 2, "spacing": 0.3, "origin": [0, 1], "velocity": [0.5, 0],
@@ -106,7 +113,7 @@ const SCENES: [(&str, &str, Option<usize>); 7] = [
 ];
 
 /// Rows: what comes of it in each scene.
-const TABLE: [(Act, [Comes; 7]); 33] = [
+const TABLE: [(Act, [Comes; 7]); 37] = [
     //                soft rope net pile rigid solid space
     (Act::Grab, [G, G, G, G, G, E, G]),
     (Act::Pin, [E, E, E, E, E, W, E]),
@@ -130,7 +137,8 @@ const TABLE: [(Act, [Comes; 7]); 33] = [
     (Act::Move, [E, E, E, E, E, E, E]),
     (Act::Turn, [E, E, E, E, E, E, E]),
     (Act::Scale, [E, E, E, E, E, E, E]),
-    (Act::Muscle, [E, E, E, E, E, W, E]),
+    // Of what meets others in space no bond is a muscle.
+    (Act::Muscle, [E, E, E, E, E, W, W]),
     (Act::Motor, [E, E, E, E, E, W, W]),
     (Act::Paint, [E, E, E, E, E, W, E]),
     (Act::Numbers, [E, E, E, E, E, W, E]),
@@ -141,7 +149,51 @@ const TABLE: [(Act, [Comes; 7]); 33] = [
     (Act::Group, [E, E, E, E, E, W, E]),
     (Act::Wind, [E, E, E, E, E, E, E]),
     (Act::Delete, [E, E, E, E, E, E, E]),
+    (Act::Lasso, [E, E, E, E, E, E, E]),
+    (Act::Clear, [E, E, E, E, E, W, E]),
+    (Act::Drawn, [E, E, E, E, E, E, W]),
+    // The last, for it is not undone.
+    (Act::Hover, [P, P, P, P, P, N, P]),
 ];
+
+/// The scene of a column.
+pub(in crate::app) fn scene_of(name: &str, keys: &str) -> Scene {
+    if name == "space" {
+        return gallery().iter().find(|entry| entry.name == "cloth-space").unwrap().scene().unwrap();
+    }
+    let text = format!(
+        r#"{{"wobble": 1, "gravity": [0, -9.81], "contact": true, "view": {{"center": [0, 0], "height": 8}},
+        "mouse": {{"strength": 3000, "radius": 0.8}},
+        "bounds": {{"min": [-5, -3], "max": [5, 5], "friction": 0.5}}, {keys}}}"#
+    );
+    Scene::parse(&text, "x.json").unwrap()
+}
+
+/// A canvas that somebody has painted a thick stroke on.
+fn painted() -> Import {
+    let mut import = Import::of_canvas(|| ()).unwrap();
+    let context = egui::Context::default();
+    let button = |pos, pressed| {
+        let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
+        egui::Event::PointerButton { pos, button, pressed, modifiers }
+    };
+    let [from, to] = [[330.0, 300.0], [470.0, 380.0]].map(egui::Pos2::from);
+    let stroke = [
+        vec![egui::Event::PointerMoved(from)],
+        vec![button(from, true)],
+        vec![egui::Event::PointerMoved(to)],
+        vec![button(to, false)],
+    ];
+    // A window is measured first, then placed.
+    for events in [vec![], vec![], vec![]].into_iter().chain(stroke) {
+        let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 720.0)));
+        let input = egui::RawInput { screen_rect, events, ..Default::default() };
+        let mut output = context.run_ui(input, |ui| _ = import.show(ui.ctx(), true));
+        output.textures_delta.clear();
+    }
+    assert!(import.has_work(), "the stroke is on the canvas");
+    import
+}
 
 /// All that an edit may change.
 #[derive(Clone, Debug, PartialEq)]
@@ -168,15 +220,7 @@ struct Bench {
 
 impl Bench {
     fn new(name: &str, keys: &str, point: Option<usize>) -> Self {
-        let text = match name {
-            "space" => std::fs::read_to_string("tests/files/cloth-space.json").unwrap(),
-            _ => format!(
-                r#"{{"wobble": 1, "gravity": [0, -9.81], "contact": true, "view": {{"center": [0, 0], "height": 8}},
-                "mouse": {{"strength": 3000, "radius": 0.8}},
-                "bounds": {{"min": [-5, -3], "max": [5, 5], "friction": 0.5}}, {keys}}}"#
-            ),
-        };
-        let scene = Scene::parse(&text, "x.json").unwrap();
+        let scene = scene_of(name, keys);
         let mut stage = Stage::new(scene.clone().into()).unwrap();
         let mut shown = Shown::default();
         stage.show(&mut shown);
@@ -378,6 +422,22 @@ impl Bench {
                 let set = Do::Set(Box::new(SetKeys { wind: Some(wind), ..SetKeys::default() }));
                 return (None, Some(Order::Give(vec![set], Some("wind"))));
             }
+            Act::Lasso => {
+                hand.draw_lasso(true);
+                // Around all that is in view, from one corner on.
+                let [right, low] = SIZE.map(|side| f64::from(side) - 5.0);
+                let corners = [[5.0, 5.0], [right, 5.0], [right, low], [5.0, low]].map(DVec2::from);
+                hand.press(scope(&self.seen), corners[0]);
+                corners[1..].iter().for_each(|&corner| hand.trace(scope(&self.seen), corner));
+                hand.release(scope(&self.seen), corners[3]);
+                hand.delete(scope(&self.seen), None)
+            }
+            Act::Clear => clear_bodies(scope(&self.seen)),
+            Act::Drawn => {
+                let import = painted();
+                let seen = [[-5.0, -3.0], [5.0, 5.0]];
+                return (None, Some(Order::Add(Box::new(import.adder(seen)))));
+            }
             Act::Delete => {
                 hand.select(chosen);
                 hand.delete(scope(&self.seen), None)
@@ -393,10 +453,31 @@ impl Bench {
         (deed.words, order)
     }
 
+    /// The cursor comes to the pixel that is meant, and some frames pass.
+    fn hover(&mut self, runs: bool) -> Result<Comes, String> {
+        let at = self.seen.1.cursor(self.target().to_array());
+        let pushed = self.stage.history().world().counters().mouse_points;
+        let before = self.state();
+        for _ in 0..6 {
+            self.stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: Some(at), back: false });
+            self.stage.show(&mut self.seen.0);
+        }
+        let is_pushed = self.stage.history().world().counters().mouse_points > pushed;
+        match is_pushed {
+            _ if !runs && self.state() != before => Err("while time stands still it has changed something".to_owned()),
+            true => Ok(Comes::Push),
+            false => Ok(Comes::Nothing),
+        }
+    }
+
     /// What comes of it; an edit is undone.
     fn comes(&mut self, act: Act, runs: bool) -> Result<Comes, String> {
+        if act == Act::Hover {
+            return self.hover(runs);
+        }
         let (words, order) = self.try_out(act, runs);
         let Some(order) = order else {
+            let words = words.filter(|words| !words.is_empty());
             return words.map(|_| Comes::Words).ok_or("it does nothing and says nothing".to_owned());
         };
         if let Order::Give(commands, None) = &order {
@@ -405,7 +486,8 @@ impl Bench {
         }
         let before = self.state();
         match self.stage.obey(order) {
-            Some(Note::Refused(_) | Note::Held) => return Ok(Comes::Words),
+            Some(Note::Refused(words)) if !words.is_empty() => return Ok(Comes::Words),
+            Some(Note::Held) => return Ok(Comes::Words),
             None | Some(Note::Added(None)) => {}
             Some(other) => return Err(format!("{other:?}")),
         }
@@ -441,7 +523,9 @@ fn every_tool_does_something_that_is_undone_or_says_why_not() {
                 if comes == Ok(Comes::Words) && bench.promises {
                     wrong.push(format!("{act:?} in {name}: it promises what is refused"));
                 }
-                if comes != Ok(row[column]) {
+                // The cursor pushes while time runs.
+                let wanted = if act == Act::Hover && !runs { Comes::Nothing } else { row[column] };
+                if comes != Ok(wanted) {
                     wrong.push(format!("{act:?} in {name}, {}: {comes:?}", if runs { "running" } else { "paused" }));
                 }
             }

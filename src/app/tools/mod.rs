@@ -79,6 +79,7 @@ pub(super) use chosen::Chosen;
 use cutting::Slash;
 pub(super) use deed::Deed;
 pub(super) use drives::{Drives, no_motors};
+pub(super) use erase::clear as clear_bodies;
 use facing::Hold;
 use handles::Grip;
 pub(super) use handles::Handle;
@@ -90,6 +91,8 @@ use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use likeness::marks as labels;
 pub(super) use marks::{Mark, Role, probe};
+#[cfg(test)]
+pub(super) use matrix_tests::{SCENES, scene_of};
 use muscles::Swipe;
 pub(super) use muscles::no_muscles;
 pub(super) use pick::Scope;
