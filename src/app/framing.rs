@@ -123,6 +123,34 @@ impl Beside {
     }
 }
 
+/// In so many frames panels find their sizes after one of them opened or closed.
+const SETTLING: u8 = 8;
+
+/// How a view made way for panels that opened over it.
+#[derive(Debug, Default)]
+pub(super) struct Ways {
+    pub(super) beside: Option<Beside>,
+    /// What they take of it `[px]`.
+    pub(super) taken: Vec<[f64; 4]>,
+    /// Which of them are open, with which tool, and for how many frames more they find their sizes.
+    open: [bool; 5],
+    tool: Tool,
+    left: u8,
+}
+
+impl Ways {
+    /// Whether panels find their sizes still, of which these are open: those of a tool alone are waited for no more.
+    pub(super) fn wait_for(&mut self, open: [bool; 5], tool: Tool) -> bool {
+        let is_other_tool = std::mem::replace(&mut self.tool, tool) != tool;
+        self.left = match std::mem::replace(&mut self.open, open) != open {
+            true => SETTLING,
+            false if is_other_tool => 0,
+            false => self.left.saturating_sub(1),
+        };
+        self.left > 0
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -187,6 +215,17 @@ mod tests {
         assert_eq!(closed, at(4.0));
         let (_, moved) = Beside::of(Some(both), at(5.0), |before| before);
         assert_eq!(moved, at(5.0), "somebody moved it since");
+    }
+
+    #[test]
+    fn views_make_way_while_panels_that_opened_find_their_sizes_and_then_no_more() {
+        let mut ways = Ways::default();
+        let plots = [false, false, true, false, false];
+        assert!(!ways.wait_for([false; 5], Tool::Hand), "nothing opened");
+        assert!((0..SETTLING).all(|_| ways.wait_for(plots, Tool::Hand)));
+        assert!(!ways.wait_for(plots, Tool::Hand), "what gets larger later moves no view");
+        assert!(ways.wait_for([false; 5], Tool::Hand), "it closed");
+        assert!(!ways.wait_for([false; 5], Tool::Paint), "what a tool's panel moves moves no view");
     }
 
     #[test]

@@ -300,8 +300,8 @@ fn areas(context: &Context) -> Vec<(LayerId, Rect)> {
     })
 }
 
-/// What is read while one looks at the world, and lies over it: settings, lessons, plots that were not dragged there.
-const READ: [&str; 5] = ["settings", "lessons", "plots", "plots above", "plots below"];
+/// What is read while one looks at the world, and lies over it: settings, lessons, plots that were not dragged there, what is selected.
+const READ: [&str; 6] = ["settings", "lessons", "plots", "plots above", "plots below", "matter"];
 
 /// Where what is read lies over the world: left, top, right and bottom of each `[px]`.
 pub(in crate::app) fn read(context: &Context, (scale, has_plots): (f32, bool)) -> Vec<[f64; 4]> {

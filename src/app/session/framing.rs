@@ -3,6 +3,7 @@
 use egui::Rect;
 
 use super::Session;
+use crate::app::action::Tool;
 use crate::app::framing::{Beside, Framing, Open, Turn, Undocked};
 use crate::app::opening::{self, Over};
 use crate::app::panels::Laid;
@@ -58,38 +59,36 @@ impl Session {
         let is_other = free != self.free || is_wider;
         (self.area, self.free) = (area, free);
         let shares = self.tiles.count() > 1;
-        let taken = self.taken_by(read);
         match self.framed.turn((whole, self.open_panels()), (is_other, is_resized)) {
             // What a sheet lies over is not seen now.
             Turn::Stay if laid.free.is_none() => return,
-            Turn::Stay if !shares => return self.make_way(taken),
+            Turn::Stay if !shares => return self.make_way(read),
             Turn::Stay => {}
             Turn::Keep if shares => self.share_anew(before),
             Turn::Keep => self.camera.resize_still(area),
             Turn::Fit => self.frame_now(),
         }
-        (self.taken, self.beside_panels) = (taken, None);
+        (self.ways.taken, self.ways.beside) = (read, None);
     }
 
-    /// What panels take of the picture that are read while one looks at it, and where the tool for selecting has its own `[px]`.
-    fn taken_by(&self, mut read: Vec<[f64; 4]>) -> Vec<[f64; 4]> {
-        let [width, height] = self.area.map(f64::from);
-        read.extend(self.over.column.map(|left| [left, self.free[0][1], width, height]));
-        read
-    }
-
-    /// Where panels open over points the view makes way for them, and comes back when they close; not one that somebody moved, nor while
-    /// something is under way in it.
+    /// Where panels open over points the view makes way for them, while they find their sizes, and comes back when they close; not one that
+    /// somebody moved, nor while something is under way in it. What the panel of a tool moves, and what gets larger later, moves nothing.
     fn make_way(&mut self, taken: Vec<[f64; 4]>) {
-        if self.framing == Framing::Free || self.hand.is_busy() || taken == self.taken {
+        if self.framing == Framing::Free || self.hand.is_busy() {
             return;
         }
-        self.taken = taken;
+        let panels = &self.panels;
+        let tool = self.hand.tool();
+        let selects = tool == Tool::Select;
+        let open = [panels.has_settings, panels.lessons.is_open, panels.plots.is_some(), panels.hides_panels, selects];
+        if !self.ways.wait_for(open, tool) || taken == self.ways.taken {
+            return;
+        }
         let over = Over { corner: None, ..self.over };
         let (view, free) = (self.player.shown().view(), (self.free, over));
-        let look = |before| opening::beside_panels(before, &view, free, &self.taken);
-        let (beside, camera) = Beside::of(self.beside_panels, self.camera, look);
-        (self.beside_panels, self.camera) = (Some(beside), camera);
+        let look = |before| opening::beside_panels(before, &view, free, &taken);
+        let (beside, camera) = Beside::of(self.ways.beside, self.camera, look);
+        (self.ways.beside, self.ways.taken, self.camera) = (Some(beside), taken, camera);
     }
 
     /// Worlds side by side share another part of the window than `before` `[px]`.

@@ -39,7 +39,7 @@ use winit::window::{CursorIcon, Window};
 use super::AppError;
 use super::canvas::{Canvas, Paint};
 use super::fetch::Fetch;
-use super::framing::{Beside, Framed, Framing, Undocked};
+use super::framing::{Framed, Framing, Undocked, Ways};
 use super::import::Import;
 use super::keys::{Down, Held};
 use super::leftovers::{Leftover, look};
@@ -116,9 +116,8 @@ pub(super) struct Session {
     titles: f64,
     /// The view of worlds side by side before a panel took room from them.
     undocked: Option<Undocked>,
-    /// The view of one world before panels opened over it, and what they take of it `[px]`.
-    beside_panels: Option<Beside>,
-    taken: Vec<[f64; 4]>,
+    /// How the view of one world made way for panels.
+    ways: Ways,
     /// What lies over that at the right.
     over: Over,
     covered: Vec<[f32; 4]>,
