@@ -113,3 +113,20 @@ impl Bond {
         self.is_held() && !self.break_strain.is_finite() && self.rest_length > 0.0
     }
 }
+
+/// Rest lengths of bonds `[m]` by their ends, ascending.
+pub(crate) struct Lengths(Vec<([PointId; 2], f64)>);
+
+impl Lengths {
+    pub(crate) fn of(bonds: impl Iterator<Item = ([PointId; 2], f64)>) -> Self {
+        let mut list: Vec<([PointId; 2], f64)> = bonds.map(|([a, b], rest)| ([a.min(b), a.max(b)], rest)).collect();
+        list.sort_unstable_by_key(|entry| entry.0);
+        Lengths(list)
+    }
+
+    /// That of a bond between two points, where there is one.
+    pub(crate) fn between(&self, [from, to]: [PointId; 2]) -> Option<f64> {
+        let found = self.0.binary_search_by_key(&[from.min(to), from.max(to)], |entry| entry.0);
+        found.ok().map(|found| self.0[found].1)
+    }
+}

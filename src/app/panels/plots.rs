@@ -381,13 +381,16 @@ fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
 const NUMBERS: f32 = 52.0;
 const SIGN: f64 = 6.6;
 
-/// The number at a line across a range, in a plot so wide `[points]`: none where half of it would lie beyond the right edge.
+/// A plot that is less wide has few numbers and needs each `[points]`.
+const NARROW: f32 = 200.0;
+
+/// The number at a line across a range, in a plot so wide `[points]`: none where half of it would lie beyond the right edge and there are others.
 fn across_tick(mark: GridMark, range: &std::ops::RangeInclusive<f64>, (unit, width): (&str, f32)) -> String {
     let words = tick(mark, unit);
     let long = f64::from((width - NUMBERS).max(1.0));
     let left = (range.end() - mark.value) / (range.end() - range.start()) * long;
     let half = 0.5 * SIGN * words.chars().count() as f64;
-    if left < half { String::new() } else { words }
+    if width >= NARROW && left < half { String::new() } else { words }
 }
 
 /// A plot so wide `[points]` without curves, which is to show all of them and stays as it is under the pointer. Units: those of its axes.
@@ -597,6 +600,7 @@ mod tests {
     fn a_number_that_would_lie_over_the_right_edge_is_left_out() {
         let at = |value: f64| across_tick(GridMark { value, step_size: 0.5 }, &(0.0..=2.0), ("s", 252.0));
         // The plot is 200 points wide, and half of a number 16.
-        assert_eq!([0.0, 1.5, 1.8, 1.9, 2.0].map(at), ["0.0 s", "1.5 s", "1.8 s", "", ""]);
+        assert_eq!([0.0, 1.5, 1.8, 1.9, 2.0].map(at), ["0 s", "1.5 s", "1.8 s", "", ""]);
+        assert_eq!(across_tick(GridMark { value: 2.0, step_size: 0.5 }, &(0.0..=2.0), ("s", 180.0)), "2.0 s");
     }
 }

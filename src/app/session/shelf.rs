@@ -350,7 +350,8 @@ mod tests {
                     passed(&mut first, 4);
                     let mut left = Left::now(first, camera);
                     let (time, places) = passed(&mut left.player, 0);
-                    assert_eq!(time > 0.0, plays, "{name}");
+                    // Obstacles alone stand still.
+                    assert_eq!(time > 0.0, plays && !places.is_empty(), "{name}");
                     shelf.keep(left);
                     let mut second = opened(another, plays);
                     let (_, others) = passed(&mut second, 4);

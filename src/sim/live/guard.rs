@@ -9,7 +9,7 @@ const FORGIVEN: f64 = 0.5;
 /// Speed that is left to what is led or owes energy, in the mean `[m/s]`.
 const LEFT: f64 = 0.3;
 /// Share of the energy of its own motion and of springs that contacts may make in a step without being seen: overlaps that are mended load
-/// springs, and sweeps swing. Where there are neither, rounding alone.
+/// springs, and bonds swing. What is rigid as a whole has rounding alone.
 const SLACK: f64 = 1e-3;
 const ROUNDING: f64 = 1e-7;
 
@@ -111,7 +111,8 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     }
     let mean = if mass > S::ZERO { scale(momentum, S::ONE / mass) } else { zero() };
     let own = kinetic - S::HALF * mass * dot(mean, mean);
-    let slack = if elastic > S::ZERO || is_swept { SLACK } else { ROUNDING };
+    let is_rigid = elastic == S::ZERO && (0..state.bodies.len() as u32).all(|body| state.is_rigid(body));
+    let slack = if is_rigid { ROUNDING } else { SLACK };
     if excess <= S::from_f64(slack) * (own + elastic) {
         state.debt = S::ZERO;
         return;

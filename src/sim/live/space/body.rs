@@ -1,7 +1,6 @@
 //! Bodies in space: each one's points, bonds and skin, one after the other.
 
-use crate::sim::bond::{Bond, PointId};
-use crate::sim::bonds::Lengths;
+use crate::sim::bond::{Bond, Lengths, PointId};
 use crate::sim::contact::skin::RADIUS;
 use crate::sim::live::Draft;
 use crate::sim::live::body::{Link, Span};

@@ -6,11 +6,14 @@ use crate::sim::live::calm::{are_strained, bound};
 use crate::sim::real::Real;
 use crate::sim::vector::length;
 
-/// Looks which bodies of a cluster are torn at: as a step begins, and in each substep in which something may touch something.
+/// Looks which bodies of a cluster are torn at as a substep begins, if anything may have touched something in the last one.
 pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    let is_torn = |(body, base)| are_strained(common.bodies.holds(body), &state.now[base..]);
-    let torn: Vec<bool> = state.members(common).map(is_torn).collect();
-    state.torn = torn;
+    state.torn.clear();
+    if !state.chosen.is_empty() || !state.near.is_empty() {
+        let is_torn = |(body, base)| are_strained(common.bodies.holds(body), &state.now[base..]);
+        let torn: Vec<bool> = state.members(common).map(is_torn).collect();
+        state.torn = torn;
+    }
 }
 
 /// Takes the speed from points that what holds a torn body made too fast, at the end of a substep of `h` `[s]`: where they are is left.

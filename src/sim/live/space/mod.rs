@@ -100,7 +100,6 @@ impl<S: Real> Space<S> {
         let outside = Outside { pull, around, settling: &self.settling };
         cluster.span = S::from_f64(own);
         let before = guard::energy(cluster, common, around.gravity);
-        calm::look(cluster, common);
         bonds::prepare(cluster, common, cluster.span);
         detect::look_at_obstacles(cluster, common);
         detect::look_at_skins(cluster, common, common.sides);

@@ -25,9 +25,7 @@ pub(super) struct Outside<'a, S: Real> {
 /// Advances by `h` from `t` `[s]`.
 pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>, (t, h): (f64, f64)) {
     let time = S::from_f64(h);
-    if !state.chosen.is_empty() || !state.near.is_empty() {
-        calm::look(state, common);
-    }
+    calm::look(state, common);
     kick(state, common, outside, (t, h));
     let [obstacles, skins] = detect::is_due(state, time);
     if obstacles {
