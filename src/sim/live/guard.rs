@@ -8,8 +8,8 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 const FORGIVEN: f64 = 0.5;
 /// Speed that is left to what is led or owes energy, in the mean `[m/s]`.
 const LEFT: f64 = 0.3;
-/// Share of the energy of its own motion and of springs that contacts may make in a step without being seen: overlaps that are mended load
-/// springs, and bonds swing. What is rigid as a whole has rounding alone.
+/// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs. Of
+/// what is rigid as a whole, which has none, rounding alone.
 const SLACK: f64 = 1e-3;
 const ROUNDING: f64 = 1e-7;
 
@@ -98,6 +98,12 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     let (kinetic, fall) = moving(state, gravity);
     let elastic = elastic(state, common);
     let excess = kinetic + fall + elastic - before - state.work + debt;
+    let is_rigid = elastic == S::ZERO && (0..state.bodies.len() as u32).all(|body| state.is_rigid(body));
+    let slack = if is_rigid { ROUNDING } else { SLACK };
+    if excess <= S::from_f64(slack) * (kinetic + elastic) {
+        state.debt = S::ZERO;
+        return;
+    }
     let leans = state.on_planes.iter().any(|on| on.pressed > S::ZERO)
         || state
             .pairs
@@ -111,12 +117,6 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     }
     let mean = if mass > S::ZERO { scale(momentum, S::ONE / mass) } else { zero() };
     let own = kinetic - S::HALF * mass * dot(mean, mean);
-    let is_rigid = elastic == S::ZERO && (0..state.bodies.len() as u32).all(|body| state.is_rigid(body));
-    let slack = if is_rigid { ROUNDING } else { SLACK };
-    if excess <= S::from_f64(slack) * (own + elastic) {
-        state.debt = S::ZERO;
-        return;
-    }
     // Bodies that are led, and springs that are to let go, need some speed.
     let free = (0..state.own()).filter(|&i| state.w[i] != S::ZERO).fold(S::ZERO, |sum, i| sum + S::ONE / state.w[i]);
     let left = if debt > S::ZERO || is_led_back { S::HALF * free * S::from_f64(LEFT * LEFT) } else { S::ZERO };

@@ -42,10 +42,11 @@ impl<const D: usize> Model<D> {
             AngleDrive::Motor { speed, torque, .. } if !(speed.is_finite() && torque > 0.0 && torque.is_finite()) => {
                 return refuse(format!("speed {speed}, torque {torque}: give a finite speed and a torque above 0"));
             }
-            AngleDrive::Motor { .. } => match self.driving().of_motor() {
-                Some(why) => return refuse(why.to_string()),
-                None => {}
-            },
+            AngleDrive::Motor { .. } => {
+                if let Some(why) = self.driving().of_motor() {
+                    return refuse(why.to_string());
+                }
+            }
             _ => {}
         }
         Ok(())

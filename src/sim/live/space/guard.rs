@@ -5,7 +5,7 @@ use super::cluster::{Cluster, Common};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
-/// Share of the energy of its own motion and of springs that contacts may make in a step without being seen: overlaps that are mended load springs.
+/// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs.
 const SLACK: f64 = 1e-3;
 
 /// Share of the motion of its own that is taken of it in a step for what springs have as they are. Where that is not enough, they are strained by
@@ -70,6 +70,13 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     }
     let (kinetic, fall) = moving(state, gravity);
     let elastic = elastic(state, common);
+    let [excess, less] = [0, 1].map(|k| {
+        let excess = kinetic + fall + elastic[k] - before[k] - state.work;
+        if excess <= S::from_f64(SLACK) * (kinetic + elastic[k]) { S::ZERO } else { excess }
+    });
+    if excess <= S::ZERO && less <= S::ZERO || kinetic == S::ZERO {
+        return;
+    }
     let leans = state.touches.iter().any(|touch| touch.pressed > S::ZERO);
     let is_held = leans || (0..state.now.len()).any(|i| state.w[i] == S::ZERO);
     let (mut momentum, mut mass) = (zero::<S, 3>(), S::ZERO);
@@ -79,13 +86,6 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     }
     let mean = if mass > S::ZERO { scale(momentum, S::ONE / mass) } else { zero() };
     let own = kinetic - S::HALF * mass * dot(mean, mean);
-    let [excess, less] = [0, 1].map(|k| {
-        let excess = kinetic + fall + elastic[k] - before[k] - state.work;
-        if excess <= S::from_f64(SLACK) * (own + elastic[k]) { S::ZERO } else { excess }
-    });
-    if excess <= S::ZERO && less <= S::ZERO || kinetic == S::ZERO {
-        return;
-    }
     let taken = excess.min(less.max(S::from_f64(MOST) * own)).max(less);
     let kept = if own > S::ZERO { (S::ONE - taken / own).max(S::ZERO).sqrt() } else { S::ONE };
     for i in 0..state.now.len() {
