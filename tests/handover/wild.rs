@@ -196,7 +196,8 @@ fn a_thousand_rims_come_back_when_the_mouse_has_swept_through_them() {
         swept = swept.min(least_ring(&*world, &mut start));
     }
     world.apply(&Command::Cursor { to: None, by: world.time() }).unwrap();
+    // They swing on, and give a little as they do.
     world.step_until(3.2);
     let after = least_ring(&*world, &mut start);
-    assert!(swept < 0.95 && after > 0.95, "{swept:.3} while it sweeps, {after:.3} two seconds later");
+    assert!(swept < 0.9 && after > 0.9, "{swept:.3} while it sweeps, {after:.3} two seconds later");
 }
