@@ -39,6 +39,16 @@ fn press(panels: &mut Panels, name: &str) {
     panels.run_steps(3);
 }
 
+/// Looks for a scene in the gallery and opens the first that is found.
+fn open_from_the_gallery(panels: &mut Panels, search: &str) {
+    panels.state_mut().act(Action::Gallery);
+    panels.run_steps(3);
+    panels.get_by_label("search the gallery").type_text(search);
+    panels.run_steps(2);
+    panels.key_press(Key::Enter);
+    panels.run_steps(4);
+}
+
 /// What is said in the window beside what stands at the pointer: all labels that are shown.
 fn says(panels: &Panels, words: &str) -> bool {
     panels.query_all_by_label_contains(words).next().is_some()
@@ -289,12 +299,7 @@ fn a_lesson_closes_with_its_scene_and_one_click_leads_back() {
     let own = panels.state().history().scene().name().to_owned();
     press(&mut panels, "Next");
     let second = panels.state().history().scene().name().to_owned();
-    panels.state_mut().act(Action::Gallery);
-    panels.run_steps(3);
-    panels.get_by_label("search the gallery").type_text("wrecking");
-    panels.run_steps(2);
-    panels.key_press(Key::Enter);
-    panels.run_steps(4);
+    open_from_the_gallery(&mut panels, "wrecking");
     assert!(!panels.state().has_lessons() && panels.query_by_label("Next").is_none(), "it is of another scene");
     press(&mut panels, "Back to the lesson");
     assert_eq!(panels.state().history().scene().name(), second);
@@ -308,12 +313,7 @@ fn a_lesson_whose_panel_was_closed_is_left_with_its_scene_and_the_list_comes_nex
     let [first, second] = [0, 1].map(|lesson| &wobble::lessons::lessons()[lesson]);
     press(&mut panels, &first.title);
     panels.state_mut().act(Action::Lessons);
-    panels.state_mut().act(Action::Gallery);
-    panels.run_steps(3);
-    panels.get_by_label("search the gallery").type_text("wrecking");
-    panels.run_steps(2);
-    panels.key_press(Key::Enter);
-    panels.run_steps(4);
+    open_from_the_gallery(&mut panels, "wrecking");
     assert!(panels.query_by_label("Back to the lesson").is_none(), "what was put away is not offered");
     panels.state_mut().act(Action::Lessons);
     panels.run_steps(4);
