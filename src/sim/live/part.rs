@@ -8,7 +8,7 @@
 
 use super::cluster::Cluster;
 use super::cross::Crossing;
-use super::pair::{Pair, left};
+use super::pair::{Pair, beside, left};
 use super::tangle::Knot;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
@@ -19,6 +19,8 @@ const SPEED: f64 = 1.0;
 const OWED: f64 = 1.0;
 /// Directions that shadows are looked at along.
 const DIRECTIONS: u32 = 16;
+/// Cosine from which on what presses a body bars its way.
+const BARRED: f64 = 0.5;
 /// Share of the lengths of the chords that their sum must have to say where out is.
 const CLEAR: f64 = 0.5;
 
@@ -60,6 +62,35 @@ fn shares<S: Real>([a, b]: [S; 2]) -> Option<[S; 2]> {
         [true, false] => Some([S::ONE, S::ZERO]),
         [false, true] => Some([S::ZERO, S::ONE]),
         [false, false] => None,
+    }
+}
+
+/// Which bodies obstacles press, and which way: they do not go against that.
+fn barriers<S: Real>(state: &Cluster<S>) -> Vec<(u32, [S; 2])> {
+    let own = state.own();
+    let on_planes = state.on_planes.iter().filter(|on| on.pressed > S::ZERO);
+    let mut found: Vec<(u32, [S; 2])> = on_planes.map(|on| (state.body_of[on.p as usize], on.normal)).collect();
+    for pair in state.chosen.iter().map(|&number| &state.pairs[number as usize]).filter(|pair| pair.pressed > S::ZERO) {
+        let [p, a, b] = [pair.p, pair.a, pair.b].map(|i| i as usize);
+        if (p < own) != (a < own)
+            && let Some(found_at) = beside([p, a, b].map(|i| state.now[i]), pair.side)
+        {
+            let (i, sign) = if p < own { (p, S::ONE) } else { (a, -S::ONE) };
+            found.push((state.body_of[i], scale(found_at.normal, sign)));
+        }
+    }
+    found
+}
+
+/// Masses of two bodies that go apart along `out`; infinite of one, not both, that something bars the way.
+fn inertia<S: Real>(masses: [S; 2], (bodies, out): ([u32; 2], [S; 2]), barriers: &[(u32, [S; 2])]) -> [S; 2] {
+    let is_barred = |body: u32, goes: S| {
+        barriers.iter().any(|&(of, normal)| of == body && goes * dot(normal, out) < -S::from_f64(BARRED))
+    };
+    match [is_barred(bodies[0], -S::ONE), is_barred(bodies[1], S::ONE)] {
+        [true, false] if masses[1].is_finite() => [S::INFINITY, masses[1]],
+        [false, true] if masses[0].is_finite() => [masses[0], S::INFINITY],
+        _ => masses,
     }
 }
 
@@ -115,16 +146,20 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S, gravity: [f64; 2]) {
     }
     let speed = if owes(state) { 0.0 } else { SPEED };
     let couples = std::mem::take(&mut state.tangle.couples);
+    let barriers = barriers(state);
     let mut shifts = vec![zero::<S, 2>(); state.bodies.len()];
     for couple in couples.iter().filter(|couple| couple.is_parted()) {
         let [(mass_a, v_a), (mass_b, v_b)] = couple.bodies.map(|body| motion(state, body));
         let Some(share) = shares([mass_a, mass_b]) else { continue };
+        let Some(goes_by) = shares(inertia([mass_a, mass_b], (couple.bodies, couple.out), &barriers)) else { continue };
         let way = scale(couple.out, h * S::from_f64(speed));
         let closing = dot(sub(v_b, v_a), couple.out).min(S::ZERO);
         let [a, b] = couple.bodies.map(|body| body as usize);
         state.counts.parted += 1;
-        for (body, share, goes) in [(a, share[0], -S::ONE), (b, share[1], S::ONE)] {
-            shifts[body] = add(shifts[body], scale(way, goes * share));
+        for (body, (share, goes_by), goes) in
+            [(a, (share[0], goes_by[0]), -S::ONE), (b, (share[1], goes_by[1]), S::ONE)]
+        {
+            shifts[body] = add(shifts[body], scale(way, goes * goes_by));
             let gain = scale(couple.out, -goes * share * closing);
             for i in state.bases[body] as usize..state.bases[body + 1] as usize {
                 if state.w[i] != S::ZERO {
