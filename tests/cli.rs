@@ -299,6 +299,41 @@ fn what_left_the_finite_numbers_is_told_of() {
 }
 
 #[test]
+fn a_tolerance_is_kept_until_bodies_meet() {
+    let folder = tempfile::tempdir().unwrap();
+    let [scene, out] = ["meet.json", "x.json"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
+    // Two points in free fall, one above the other and thrown down: they come as near as their skins are thick a little before 0.25 s.
+    let write = |contact: bool| {
+        let ball = |x: f64, y: f64, v: f64| {
+            serde_json::json!({"make": "disc", "radius": 0.2, "spacing": 0.1, "origin": [x, y], "velocity": [0, v],
+                "material": {"kind": "rigid"}})
+        };
+        let bodies = [ball(0.0, 0.0, 0.0), ball(0.0, 1.4, -4.0)];
+        let text = serde_json::json!({"wobble": 1, "gravity": [0, -9.81], "contact": contact, "bodies": bodies});
+        std::fs::write(&scene, text.to_string()).unwrap();
+    };
+    let run = |samples: &str| wobble(&["simulate", &scene, "--tolerance", "1e-6", "--samples", samples, "--out", &out]);
+    let read = || serde_json::from_str::<Value>(&std::fs::read_to_string(&out).unwrap()).unwrap();
+    write(true);
+    let done = run("0.05,0.1,0.5,1");
+    let said = text(&done.stderr);
+    assert!(done.status.code() == Some(1) && said.contains("bodies may meet from t = 0.2"), "{done:?}");
+    let kept = read();
+    let samples = kept["samples"].as_array().unwrap();
+    assert_eq!(samples.len(), 2, "those before the bodies meet");
+    assert!(kept["expected_error"].as_f64().unwrap() <= 1e-6);
+    let fallen = samples[1]["position"][0][1].as_f64().unwrap() - samples[0]["position"][0][1].as_f64().unwrap();
+    assert!((fallen + 0.5 * 9.81 * (0.01 - 0.0025)).abs() < 1e-6, "{fallen}");
+    assert!(run("0.05,0.1").status.success(), "nothing meets before that");
+    std::fs::remove_file(&out).unwrap();
+    let none = run("0.5");
+    assert!(none.status.code() == Some(1) && text(&none.stderr).contains("before the first sample"), "{none:?}");
+    assert!(!Path::new(&out).exists());
+    write(false);
+    assert!(run("0.05,0.5").status.success());
+}
+
+#[test]
 fn a_tolerance_is_kept_or_what_was_reached_is_said() {
     let folder = tempfile::tempdir().unwrap();
     let (scene, out) = (folder.path().join("swing.json"), folder.path().join("x.json"));

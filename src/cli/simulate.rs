@@ -1,5 +1,6 @@
 //! `wobble simulate`: runs a scene to a table.
 
+mod apart;
 mod beside;
 mod led;
 mod strain;
@@ -11,6 +12,7 @@ use std::time::Instant;
 use anyhow::bail;
 use clap::Args;
 
+use self::apart::Apart;
 use self::strain::Strain;
 use super::values::{self, Times};
 use super::{WrongCall, progress};
@@ -122,9 +124,14 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     }
     let mut scene = start.scene().clone();
     arguments.change(&mut scene);
-    let times = arguments.times(&scene)?;
+    let mut times = arguments.times(&scene)?;
+    let apart = apart::split(&mut scene, &times)?;
+    if let Some(apart) = &apart {
+        times = apart.times()?;
+    }
     let end = times.last().copied();
-    let duration = if arguments.samples.is_some() { end } else { scene.duration.or(end) };
+    let is_cut = arguments.samples.is_some() || apart.is_some();
+    let duration = if is_cut { end } else { scene.duration.or(end) };
     if arguments.settle {
         return settle(arguments, &scene, end.unwrap_or(0.0));
     }
@@ -153,10 +160,8 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     recording.expected_error = found.as_ref().map(|found| found.expected_error);
     write(arguments, &recording)?;
     say_kernels(&*start, &samples)?;
-    match found {
-        Some(found) => found.report(&recording),
-        None => Ok(()),
-    }
+    found.map_or(Ok(()), |found| found.report(&recording))?;
+    apart.as_ref().map_or(Ok(()), Apart::report)
 }
 
 /// Says how large bodies were moved and the strain that was reached; nothing where there are none.

@@ -59,6 +59,20 @@ fn the_velocity_of_a_pinned_point_is_not_dropped_in_silence() {
 }
 
 #[test]
+fn a_torque_on_one_place_is_told() {
+    let warnings = |second: [f64; 2], pinned: &[u32]| {
+        let scene = json!({"wobble": 1, "points": {"position": [[0, 1], second], "pinned": pinned},
+            "forces": [{"points": [0, 1], "force": [1, 0]}, {"points": [0, 1], "torque": 3}]});
+        world(&scene).warnings().to_vec()
+    };
+    let told =
+        "a torque turns nothing: of its points those that are free lie in one place: give two that are apart (force 1)";
+    assert_eq!(warnings([0.0, 1.0], &[]), [told]);
+    assert_eq!(warnings([1.0, 1.0], &[1]), [told]);
+    assert!(warnings([1.0, 1.0], &[]).is_empty());
+}
+
+#[test]
 fn what_starts_across_itself_or_another_is_told() {
     let warnings = |[positions, bonds, bodies, contact]: [serde_json::Value; 4]| {
         let scene = json!({"wobble": 1, "contact": contact, "points": {"position": positions}, "bonds": bonds, "bodies": bodies});

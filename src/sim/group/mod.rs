@@ -34,6 +34,8 @@ use guard::Guard;
 use sleep::Sleep;
 use watch::Watch;
 
+/// Share of its velocity by which a point goes less far than that when a surface holds it.
+const HELD: f64 = 0.02;
 /// Roundings of the largest that a state may be off by which is the same.
 const ROUNDED: f64 = 16.0;
 
@@ -286,7 +288,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     }
 
     /// Velocities of large bodies are half a substep behind: brings them to the time of the positions, as the mean of those
-    /// before and after it.
+    /// before and after it. A point that a surface holds goes as far as it gets: each substep gives it a velocity into the surface, and takes it.
     pub(crate) fn centre_velocity(&mut self, around: &Environment<D>, t: f64) {
         if self.is_asleep() {
             return;
@@ -298,10 +300,14 @@ impl<S: Real, const D: usize> Group<S, D> {
         }
         let (position, before) = (points.position.clone(), points.velocity.clone());
         bulk.step(points, pull, around, (t, h), &mut Counters::default(), None);
-        points.position = position;
+        let ends = std::mem::replace(&mut points.position, position);
         bulk.reload();
-        for (v, before) in points.velocity.iter_mut().zip(before) {
-            *v = scale(add(*v, before), S::HALF);
+        let (rate, has_surfaces) = (S::from_f64(1.0 / h), pull.contacts.has_surfaces());
+        for (((v, before), from), to) in points.velocity.iter_mut().zip(before).zip(&points.position).zip(ends) {
+            let gone = scale(sub(to, *from), rate);
+            let (held, share) = (sub(*v, gone), S::from_f64(HELD));
+            let is_held = has_surfaces && dot(held, held) > share * share * dot(*v, *v);
+            *v = if is_held { gone } else { scale(add(*v, before), S::HALF) };
         }
     }
 

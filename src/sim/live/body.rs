@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::bend::Bends;
 use super::rig::Rig;
 use super::rigid::Shape;
 use super::strap::Strap;
@@ -37,6 +38,8 @@ pub(super) struct Body<S> {
     pub(super) hinges: Span,
     pub(super) muscles: Span,
     pub(super) turns: Span,
+    /// How its angles are bent together; `None`: one by one.
+    pub(super) bends: Option<Arc<Bends>>,
     /// Bonds at the front of those that are held that make trees, from the roots on.
     pub(super) tree: u32,
     /// Mean length of its edges at the start `[m]`; 0 without any.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::bend::Bends;
 use super::body::{Area, Body, Edge, Link, Relaxed, Span};
 use super::cluster::{Cluster, Side};
 use super::drives::{Muscle, Turn};
@@ -26,6 +27,9 @@ use crate::sim::vector::{length, sub, widen};
 
 /// Stiffness over mass from which on springs that make trees are taken for rigid, times the square of the longest substep, of 1/16 frame `[1]`.
 const STIFF: f64 = 100.0;
+/// The longest substep `[s]`, and how stiff angles may be in it (`Hinge::bounded`) that are bent one by one: stiffer ones, each solved once, would
+/// give way to bonds and load them.
+const BENDING: (f64, f64) = (1.0 / 960.0, 1.0);
 /// Oscillation beyond which a body of hard springs counts as rigid `[rad/s]`: of 30 Hz, more than 60 frames a second can show.
 const SEEN: f64 = 188.5;
 
@@ -176,10 +180,16 @@ impl<S: Real> Bodies<S> {
                 .filter_map(|(&corners, &rest)| area(corners, (corners.map(place), rest), (&lengths, local))),
         );
         let within = |hinge: &Hinge<S>| hinge.between(hinge.points.map(|point| local[point as usize]));
+        let borne = |hinge: &Hinge<S>| hinge.bounded(hinge.points.map(|point| w(point).to_f64()), BENDING);
         let (turns, hinges): (Vec<Hinge<S>>, Vec<Hinge<S>>) =
-            own.hinges.iter().map(within).partition(|hinge| hinge.drive.is_some());
-        self.hinges.extend(hinges);
-        self.turns.extend(turns.into_iter().map(Turn::of));
+            own.hinges.iter().partition(|hinge| hinge.drive.is_some());
+        let as_made: Vec<Hinge<S>> = hinges.iter().map(within).collect();
+        let bends = if rig.is_none() { Bends::of(&as_made) } else { None };
+        match bends {
+            Some(_) => self.hinges.extend(as_made),
+            None => self.hinges.extend(hinges.iter().map(|hinge| within(&borne(hinge)))),
+        }
+        self.turns.extend(turns.iter().map(|hinge| Turn::of(within(&borne(hinge)))));
         let contact = draft.contact.unwrap_or_default();
         let radius = draft.contact.and(contact.radius);
         let radius = radius.map_or(edge_length.min(thin) * S::from_f64(RADIUS), S::from_f64);
@@ -202,6 +212,7 @@ impl<S: Real> Bodies<S> {
             hinges: span(6),
             muscles: span(7),
             turns: span(8),
+            bends: bends.map(Arc::new),
             tree: tree.len() as u32,
             edge_length,
             radius,

@@ -1,6 +1,7 @@
 //! Bodies that may touch each other within a step: their state, side by side, and what is near what.
 
 use super::areas::Thin;
+use super::bend::Bends;
 use super::body::{Area, Body, Edge, Link};
 use super::bonds::Hold;
 use super::booking::Tally;
@@ -75,6 +76,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) turns: Vec<Turn<S>>,
     /// What mouse, forces and wind gave to its points in this substep.
     pub(super) given: Given<S, 2>,
+    /// How the angles of each body are bent together; empty where none are.
+    pub(super) bends: Vec<Option<Bends>>,
     /// Forces on some of its points.
     pub(super) thrusts: Vec<Thrust<S, 2>>,
     /// Triangles that may get thin, one list a body.

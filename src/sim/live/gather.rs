@@ -2,6 +2,7 @@
 
 use super::Live;
 use super::areas::Thin;
+use super::bend::Bends;
 use super::body::Body;
 use super::cluster::{Cluster, Common, Counts, OBSTACLE, Side};
 use super::given::Given;
@@ -101,11 +102,19 @@ impl<S: Real> Live<S> {
         Swept::new(own.map(|i| (points.position[i], points.velocity[i])), span, margin)
     }
 
+    /// What bends the angles of these bodies; nothing where none do so together.
+    fn bends(&self, bodies: &[usize]) -> Vec<Option<Bends>> {
+        let of = |&body: &usize| self.bodies.list[body].bends.as_deref();
+        let is_any = bodies.iter().any(|body| of(body).is_some());
+        if is_any { bodies.iter().map(|body| of(body).cloned()).collect() } else { Vec::new() }
+    }
+
     pub(super) fn cluster(&self, bodies: Vec<usize>, points: &Points<S, 2>, common: &Common<S>) -> Cluster<S> {
         let own: usize = bodies.iter().map(|&body| self.bodies.list[body].points.len()).sum();
         let mut cluster = Cluster {
             settles: bodies.iter().map(|&body| self.rests[body].settles()).collect(),
             by_forces: Vec::new(),
+            bends: self.bends(&bodies),
             bases: Vec::with_capacity(bodies.len() + 1),
             start: Vec::with_capacity(own),
             now: Vec::with_capacity(own),

@@ -14,6 +14,7 @@
 //! Detailed Rigid Body Simulation with Extended Position Based Dynamics, 2020 (friction on the ways of a substep, restitution).
 
 mod areas;
+mod bend;
 mod body;
 mod bonds;
 mod booking;
@@ -84,10 +85,6 @@ const FRAMES: f64 = 60.0;
 
 /// Edges that a point may be led by in a second: one in each of the longest substeps.
 const LEAD: f64 = 960.0;
-
-/// The longest substep `[s]`, and how stiff angles may be in it (`Hinge::bounded`): stiffer ones, each solved once, would give way to bonds and
-/// load them.
-pub(crate) const BENDING: (f64, f64) = (1.0 / 960.0, 1.0);
 
 /// What live bodies are made of. Points are numbered as in their group.
 pub(crate) struct Draft<S> {

@@ -1,5 +1,6 @@
 //! Angles and areas in the live step: compliant projections along their slopes, as bonds are; limits of joints and areas that are kept.
 
+use super::bend;
 use super::body::{Area, Body};
 use super::cluster::{Cluster, Common};
 use super::rigid::Change;
@@ -22,13 +23,14 @@ const SLACK: f64 = 0.01;
 /// Model: with C what is off, slopes g and the way of the points since the start of the substep, the multiplier is
 /// -(k h^2 C + c h g . way)/(1 + (k h^2 + c h) sum of w |g|^2), c the damper: implicit Euler, linear in C.
 pub(super) fn resist<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
+    bend::bend(state, common, h);
     let areas = &common.resist;
     let is_spring = areas.stiffness > 0.0 && !areas.is_rigid();
     for (body, base) in state.members(common) {
-        let hinges = common.hinges(body);
-        state.counts.work += 60 * hinges.len() as u64;
-        for hinge in hinges {
-            bend(state, hinge, (base, h));
+        if body.bends.is_none() {
+            let hinges = common.hinges(body);
+            state.counts.work += 60 * hinges.len() as u64;
+            hinges.iter().for_each(|hinge| bend(state, hinge, (base, h)));
         }
         if is_spring {
             let firm = S::from_f64(areas.stiffness) * h * h;

@@ -1,6 +1,7 @@
 //! One substep of a cluster, from top to bottom.
 
 use super::areas;
+use super::bend;
 use super::bonds;
 use super::calm;
 use super::cluster::{Cluster, Common};
@@ -70,6 +71,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
         drives::stop(state);
         areas::unfold(state, common);
         if pass > 0 {
+            bend::again(state, common, time);
             tree::straighten(state, common, pass + 1 == passes);
             bonds::hold_again(state);
             drives::hold(state, true);

@@ -4,10 +4,9 @@ use super::choice;
 use super::make::{Maker, breakable};
 use crate::sim::bond::PointId;
 use crate::sim::contact::skin::{Contact, SkinMaterial};
-use crate::sim::force::angle::Hinge;
 use crate::sim::force::mouse::Track;
 use crate::sim::group::Group;
-use crate::sim::live::{self, Draft, mover};
+use crate::sim::live::{Draft, mover};
 use crate::sim::real::Real;
 use crate::sim::sets::Sets;
 
@@ -26,7 +25,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             bonds: self.bonds().map(|(_, bond)| bond).collect(),
             body_of: self.body_of(),
             triangles: self.triangles(),
-            hinges: self.live_hinges(),
+            hinges: self.form::<S>().hinges,
             areas: self.model.areas.unwrap_or_default(),
             contact: self.model.contact.map(Contact::borne),
             settles: self.model.method.settles,
@@ -45,13 +44,6 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let mut list: Vec<(u32, Vec<[f64; 3]>)> = self.tracks().into_iter().map(of).collect();
         list.sort_unstable_by_key(|entry| entry.0);
         list
-    }
-
-    /// The angles of the group, none stiffer than the live step bears.
-    fn live_hinges(&self) -> Vec<Hinge<S>> {
-        let w = |slot: u32| self.gathered.w[self.points[slot as usize] as usize];
-        let hinges = self.form::<S>().hinges.into_iter();
-        hinges.map(|hinge| hinge.bounded(hinge.points.map(w), live::BENDING)).collect()
     }
 
     /// What the skins of the points of the group are made of; none where no body has its own.

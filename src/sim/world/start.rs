@@ -96,6 +96,7 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_overlap(&cleared, 0);
         world.warn_of_pins(&model.position);
         world.warn_of_held(&model.velocity);
+        world.warn_of_torques(&model.position);
         world.warn_of_rounding(&model.position);
         world.warn_of_limits();
         world.warn_of_wind();

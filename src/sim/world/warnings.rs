@@ -130,6 +130,24 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
+    /// Tells of torques on points that lie in one place at the start, or of which all but one are pinned: they turn nothing there.
+    pub(super) fn warn_of_torques(&mut self, position: &[[f64; D]]) {
+        let is_idle = |points: Vec<PointId>| {
+            let mut free = points.iter().map(|point| point.index()).filter(|&point| self.inverse_mass[point] != 0.0);
+            let Some(first) = free.next() else { return true };
+            free.all(|point| position[point] == position[first])
+        };
+        let turning = self.model.forces.iter().enumerate().filter(|(_, force)| force.torque != 0.0);
+        let idle: Vec<usize> = turning.filter(|(_, force)| is_idle(force.members())).map(|(k, _)| k).collect();
+        if !idle.is_empty() {
+            let which = if idle.len() == 1 { "a torque turns" } else { "torques turn" };
+            self.warnings.push(format!(
+                "{which} nothing: of its points those that are free lie in one place: give two that are apart ({})",
+                named("force", &idle)
+            ));
+        }
+    }
+
     /// Tells of places so far from the origin `[m]` that the scalar of the world rounds them by more than bonds bear.
     pub(super) fn warn_of_rounding(&mut self, position: &[[f64; D]]) {
         let far = position.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));

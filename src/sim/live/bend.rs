@@ -1,0 +1,153 @@
+//! Angles of a body that are bent together: one by one each would give way to the next, and a fine chain be limp.
+//!
+//! Model: with C what an angle is off, g its slopes, k its stiffness, c its damper and way what its points have gone, the multipliers at the end of
+//! a substep are l = -(k h^2 C + c h g . way), where C and g . way have grown by A l, A_ij the sum over the points that i and j share of
+//! w g_i . g_j: a step of implicit Euler, linear in C. With s = k h^2 + c h these are (1/s + A) l = -(k h^2 C + c h g . way)/s. Where contacts
+//! have moved points since, the same again for what l lacks.
+
+use super::cluster::{Cluster, Common};
+use super::shape;
+use crate::sim::force::angle::Hinge;
+use crate::sim::force::form::at;
+use crate::sim::real::Real;
+use crate::sim::solve::elimination;
+use crate::sim::solve::ldl::Ldl;
+use crate::sim::vector::{convert, widen};
+
+/// Most multiplications of a factorisation for each angle: what is meshed more closely is bent one by one.
+const MOST_FILL: usize = 60;
+/// Most that a substep turns an angle by `[rad]`: further on its slopes are others.
+const MOST_TURN: f64 = 0.5;
+
+/// How the angles of a body hang together, and what solves for them.
+#[derive(Clone, Debug)]
+pub(super) struct Bends {
+    /// Their places among those of the body, in the order of elimination.
+    order: Vec<u32>,
+    /// Points that two of them share: the entry of the matrix, the two by their places in `order`, and which corner it is of each.
+    shared: Vec<(u32, [u32; 2], [u8; 2])>,
+    entries: usize,
+    ldl: Ldl<f64>,
+    /// The multipliers so far in this substep, in the order of elimination `[kg m^2]`.
+    pressed: Vec<f64>,
+}
+
+/// An angle as it stands in a substep.
+#[derive(Clone, Copy)]
+struct Bent {
+    points: [u32; 3],
+    w: [f64; 3],
+    slopes: [[f64; 2]; 3],
+    /// 1/s.
+    give: f64,
+}
+
+impl Bends {
+    /// Of angles between points of a body; `None` without any, or where they are meshed too closely.
+    pub(super) fn of<S: Real>(hinges: &[Hinge<S>]) -> Option<Self> {
+        let mut at: Vec<[u32; 2]> =
+            hinges.iter().zip(0..).flat_map(|(hinge, k)| hinge.points.map(|point| [point, k])).collect();
+        at.sort_unstable();
+        let groups = at.chunk_by(|a, b| a[0] == b[0]);
+        let together = |group: &[[u32; 2]]| {
+            let own: Vec<u32> = group.iter().map(|entry| entry[1]).collect();
+            let pair = move |k: usize| (0..k).map(move |j| [j, k]);
+            (0..own.len()).flat_map(pair).map(|[j, k]| [own[j], own[k]]).collect::<Vec<_>>()
+        };
+        let mut pairs: Vec<[u32; 2]> = groups.flat_map(together).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        let order = elimination::order(hinges.len(), &pairs, &[]);
+        let mut place = vec![0; hinges.len()];
+        order.iter().zip(0..).for_each(|(&k, at)| place[k as usize] = at);
+        let mut lower: Vec<Vec<u32>> = vec![Vec::new(); hinges.len()];
+        for [a, b] in pairs.into_iter().map(|pair| pair.map(|k| place[k as usize])) {
+            lower[a.max(b) as usize].push(a.min(b));
+        }
+        lower.iter_mut().for_each(|row| row.sort_unstable());
+        let ldl = Ldl::analyse(&lower);
+        if hinges.is_empty() || ldl.multiplications() > MOST_FILL * hinges.len() {
+            return None;
+        }
+        let mut shared = Vec::new();
+        let entries = lower.iter().zip(0..).flat_map(|(row, k)| row.iter().map(move |&j| [k, j])).zip(0..);
+        for ([row, column], entry) in entries {
+            let [a, b] = [row, column].map(|at| hinges[order[at as usize] as usize].points);
+            for (i, point) in (0..).zip(a) {
+                let same = b.iter().position(|&other| other == point);
+                shared.extend(same.map(|j| (entry, [row, column], [i, j as u8])));
+            }
+        }
+        Some(Bends { order, shared, entries: lower.iter().map(Vec::len).sum(), ldl, pressed: vec![0.0; hinges.len()] })
+    }
+
+    /// Counted work of bending once.
+    fn work(&self) -> u64 {
+        (80 * self.order.len() + 4 * self.shared.len() + self.ldl.multiplications()) as u64
+    }
+
+    /// Bends all, in a substep of `h` `[s]`, of a body whose points begin at `base`.
+    fn bend<S: Real>(&mut self, state: &mut Cluster<S>, hinges: &[Hinge<S>], (base, h): (u32, S)) {
+        let idle = Bent { points: [0; 3], w: [0.0; 3], slopes: [[0.0; 2]; 3], give: 1.0 };
+        let stands = |(&k, pressed): (&u32, &f64)| {
+            let hinge = &hinges[k as usize];
+            let points = hinge.points.map(|point| base + point);
+            let w = points.map(|point| state.w[point as usize].to_f64());
+            let stand = hinge.stand(at(&state.now, points))?;
+            let [firm, slow] = [hinge.stiffness * h * h, hinge.damping * h].map(|x| (stand.share() * x).to_f64());
+            let asks = firm * hinge.off_rest(stand.angle).to_f64() + slow * stand.rate(at(&state.way, points)).to_f64();
+            let give = 1.0 / (firm + slow);
+            let bent = Bent { points, w, slopes: stand.slopes.map(widen), give };
+            (give.is_finite() && w != [0.0; 3]).then_some((bent, -(asks + pressed) * give))
+        };
+        let (bent, asked): (Vec<Bent>, Vec<f64>) =
+            self.order.iter().zip(&self.pressed).map(|entry| stands(entry).unwrap_or((idle, 0.0))).unzip();
+        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+        let own =
+            |bent: &Bent| bent.give + (0..3).map(|i| bent.w[i] * dot(bent.slopes[i], bent.slopes[i])).sum::<f64>();
+        let diagonal: Vec<f64> = bent.iter().map(own).collect();
+        let mut lower = vec![0.0; self.entries];
+        for &(entry, pair, corners) in &self.shared {
+            let [a, b] = pair.map(|k| &bent[k as usize]);
+            let [i, j] = corners.map(usize::from);
+            lower[entry as usize] += a.w[i] * dot(a.slopes[i], b.slopes[j]);
+        }
+        let mut multipliers = asked.clone();
+        self.ldl.factor(&diagonal, &lower, 0.0);
+        self.ldl.solve_one(&mut multipliers);
+        // What they turn by is what was asked for less what they give.
+        let turns = asked.iter().zip(&multipliers).zip(&bent).map(|((asked, l), bent)| (asked - l * bent.give).abs());
+        let most = turns.fold(0.0, f64::max);
+        let share = if most > MOST_TURN { MOST_TURN / most } else { 1.0 };
+        for ((bent, multiplier), pressed) in bent.iter().zip(&multipliers).zip(&mut self.pressed) {
+            if bent.w != [0.0; 3] {
+                *pressed += share * multiplier;
+                shape::push(state, bent.points, bent.slopes.map(convert), S::from_f64(share * multiplier));
+            }
+        }
+    }
+}
+
+/// Bends the angles of all bodies that do so together, in a substep of `h` `[s]`.
+pub(super) fn bend<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
+    state.bends.iter_mut().flatten().for_each(|own| own.pressed.fill(0.0));
+    go_on(state, common, h);
+}
+
+/// Once more, where contacts pressed.
+pub(super) fn again<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
+    if !state.bends.is_empty() && state.is_pressed() {
+        go_on(state, common, h);
+    }
+}
+
+fn go_on<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
+    let mut bends = std::mem::take(&mut state.bends);
+    for (own, (body, base)) in bends.iter_mut().zip(state.members(common)) {
+        if let Some(own) = own {
+            state.counts.work += own.work();
+            own.bend(state, common.hinges(body), (base as u32, h));
+        }
+    }
+    state.bends = bends;
+}
