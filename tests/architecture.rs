@@ -204,6 +204,7 @@ const SIM: [(&str, &[&str]); 46] = [
             "rigid",
             "sets",
             "sizes",
+            "solve",
             "swept",
             "triangles",
             "vector",

@@ -242,6 +242,38 @@ fn what_is_pinned_across_a_wall_makes_no_energy() {
 }
 
 #[test]
+fn a_box_that_is_pinned_across_a_floor_is_held() {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81],
+        "bodies": [{"make": "box", "width": 2, "height": 1, "supports": 2, "origin": [0, 0], "pinned": [3]}],
+        "bounds": {"min": [-50, 0], "max": [50, 50], "friction": 0.5, "restitution": 0.3}});
+    let mut world = world(&scene);
+    let (start, energy) = (world.sample(0.0), world.energy());
+    while world.time() < 1.0 {
+        world.step();
+        assert!(world.energy() <= energy + 1e-9, "{} J of {energy} at {} s", world.energy(), world.time());
+    }
+    let end = world.sample(world.time());
+    let gone = |(a, b): (&[f64; 3], &[f64; 3])| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let most = start.position.iter().zip(&end.position).map(gone).fold(0.0, f64::max);
+    assert!(most < 1e-9, "{most} m");
+}
+
+#[test]
+fn a_bead_on_a_spring_keeps_its_energy_as_it_bounces() {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81],
+        "points": {"position": [[0, 2], [0.8, 2.6]], "velocity": [[1, 0], [-1, 0]]},
+        "bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 1e4}],
+        "bounds": {"min": [-1e4, 0], "max": [1e4, 1e6], "restitution": 1}});
+    let mut world = world(&scene);
+    let start = world.energy();
+    while world.time() < 20.0 {
+        world.step();
+    }
+    let off = (world.energy() / start - 1.0).abs();
+    assert!(off < 1e-3, "off by {off} after 20 s");
+}
+
+#[test]
 fn a_thrown_disc_among_polygons_costs_little_whatever_its_speed() {
     for speed in [5.0, 50.0, 200.0] {
         let scene = json!({"wobble": 1, "gravity": [0, -9.81],

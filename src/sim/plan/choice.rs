@@ -198,12 +198,9 @@ fn pick(island: &Island, given: Option<f64>, setting: Setting, is_direct: bool) 
     if setting.points > LARGE {
         return Solver::VelocityVerlet;
     }
-    // A splitting has gravity and drag exactly and no drift; events and dampers need velocities in every stage.
-    if island.is_damped || setting.has_surfaces || setting.mouse.is_some() || island.has_limits {
-        Solver::Rk4
-    } else {
-        Solver::Pefrl
-    }
+    // A splitting has gravity and drag exactly and no drift, between surfaces too; dampers, and events of the mouse and of strings, need velocities
+    // in every stage.
+    if island.is_damped || setting.mouse.is_some() || island.has_limits { Solver::Rk4 } else { Solver::Pefrl }
 }
 
 /// Whether nothing stops, pushes or drives what rigid bonds hold but gravity, springs and pins, so that a method of high order pays.

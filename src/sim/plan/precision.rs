@@ -12,7 +12,8 @@ const ROOM: f64 = 8.0 / 16_777_216.0;
 
 /// Whether a world of this model is made of `f32`.
 ///
-/// Not where the rounding of positions, over the rest length of the shortest rigid bond, comes near the strain asked for.
+/// Not where the rounding of positions, over the rest length of the shortest rigid bond, comes near the strain asked for; nor where rigid bodies
+/// may meet polygons, which are as roundly where they are as the world: what lies on their sides is told to a millionth of that.
 pub(crate) fn is_single<const D: usize>(model: &Model<D>) -> bool {
     match model.method.precision {
         Precision::F32 => true,
@@ -21,6 +22,9 @@ pub(crate) fn is_single<const D: usize>(model: &Model<D>) -> bool {
             let rigid = || model.bonds.iter().filter(|bond| bond.kind == BondKind::Rigid && bond.rest_length > 0.0);
             let is_large_rigid = model.bonds.len() > MOST_DIRECT && rigid().nth(MOST_DIRECT).is_some();
             if model.position.len() <= if is_large_rigid { LARGE_RIGID_SINGLE } else { LARGE_SINGLE } {
+                return false;
+            }
+            if !model.polygons.is_empty() && !model.triangles.is_empty() && rigid().next().is_some() {
                 return false;
             }
             let farthest = model.position.as_flattened().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
@@ -35,6 +39,7 @@ mod tests {
     use super::*;
     use crate::sim::bond::{Bond, PointId};
     use crate::sim::bonds::Bonds;
+    use crate::sim::contact::polygon::Polygon;
     use crate::sim::model::Method;
     use crate::sim::solver::Solver;
 
@@ -55,5 +60,14 @@ mod tests {
         assert!(!is_single(&rope(900, 0.02)), "small");
         assert!(is_single(&rope(10_000, 0.02)), "large");
         assert!(!is_single(&rope(10_000, 1e-3)), "a kilometre of decimetres");
+    }
+
+    #[test]
+    fn rigid_bodies_among_polygons_are_of_64() {
+        let wedge =
+            Polygon { loops: vec![vec![[0.0, -9.0], [1.0, -9.0], [1.0, -8.0]]], restitution: 0.0, friction: 0.0 };
+        let among = Model { polygons: vec![wedge], ..rope(10_000, 0.02) };
+        assert!(is_single(&among), "a rope is no body");
+        assert!(!is_single(&Model { triangles: vec![[PointId(0), PointId(1), PointId(2)]], ..among }));
     }
 }

@@ -17,6 +17,8 @@ const LOOKS: i32 = 12;
 const MOST_GUESSES: u32 = 100;
 /// Rounds in which a body is put out of surfaces.
 const ROUNDS: u32 = 100;
+/// Most that a pinned one is turned by for it `[rad]`.
+const MOST_TURN: f64 = 0.05;
 
 /// A point of a body, by its number in the shape, on a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -220,9 +222,10 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
         list
     }
 
-    /// It is put out of surfaces that it is behind, as a whole, without speed; `None`: there is no room for it.
+    /// It is put out of surfaces that it is behind, as a whole, without speed; `None`: there is no room for it, or it would have to be turned far
+    /// about its pin, which is work that nobody does.
     pub(super) fn put_out(&self, motion: &Motion, near: &Near) -> Option<Motion> {
-        let mut motion = *motion;
+        let (mut motion, mut turned) = (*motion, 0.0);
         for _ in 0..ROUNDS {
             let all = self.behind(&motion, near);
             let gaps = all.into_iter().map(|touch| (self.gap(&motion, touch), touch));
@@ -234,10 +237,12 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
                 continue;
             }
             let lever = cross(sub(self.at(&motion, touch.point), motion.place.middle), normal);
-            if lever == 0.0 {
+            let by = -gap / lever;
+            turned += by.abs();
+            if turned.is_nan() || turned > MOST_TURN {
                 return None;
             }
-            motion.place = motion.place.moved([0.0; 2], -gap / lever);
+            motion.place = motion.place.moved([0.0; 2], by);
         }
         None
     }
