@@ -2,7 +2,7 @@
 // found; then both are shown at once. Drawn straight onto the picture, two triangles that share a pixel would let what lies
 // below show through between them.
 
-// Corners of triangles, three after each other.
+// Corners of triangles, three after each other; then ends of edges, two after each other, the first at a multiple of six.
 @group(0) @binding(3) var<storage, read> corners: array<vec2<f32>>;
 // What of each pixel is covered; when it is shown, also what of that is rim.
 @group(1) @binding(0) var covered: texture_2d<f32>;
@@ -113,6 +113,29 @@ fn widening(at: vec2<i32>) -> f32 {
         sum += min(textureLoad(covered, at + vec2(k % 3 - 1, k / 3 - 1), 0).r, 1.0);
     }
     return clamp(3.0 * min(LEAST_WIDTH, frame.outline_width) / max(sum, 1e-4), 1.0, 1024.0);
+}
+
+// What is covered as it is, where no edge is near.
+@fragment
+fn plain_fragment(@builtin(position) position: vec4<f32>) -> @location(0) vec4<f32> {
+    return vec4(min(textureLoad(covered, vec2<i32>(position.xy), 0).r, 1.0), 0.0, 0.0, 0.0);
+}
+
+// How far from an edge beyond the width of a rim what is found there may be other than beside none [px]: a rim looks for what is free in a mean of
+// four pixels, and an edge is in a pixel up to half its diagonal away.
+const BEYOND: f32 = 2.2;
+
+// The box along an edge with all pixels that it may matter to.
+@vertex
+fn edge_vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
+    let first = 2u * (index / 6u);
+    let a = on_screen(first);
+    let b = on_screen(first + 1u);
+    let along = select(vec2(1.0, 0.0), normalize(b - a), distance(a, b) > 1e-6);
+    let corner = corner_of(index % 6u);
+    let off = (frame.outline_width + BEYOND) * corner;
+    let pixel = select(a, b, corner.x > 0.0) + along * off.x + vec2(-along.y, along.x) * off.y;
+    return clip_of(pixel, vec4(0.0, 0.0, 0.0, 1.0));
 }
 
 // Directions in which the rim looks for what is free.

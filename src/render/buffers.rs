@@ -12,6 +12,7 @@ use super::chunks::{Chunks, LARGE, Selection, Wanted};
 use super::counters::RenderCounters;
 use super::cover::{bare_first, bars, covered, pins, scenery};
 use super::error::RenderError;
+use super::floor;
 use super::forms::{in_a_row, is_rope, ropes};
 use super::gpu::Gpu;
 use super::gpu_bond::{GpuBond, PackedBond, median_rest_length};
@@ -49,7 +50,8 @@ pub(super) struct WorldBuffers {
     /// Those below obstacles, the numbers over them, and the marks over all else.
     pub(super) guide_counts: [u32; 3],
     pub(super) solid_count: u32,
-    pub(super) has_floor: bool,
+    /// Whether there is a floor, and a shadow on it.
+    pub(super) has_floor: [bool; 2],
     /// Bonds and points that no skin and no fill covers, which come first: of small scenes.
     bare: [u32; 2],
     /// Skins and fills cover every bond.
@@ -97,7 +99,7 @@ impl WorldBuffers {
             bond_count: 0,
             guide_counts: [0; 3],
             solid_count: 0,
-            has_floor: false,
+            has_floor: [false; 2],
             bare: [0, 0],
             covers_all: false,
             widest_own: 0.0,
@@ -353,7 +355,7 @@ impl WorldBuffers {
         rows: Vec<[f32; 4]>,
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
-        self.has_floor = !rows.is_empty();
+        self.has_floor = [!rows.is_empty(), floor::has_shadow(&rows)];
         self.floor.set(gpu, rows, counters)
     }
 

@@ -1,7 +1,8 @@
 //! The floor of a scene in space: a level plane, a little lighter than the ground, with the soft shadow of what is above it.
 //!
 //! The shadow is worked out here, for it has few cells: what stands above the floor is thrown onto it cell by cell, along the way of the light, and
-//! smoothed. The GPU draws one quad and reads four cells a pixel, which costs a driver without a GPU little.
+//! smoothed. The GPU draws a quad of one colour, and over it one that reads four cells a pixel, no larger than the shadow: those reads are what costs a
+//! driver without a GPU most.
 
 use glam::DVec3;
 
@@ -229,6 +230,11 @@ pub(super) fn rows(view: &View<'_>, patches: &[Patch], origin: DVec3, look: &Loo
     rows
 }
 
+/// Whether there is a shadow among those rows: it has cells.
+pub(super) fn has_shadow(rows: &[[f32; 4]]) -> bool {
+    rows.get(4).is_some_and(|[columns, lines, ..]| *columns > 0.0 && *lines > 0.0)
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
@@ -260,6 +266,18 @@ mod tests {
         assert!(shadow.dark[0] == 0.0 && shadow.dark.iter().all(|dark| dark.is_finite()));
         assert_eq!(Shadow::of(&[], 4.0), None);
         assert_eq!(Shadow::of(&[vec![[f64::NAN; 3]]], 4.0), None);
+    }
+
+    #[test]
+    fn a_floor_with_nothing_above_it_has_no_shadow() {
+        let bonds = crate::sim::Bonds::default();
+        let view = View { bounds: Some([[-1.0; 3], [1.0; 3]]), ..View::empty(&bonds, 3) };
+        let bare = rows(&view, &[], DVec3::ZERO, &Look::default());
+        assert_eq!((bare.len(), has_shadow(&bare)), (6, false));
+        let figure = Figure::Ball { center: [0.0; 3], radius: 0.2 };
+        let ball = crate::sim::Convex { figure, restitution: 0.0, friction: 0.0 };
+        assert!(has_shadow(&rows(&View { convex: &[ball], ..view }, &[], DVec3::ZERO, &Look::default())));
+        assert!(!has_shadow(&[]));
     }
 
     #[test]

@@ -127,6 +127,11 @@ impl Frame {
         Frame { clip_from_world, obstacles, mix: 0.0, region: [0.0; 4], point_color: [0.0; 4], ..*self }
     }
 
+    /// Width of outlines `[px]`.
+    pub(super) fn outline(&self) -> f32 {
+        self.outline_width
+    }
+
     /// Whether there is a region to draw.
     pub(super) fn has_region(&self) -> bool {
         self.region[3] != 0.0

@@ -50,8 +50,9 @@ enum Pass {
     Region,
     /// Balls and boxes, in space.
     Solids,
-    /// The floor with its shadow, in space.
+    /// The floor, in space, and the part of it that its shadow lies on.
     Floor,
+    Shadow,
     /// What of pictures is beside triangles.
     SkinRind,
     /// Pictures on triangles.
@@ -62,7 +63,9 @@ enum Pass {
     Fill,
     /// How much of each pixel obstacles cover.
     Cover,
-    /// And their rims.
+    /// That alone, and their rims along edges, or everywhere.
+    Plain,
+    Edges,
     Rim,
     /// Obstacles, from that.
     Obstacles,
@@ -81,9 +84,9 @@ impl Pass {
             Pass::Points => 2,
             Pass::Region => 3,
             Pass::Solids => 4,
-            Pass::Floor => 5,
+            Pass::Floor | Pass::Shadow => 5,
             Pass::SkinRind | Pass::Skin | Pass::SkinEdges => 6,
-            Pass::Cover | Pass::Rim | Pass::Obstacles => 7,
+            Pass::Cover | Pass::Plain | Pass::Edges | Pass::Rim | Pass::Obstacles => 7,
             Pass::Fill => 8,
         }
     }
@@ -91,9 +94,12 @@ impl Pass {
     fn entry_points(self) -> [&'static str; 2] {
         match self {
             Pass::Dots => ["dot_vertex", "dot_fragment"],
+            Pass::Shadow => ["vertex", "shadow_fragment"],
             Pass::SkinRind => ["rind_vertex", "fragment"],
             Pass::SkinEdges => ["edge_vertex", "edge_fragment"],
             Pass::Cover => ["cover_vertex", "cover_fragment"],
+            Pass::Plain => ["vertex", "plain_fragment"],
+            Pass::Edges => ["edge_vertex", "rim_fragment"],
             Pass::Rim => ["vertex", "rim_fragment"],
             _ => ["vertex", "fragment"],
         }
@@ -110,7 +116,7 @@ impl Pass {
         let sum = wgpu::BlendComponent { src_factor: one, dst_factor: one, operation: wgpu::BlendOperation::Add };
         match self {
             Pass::Cover => wgpu::BlendState { color: sum, alpha: sum },
-            Pass::Rim => wgpu::BlendState::REPLACE,
+            Pass::Plain | Pass::Edges | Pass::Rim => wgpu::BlendState::REPLACE,
             _ => wgpu::BlendState::ALPHA_BLENDING,
         }
     }
@@ -185,14 +191,14 @@ pub(super) struct Shown {
 pub(super) struct Passes {
     /// In the order that they are drawn in, each without a map by colours and with one.
     pipelines: Vec<(Pass, [wgpu::RenderPipeline; 2])>,
-    /// Of the floor, below all else. In space alone.
-    floor: Option<wgpu::RenderPipeline>,
+    /// Of the floor and its shadow, below all else. In space alone.
+    floor: Option<[wgpu::RenderPipeline; 2]>,
     /// Of fills, and in space of their outlines, likewise: below the skins.
     fill: [[wgpu::RenderPipeline; 2]; 2],
     /// Of what of skins is beside triangles, of these, and of their edges: over the first guides.
     skin: [wgpu::RenderPipeline; 3],
-    /// What obstacles cover, their rims, and both as they are shown: below the skins. In the plane alone.
-    obstacles: Option<[wgpu::RenderPipeline; 3]>,
+    /// What obstacles cover, that alone, their rims along edges and everywhere, and all as it is shown: below the skins. In the plane alone.
+    obstacles: Option<[wgpu::RenderPipeline; 5]>,
     layout: wgpu::BindGroupLayout,
     bindings: Option<[wgpu::BindGroup; 6]>,
 }
@@ -222,8 +228,10 @@ impl Passes {
         });
         let pipelines = pipelines.collect();
         let floor = (dimensions == 3).then(|| {
-            let what = (Pass::Floor, Part::All, false);
-            pipeline(&gpu.device, &own_to_world, &modules[Pass::Floor.shader()], what, format, dimensions)
+            [Pass::Floor, Pass::Shadow].map(|pass| {
+                let what = (pass, Part::All, false);
+                pipeline(&gpu.device, &own_to_world, &modules[pass.shader()], what, format, dimensions)
+            })
         });
         // In space triangles hide what lies behind them.
         let solid = if dimensions == 3 { Part::Core } else { Part::All };
@@ -239,7 +247,8 @@ impl Passes {
             })
         });
         let obstacles = (dimensions == 2).then(|| {
-            let passes = [(Pass::Cover, COVER, 1), (Pass::Rim, SHARES, 2), (Pass::Obstacles, format, 2)];
+            let [plain, edges, rim] = [Pass::Plain, Pass::Edges, Pass::Rim].map(|pass| (pass, SHARES, 2));
+            let passes = [(Pass::Cover, COVER, 1), plain, edges, rim, (Pass::Obstacles, format, 2)];
             passes.map(|(pass, format, groups)| {
                 let layouts = &covered[..groups];
                 let what = (pass, Part::All, false);
@@ -288,13 +297,15 @@ impl Passes {
     ) {
         let Some(bindings) = &self.bindings else { return };
         let map = usize::from(shown.map);
-        if let Some(floor) = &self.floor
-            && buffers.has_floor
-        {
-            target.set_pipeline(floor);
-            target.set_bind_group(0, &bindings[Pass::Floor.shader()], &[]);
-            target.draw(0..QUAD, 0..1);
-            counters.draws += 1;
+        if let Some([floor, shadow]) = &self.floor {
+            let [has_floor, has_shadow] = buffers.has_floor;
+            let quads = [(floor, 0..QUAD, has_floor), (shadow, QUAD..2 * QUAD, has_shadow)];
+            for (pipeline, vertices, _) in quads.into_iter().filter(|(.., is_there)| *is_there) {
+                target.set_pipeline(pipeline);
+                target.set_bind_group(0, &bindings[Pass::Floor.shader()], &[]);
+                target.draw(vertices, 0..1);
+                counters.draws += 1;
+            }
         }
         for (place, &(pass, ref pipelines)) in self.pipelines.iter().enumerate() {
             if place == 1 {

@@ -4,13 +4,15 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use super::edges::{Room, join, line, outer_sides, within};
 use crate::picture::Filling;
 use crate::render::camera::Camera;
 use crate::render::sight::{Extent, Sight};
 
-/// What a plane or a polygon has among the corners of all triangles.
+/// What a plane or a polygon has among the corners of all triangles, and among the ends of all edges.
 struct Piece {
     corners: Range<u32>,
+    edges: Range<u32>,
     extent: Extent,
     /// A plane's normal, and how far it lies along it `[m]`.
     plane: Option<(DVec2, f64)>,
@@ -26,7 +28,9 @@ pub(super) struct Cut {
     /// Largest coordinate, relative to the origin `[m]`.
     extent: f64,
     /// Corners of triangles, three by three, relative to the origin `[m]`.
-    pub(super) triangles: Vec<[f32; 2]>,
+    triangles: Vec<[f32; 2]>,
+    /// Ends of edges, two by two, likewise: where what is filled ends.
+    edges: Vec<[f32; 2]>,
     pieces: Vec<Piece>,
 }
 
@@ -47,11 +51,25 @@ impl Cut {
             is_cut: !planes.is_empty(),
             extent: 0.0,
             triangles: Vec::new(),
+            edges: Vec::new(),
             pieces: Vec::new(),
         };
         planes.iter().for_each(|&plane| cut.add_plane(plane));
         fillings.iter().for_each(|filling| cut.piece(None, |cut| cut.add_filling(filling)));
         cut
+    }
+
+    /// Triangles and edges as the shader reads them: `corners` in obstacles.wgsl.
+    pub(super) fn corners(&self) -> Vec<[f32; 2]> {
+        let mut corners = self.triangles.clone();
+        corners.resize(self.first_edge() as usize, [0.0; 2]);
+        corners.extend(&self.edges);
+        corners
+    }
+
+    /// Where the edges begin in that list: triangles have three corners, edges two ends.
+    fn first_edge(&self) -> u32 {
+        (self.triangles.len() as u32).next_multiple_of(6)
     }
 
     /// Whether it holds all that `camera` sees, in numbers that are exact enough.
@@ -67,10 +85,7 @@ impl Cut {
         let sight = Sight::new(camera, self.origin.extend(0.0), MARGIN);
         let viewport = DVec2::from_array(camera.viewport().map(f64::from));
         let from_focus = self.origin - camera.focus().truncate();
-        let pixel = |[x, y, _]: [f32; 3]| {
-            let at = (DVec2::new(f64::from(x), f64::from(y)) + from_focus) * camera.pixels_per_metre();
-            0.5 * viewport + at * DVec2::new(1.0, -1.0)
-        };
+        let pixel = |[x, y, _]: [f32; 3]| self.pixel(camera, [x, y]);
         let half = 0.5 * viewport / camera.pixels_per_metre();
         let seen = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|at| half * DVec2::from(at) - from_focus);
         let mut runs: Vec<Range<u32>> = Vec::new();
@@ -87,18 +102,36 @@ impl Cut {
                 (top, bottom) = part.fold((viewport, DVec2::ZERO), |(low, high), at| (low.min(at), high.max(at)));
             }
             (low, high) = (low.min(top), high.max(bottom));
-            match runs.last_mut() {
-                Some(run) if run.end == piece.corners.start => run.end = piece.corners.end,
-                _ => runs.push(piece.corners.clone()),
-            }
+            join(&mut runs, piece.corners.clone());
         }
         let [low, high] = [low.floor() - MARGIN, high.ceil() + MARGIN].map(|at| at.clamp(DVec2::ZERO, viewport));
         (runs, [low.x, low.y, high.x, high.y].map(|x| x as f32))
     }
 
+    /// The edges in view, as runs of their ends in the list that the shader reads, where few of the pixels in `bounds` are near one:
+    /// left, top, right, bottom of what obstacles may cover, whose rims have a width. Both `[px]`.
+    pub(super) fn edges_in_view(&self, camera: &Camera, bounds: [f32; 4], outline: f32) -> Option<Vec<Range<u32>>> {
+        let sight = Sight::new(camera, self.origin.extend(0.0), MARGIN);
+        let first = self.first_edge();
+        let (mut runs, mut room) = (Vec::new(), Room::new(bounds, outline));
+        for piece in self.pieces.iter().filter(|piece| sight.meets(&piece.extent) && !piece.edges.is_empty()) {
+            let ends = self.edges[piece.edges.start as usize..piece.edges.end as usize].as_chunks::<2>().0;
+            ends.iter().for_each(|edge| room.count(edge.map(|end| self.pixel(camera, end))));
+            join(&mut runs, first + piece.edges.start..first + piece.edges.end);
+        }
+        room.is_small().then_some(runs)
+    }
+
+    /// Where a corner is seen `[px]`.
+    fn pixel(&self, camera: &Camera, [x, y]: [f32; 2]) -> DVec2 {
+        let from_focus = self.origin - camera.focus().truncate();
+        let at = (DVec2::new(f64::from(x), f64::from(y)) + from_focus) * camera.pixels_per_metre();
+        0.5 * DVec2::from_array(camera.viewport().map(f64::from)) + at * DVec2::new(1.0, -1.0)
+    }
+
     /// Takes what `add` adds for a piece, if it is anything.
     fn piece(&mut self, plane: Option<(DVec2, f64)>, add: impl FnOnce(&mut Self)) {
-        let start = self.triangles.len();
+        let [start, first_edge] = [&self.triangles, &self.edges].map(Vec::len);
         add(self);
         if start == self.triangles.len() {
             return;
@@ -107,17 +140,23 @@ impl Cut {
         self.triangles[start..].iter().for_each(|corner| extent.include(corner));
         let numbers = extent.low.iter().chain(&extent.high).filter(|x| x.is_finite());
         self.extent = self.extent.max(f64::from(numbers.fold(0.0_f32, |most, x| most.max(x.abs()))));
-        self.pieces.push(Piece { corners: start as u32..self.triangles.len() as u32, extent, plane });
+        let corners = start as u32..self.triangles.len() as u32;
+        let edges = first_edge as u32..self.edges.len() as u32;
+        self.pieces.push(Piece { corners, edges, extent, plane });
     }
 
     fn add_plane(&mut self, [point, normal]: [DVec2; 2]) {
         let Some(normal) = normal.try_normalize() else { return };
         let depth = (point - self.origin).dot(normal);
-        self.piece(Some((normal, depth)), |cut| cut.add_convex(&below(&cut.square(), normal, depth)));
+        self.piece(Some((normal, depth)), |cut| {
+            cut.add_convex(&below(&cut.square(), normal, depth));
+            cut.add_edge(line(normal, depth, cut.reach));
+        });
     }
 
     fn add_filling(&mut self, filling: &Filling) {
-        let relative = |k: u32| DVec2::from(filling.points[k as usize]) - self.origin;
+        let origin = self.origin;
+        let relative = |k: u32| DVec2::from(filling.points[k as usize]) - origin;
         let ears: Vec<[DVec2; 3]> = filling.triangles.iter().map(|ear| ear.map(relative)).collect();
         for ear in ears {
             if ear.iter().all(|corner| corner.abs().max_element() <= self.reach) {
@@ -127,6 +166,13 @@ impl Cut {
                 self.add_convex(&self.within(ear.to_vec()));
             }
         }
+        for side in outer_sides(&filling.triangles) {
+            self.add_edge(within(side.map(relative), self.reach));
+        }
+    }
+
+    fn add_edge(&mut self, edge: Option<[DVec2; 2]>) {
+        self.edges.extend(edge.into_iter().flatten().map(|end| end.as_vec2().to_array()));
     }
 
     /// Corners of the square, about the origin.
@@ -221,6 +267,31 @@ mod tests {
         let far = Cut::new(&[], &[[DVec2::ZERO, DVec2::X]], &here);
         assert!(far.triangles.is_empty(), "all that is near is free");
         assert_eq!(Cut::new(&[], &[[point, DVec2::ZERO]], &here).triangles.len(), 0, "no direction, no plane");
+    }
+
+    #[test]
+    fn edges_follow_triangles_where_both_are_counted_in_whole_ones() {
+        let here = camera([2.0, 2.0], 8.0);
+        let hill = fill_outline(&[vec![[0.0, 0.0], [4.0, 0.0], [2.0, 3.0]]]);
+        let cut = Cut::new(&[hill], &[[DVec2::new(0.0, -1.0), DVec2::Y]], &here);
+        let (corners, first) = (cut.corners(), cut.first_edge() as usize);
+        assert_eq!(
+            (cut.triangles.len(), first, corners.len()),
+            (9, 12, 12 + 2 + 6),
+            "two of the plane, one of the hill"
+        );
+        let side = |k: usize| [corners[first + 2 * k], corners[first + 2 * k + 1]];
+        let reach = 2.0 * REACH as f32 * 8.0;
+        assert_eq!(
+            side(0).map(|[x, y]| [x.abs(), y]),
+            [[reach, -3.0]; 2],
+            "the line of the plane, as far as the square"
+        );
+        assert_eq!([side(1), side(2), side(3)].concat().iter().filter(|end| **end == [-2.0, -2.0]).count(), 2);
+        let (_, bounds) = cut.in_view(&here);
+        assert_eq!(cut.edges_in_view(&here, bounds, 1.5), Some(one_run(12..20)));
+        let (far, bounds) = (camera([2.0, 2.0], 400.0), [90.0, 40.0, 110.0, 60.0]);
+        assert_eq!(cut.edges_in_view(&far, bounds, 1.5), None, "edges are all there is to be seen");
     }
 
     #[test]

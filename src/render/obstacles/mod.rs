@@ -1,10 +1,12 @@
 //! Obstacles: polygons and planes as solid areas with a rim, under the bodies.
 //!
 //! What of each pixel they cover is added up from the exact share of every triangle; where it ends there is a rim. Both are kept
-//! until obstacles, camera or the picture's size are others, and cost a look-up a pixel. In space planes are guides: patch.rs, and
+//! until obstacles, camera or the picture's size are others, and cost a look-up a pixel. Rims are looked for along edges alone: edges.rs.
+//! In space planes are guides: patch.rs, and
 //! balls and boxes are a pass of their own: solid.rs.
 
 mod cut;
+mod edges;
 mod patch;
 mod solid;
 
@@ -50,6 +52,8 @@ pub(super) struct Obstacles {
     last_frame: Vec<u8>,
     binding: Option<wgpu::BindGroup>,
     runs: Vec<Range<u32>>,
+    /// Ends of the edges along which there are rims; `None`: they are looked for everywhere.
+    edges: Option<Vec<Range<u32>>>,
     cover: Option<Cover>,
 }
 
@@ -83,6 +87,7 @@ impl Obstacles {
             last_frame: Vec::new(),
             binding: None,
             runs: Vec::new(),
+            edges: None,
             cover: None,
         }
     }
@@ -135,12 +140,13 @@ impl Obstacles {
         frame: &Frame,
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
-        if self.cut.as_ref().is_none_or(|cut| !cut.serves(camera)) {
+        let is_anew = self.cut.as_ref().is_none_or(|cut| !cut.serves(camera));
+        if is_anew {
             let flat = |[x, y, _]: [f64; 3]| DVec2::new(x, y);
             let planes: Vec<[DVec2; 2]> = self.planes.iter().map(|plane| plane.map(flat)).collect();
             let cut = Cut::new(&self.fillings, &planes, camera);
             self.cut = None;
-            self.triangles.write(gpu, bytemuck::cast_slice(&cut.triangles), counters)?;
+            self.triangles.write(gpu, bytemuck::cast_slice(&cut.corners()), counters)?;
             self.cut = Some(cut);
             self.spoil();
         }
@@ -149,6 +155,9 @@ impl Obstacles {
         if !runs.is_empty() {
             let frame = frame.of_obstacles(camera, cut.origin.extend(0.0), bounds);
             let bytes = bytemuck::bytes_of(&frame);
+            if is_anew || self.last_frame != bytes {
+                self.edges = cut.edges_in_view(camera, bounds, frame.outline());
+            }
             if self.last_frame != bytes {
                 self.frame.write(gpu, bytes, counters)?;
                 self.last_frame = bytes.to_vec();
@@ -190,7 +199,7 @@ impl Obstacles {
         &mut self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
-        [add, rim, _]: &[wgpu::RenderPipeline; 3],
+        [add, plain, edge, rim, _]: &[wgpu::RenderPipeline; 5],
         size: [u32; 2],
         counters: &mut RenderCounters,
     ) {
@@ -209,13 +218,21 @@ impl Obstacles {
             counters.obstacle_triangles_drawn += u64::from((run.end - run.start) / 3);
         }
         drop(pass);
+        let edges = self.edges.as_deref();
         let mut pass = begin(encoder, &cover.views[1]);
-        pass.set_pipeline(rim);
+        pass.set_pipeline(if edges.is_some() { plain } else { rim });
         pass.set_bind_group(0, binding, &[]);
         pass.set_bind_group(1, &cover.bindings[0], &[]);
         pass.draw(0..QUAD, 0..1);
+        let edges = edges.unwrap_or_default();
+        if !edges.is_empty() {
+            pass.set_pipeline(edge);
+        }
+        for run in edges {
+            pass.draw(run.start / 2 * QUAD..run.end / 2 * QUAD, 0..1);
+        }
         drop(pass);
-        counters.draws += self.runs.len() as u64 + 1;
+        counters.draws += (self.runs.len() + 1 + edges.len()) as u64;
         self.cover = Some(Cover { is_fresh: true, ..cover });
     }
 
@@ -223,7 +240,7 @@ impl Obstacles {
     pub(super) fn draw(
         &self,
         target: &mut wgpu::RenderPass<'_>,
-        [.., show]: &[wgpu::RenderPipeline; 3],
+        [.., show]: &[wgpu::RenderPipeline; 5],
         counters: &mut RenderCounters,
     ) {
         if let (Some(binding), Some(cover), false) = (&self.binding, &self.cover, self.runs.is_empty()) {
