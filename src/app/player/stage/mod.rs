@@ -235,6 +235,10 @@ impl Stage {
                 self.pace.presses = presses;
                 None
             }
+            Order::Jump => {
+                self.pace.jump();
+                None
+            }
             Order::LeadPins(way) => self.lead_pins(way),
             Order::Haul(way) => self.haul(way),
             Order::Add(adder) => Some(self.add(adder)),
