@@ -243,8 +243,8 @@ impl Scope<'_> {
         }
     }
 
-    /// The number of the obstacle that has an end and that a pixel lies in: the hand drags it.
-    pub(in crate::app) fn block(&self, at: DVec2) -> Option<u32> {
+    /// The number of the obstacle that has an end and that a pixel lies in.
+    pub(super) fn with_an_end(&self, at: DVec2) -> Option<u32> {
         match self.camera.pose {
             Pose::Plane { .. } => self.polygon(at),
             Pose::Orbit { .. } => self.convex(at),
