@@ -123,6 +123,42 @@ fn plots_take_room_from_worlds_side_by_side() {
 }
 
 #[test]
+fn what_is_said_lies_over_no_title_of_worlds_side_by_side() {
+    let world = |at: f32| Neighbor {
+        title: "explicit Euler".to_owned(),
+        words: "up to 3.23 m apart".to_owned(),
+        at: [at, 0.0],
+        width: 392.0,
+        columns: 3,
+        ..Neighbor::default()
+    };
+    for said in 0..16 {
+        let [done, caption, warning, refused] = [1, 2, 4, 8].map(|bit| said & bit > 0);
+        let mut state = PanelState::default();
+        state.notes.has_caption = caption;
+        if done {
+            state.notes.say("it starts here, by each method; Ctrl+Z takes it back".to_owned());
+        }
+        if warning {
+            state.notes.warn("a body lay inside an obstacle: it is led out of it slowly".to_owned());
+        }
+        if refused {
+            state.notes.refuse("there is no room for it in view".to_owned());
+        }
+        let facts = Facts { neighbors: [66.0, 394.0, 787.0].map(world).to_vec(), ..facts(Tool::Hand) };
+        let (all, _) = laid(SIZES[0], &mut state, &facts);
+        assert!(all.len() >= 5, "{all:?}");
+        for (place, one) in all.iter().enumerate() {
+            let other = all[..place].iter().find(|other| other.intersects(*one));
+            assert_eq!(
+                other, None,
+                "{one:?} lies over it: said {done}, caption {caption}, warned {warning}, refused {refused}"
+            );
+        }
+    }
+}
+
+#[test]
 fn plots_that_were_dragged_over_a_world_stand_beside_it_in_a_lesson() {
     let plots_of = |size: [f32; 2], is_dragged: bool, is_in_lesson: bool| {
         let mut state = PanelState { plots: Some(Plots::new(1.0)), ..PanelState::default() };

@@ -60,6 +60,8 @@ impl Session {
             return;
         }
         let Some(at) = self.pixel() else { return };
+        // Also on what it would have led.
+        let starts = !is_pressed && self.with_scope(|hand, scope| hand.has_clicked(scope, at));
         let deed = match is_pressed {
             true => {
                 self.used();
@@ -85,10 +87,13 @@ impl Session {
             }
         };
         self.do_deed(deed);
+        if starts {
+            self.start_at(at);
+        }
         self.show_cursor();
     }
 
-    /// Where nothing is pressed, a motion starts there in scenes that have one for that.
+    /// A motion starts where a click was, in scenes that have one for that.
     fn start_at(&mut self, at: DVec2) {
         let place = self.camera_here().world_from_screen(at.to_array());
         if let Some(commands) = starting::start(&self.scene, place.truncate()) {

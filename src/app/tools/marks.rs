@@ -161,8 +161,11 @@ fn led(scope: Scope<'_>, points: &[PointId], at: Option<DVec2>) -> Vec<Mark> {
     vec![Mark::Line(Role::Lead, middle, at, width * scale), Mark::Ring(Role::Lead, middle, 5.0 * scale)]
 }
 
-/// The outline of the obstacle that the hand would take, words where it is ground; a ring around the point; around a pin, and along the bar that goes with it.
+/// The outline of the obstacle that the hand would take, words where it is ground; a small ring where a click starts something; a ring around the point; around a pin, and along the bar that goes with it.
 fn would_grab(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
+    if scope.starts_at(at) {
+        return vec![Mark::Ring(Role::Come, at, 5.0 * scope.scale)];
+    }
     let Some(hit) = scope.nearest(at) else {
         let outline = |number| obstacle(Role::Lead, scope, number);
         return scope.block(at).map_or_else(|| scope.ground_marks(at), outline);

@@ -278,6 +278,12 @@ impl Scope<'_> {
         Some(center - (center - point).dot(normal) * normal)
     }
 
+    /// Whether a click of the hand at a pixel starts a motion there: where that is so pins are a part of the picture.
+    pub(in crate::app) fn starts_at(&self, at: DVec2) -> bool {
+        let is_led = || self.nearest(at).is_some_and(|hit| !self.is_pinned(hit.point));
+        self.shown.starts && !is_led() && self.block(at).is_none()
+    }
+
     /// Where a pixel lies in the plane `[m]`.
     pub(super) fn in_plane(&self, at: DVec2) -> DVec2 {
         self.camera.world_from_screen(at.to_array()).truncate()

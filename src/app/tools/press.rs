@@ -105,8 +105,12 @@ impl Hand {
     }
 
     /// What lies under the pixel is led: a pin along its way, all else by its points. Where nothing does, what the hover force has
-    /// pushed away comes to the hand; where nothing is in its reach, it pushes on.
+    /// pushed away comes to the hand; where nothing is in its reach, it pushes on, and in scenes where a click starts something it does there.
     pub(super) fn take_hold(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        if scope.starts_at(at) {
+            self.doing = Doing::Pushing;
+            return Deed::default();
+        }
         // The pins of a hinge go with what turns on it while time stands still.
         let lead = Lead::of_pin(scope, at).filter(|lead| !self.is_still || !hub::is_hinged(scope, lead.point()));
         if let Some(lead) = lead {
