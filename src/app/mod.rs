@@ -25,6 +25,7 @@ mod plots;
 pub mod pointer;
 mod preferences;
 pub mod rehearsal;
+mod resting;
 mod saving;
 mod session;
 mod shell;

@@ -126,6 +126,17 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
     end
 }
 
+/// Where the titles of the first row end, as they were shown last `[points]`; 0 where there are none.
+pub(super) fn titles_end(context: &egui::Context, facts: &Facts) -> f32 {
+    let first_row = facts.neighbors.iter().enumerate().filter(|(place, neighbor)| *place < neighbor.columns);
+    let end = |(place, _)| {
+        let id = Id::unique(("beside", place));
+        let is_shown = context.memory(|memory| memory.areas().is_visible(&LayerId::new(Order::Middle, id)));
+        context.memory(|memory| memory.area_rect(id)).filter(|_| is_shown).map_or(0.0, |at| at.bottom())
+    };
+    first_row.map(end).fold(0.0, f32::max)
+}
+
 /// What a world is called, behind a stroke in the colour of its trails.
 fn title(ui: &mut Ui, neighbor: &Neighbor) {
     let words = RichText::new(&neighbor.title).color(colors(ui).text).strong();

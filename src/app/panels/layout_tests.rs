@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use egui::{Pos2, Rect, pos2};
 
-use super::{Facts, Laid, Neighbor, PanelState, Sheet, places, show, theme};
+use super::{At, Facts, Laid, Neighbor, PanelState, Sheet, places, show, theme};
 use crate::app::action::Tool;
 use crate::app::matter::Matter;
 use crate::app::plots::Plots;
@@ -120,6 +120,65 @@ fn plots_take_room_from_worlds_side_by_side() {
         assert!(!worlds.intersects(*plots), "{size:?}: {plots:?} lies over {worlds:?}");
         assert!(worlds.area() > 0.4 * size[0] * size[1] && worlds.contains_rect(with.free.unwrap().shrink(1.0)));
     }
+}
+
+#[test]
+fn what_is_said_lies_over_no_title_of_worlds_side_by_side() {
+    let world = |at: f32| Neighbor {
+        title: "explicit Euler".to_owned(),
+        words: "up to 3.23 m apart".to_owned(),
+        at: [at, 0.0],
+        width: 392.0,
+        columns: 3,
+        ..Neighbor::default()
+    };
+    for said in 0..16 {
+        let [done, caption, warning, refused] = [1, 2, 4, 8].map(|bit| said & bit > 0);
+        let mut state = PanelState::default();
+        state.notes.has_caption = caption;
+        if done {
+            state.notes.say("it starts here, by each method; Ctrl+Z takes it back".to_owned());
+        }
+        if warning {
+            state.notes.warn("a body lay inside an obstacle: it is led out of it slowly".to_owned());
+        }
+        if refused {
+            state.notes.refuse("there is no room for it in view".to_owned());
+        }
+        let facts = Facts { neighbors: [66.0, 394.0, 787.0].map(world).to_vec(), ..facts(Tool::Hand) };
+        let (all, _) = laid(SIZES[0], &mut state, &facts);
+        assert!(all.len() >= 5, "{all:?}");
+        for (place, one) in all.iter().enumerate() {
+            let other = all[..place].iter().find(|other| other.intersects(*one));
+            assert_eq!(
+                other, None,
+                "{one:?} lies over it: said {done}, caption {caption}, warned {warning}, refused {refused}"
+            );
+        }
+    }
+}
+
+#[test]
+fn plots_that_were_dragged_over_a_world_stand_beside_it_in_a_lesson() {
+    let plots_of = |size: [f32; 2], is_dragged: bool, is_in_lesson: bool| {
+        let mut state = PanelState { plots: Some(Plots::new(1.0)), ..PanelState::default() };
+        if is_dragged {
+            state.plots_at.drag_to(pos2(420.0, 460.0));
+        }
+        state.lessons.is_open = true;
+        if is_in_lesson {
+            state.lessons.enter(At { lesson: 0, step: 0 });
+        }
+        laid(size, &mut state, &facts(Tool::Hand))
+    };
+    for size in SIZES {
+        let [left_alone, dragged] = [false, true].map(|is_dragged| plots_of(size, is_dragged, true));
+        assert_eq!(left_alone.0, dragged.0, "{size:?}: wherever they were dragged to");
+        assert_eq!(left_alone.1.free, dragged.1.free, "{size:?}");
+    }
+    let is_over_world = |(all, _): (Vec<Rect>, Laid)| all.iter().any(|one| one.contains(pos2(500.0, 400.0)));
+    assert!(is_over_world(plots_of(SIZES[0], true, false)), "beside the list of lessons they stay where they were put");
+    assert!(!is_over_world(plots_of(SIZES[0], true, true)));
 }
 
 #[test]

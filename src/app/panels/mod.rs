@@ -353,10 +353,11 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let panels_edge = edge + takes(has_lessons, column);
     // Beside worlds that lie side by side plots take room, as panels do: there is no place that none of them is in.
     let has_plots = state.plots.is_some() && has_panels;
-    let stays = has_plots && !stands_upright && !state.plots_at.is_dragged();
-    // A lesson and its plots are one column: what is read and what is seen leave the world alone.
-    let are_stacked = stays && has_lessons;
-    let are_docked = stays && !are_stacked && !facts.neighbors.is_empty();
+    let is_dragged = state.plots_at.is_dragged();
+    // A lesson and its plots are one column: what is read and what is seen leave the world alone, wherever plots were dragged to elsewhere.
+    let is_read = has_lessons && (!is_dragged || state.lessons.open_at().is_some());
+    let are_stacked = has_plots && !stands_upright && is_read;
+    let are_docked = has_plots && !stands_upright && !is_dragged && !are_stacked && !facts.neighbors.is_empty();
     // Along the lower edge, where that leaves more to each of them.
     let (worlds, high) = (facts.neighbors.len(), plots::low_height(room));
     let is_low = are_docked && places.are_larger_above(worlds, panels_edge, [plots::WIDTH, high]);

@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use egui::{Align2, Area, Button, Id, Label, Rect, RichText};
 
+use super::beside::titles_end;
 use super::hud::STRETCHED;
 use super::places::{APART, Places, kept_in};
 use super::theme::{colors, floating};
@@ -137,6 +138,17 @@ impl Notes {
         let is_so = |line: &str, since: &Instant| !is_of_reach(line) || is_stretched(facts) || since.elapsed() < MOMENT;
         self.warnings.retain(|(line, since)| since.elapsed() < WARNING && is_so(line, since));
         let mut top = places.bar_bottom().max(places.room.top() + APART);
+        let is_caption_due = self.complaint.is_none() && self.done.is_none();
+        let caption =
+            facts.caption.filter(|_| is_caption_due && self.has_caption && self.offer.is_none() && !places.is_covered);
+        // Titles of worlds side by side lie below the caption, and all else that is said below the titles.
+        let has_titles = !facts.neighbors.is_empty() && !places.is_covered;
+        if has_titles {
+            if let Some(caption) = caption {
+                top = self.caption(context, (places, top), (caption, facts.is_canvas), wishes);
+            }
+            top = top.max(titles_end(context, facts) + APART);
+        }
         let mut is_read = false;
         if !self.warnings.is_empty() {
             top = words(context, (places, top), WARNED, |ui| warned(ui, &mut self.warnings));
@@ -153,19 +165,8 @@ impl Notes {
             top = words(context, (places, top), DONE, |ui| {
                 ui.add(Label::new(RichText::new(line).color(colors(ui).accent)).wrap());
             });
-        } else if let Some([seen, to_try]) =
-            facts.caption.filter(|_| self.has_caption && self.offer.is_none() && !places.is_covered)
-        {
-            top = words(context, (places, top), CAPTION, |ui| {
-                ui.add(Label::new(RichText::new(seen).color(colors(ui).text)).wrap());
-                ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(colors(ui).weak)).wrap());
-            });
-            self.caption_end = Some((places.room.width(), top));
-            if facts.is_canvas {
-                top = words(context, (places, top), CANVAS, |ui| {
-                    button(ui, "Open the canvas", "paint over the body", Action::Paint, wishes);
-                });
-            }
+        } else if let Some(caption) = caption.filter(|_| !has_titles) {
+            top = self.caption(context, (places, top), (caption, facts.is_canvas), wishes);
         }
         if is_read {
             self.close();
@@ -183,6 +184,27 @@ impl Notes {
                 floating(ui).show(ui, |ui| ui.label(RichText::new(HINT).color(colors(ui).text)));
             });
         }
+    }
+
+    /// What is seen and what to try, from a height on. Returns where what is said next begins `[points]`.
+    fn caption(
+        &mut self,
+        context: &egui::Context,
+        (places, top): (&Places, f32),
+        ([seen, to_try], is_canvas): ([&str; 2], bool),
+        wishes: &mut Vec<Wish>,
+    ) -> f32 {
+        let top = words(context, (places, top), CAPTION, |ui| {
+            ui.add(Label::new(RichText::new(seen).color(colors(ui).text)).wrap());
+            ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(colors(ui).weak)).wrap());
+        });
+        self.caption_end = Some((places.room.width(), top));
+        if !is_canvas {
+            return top;
+        }
+        words(context, (places, top), CANVAS, |ui| {
+            button(ui, "Open the canvas", "paint over the body", Action::Paint, wishes);
+        })
     }
 }
 

@@ -305,7 +305,7 @@ const READ: [&str; 6] = ["settings", "lessons", "plots", "plots above", "plots b
 
 /// Where what is read lies over the world: left, top, right and bottom of each `[px]`.
 pub(in crate::app) fn read(context: &Context, (scale, has_plots): (f32, bool)) -> Vec<[f64; 4]> {
-    let is_meant = |name: &&str| has_plots || !name.starts_with("plots");
+    let is_meant = |name: &&str| has_plots || *name != "plots";
     let rect = |name: &str| {
         let id = egui::Id::unique(name);
         let is_shown = context.memory(|memory| memory.areas().is_visible(&LayerId::new(Order::Middle, id)));

@@ -80,6 +80,11 @@ impl PlotsAt {
         self.is_dragged
     }
 
+    /// It is dragged to a left lower corner `[points]`.
+    pub(super) fn drag_to(&mut self, corner: Pos2) {
+        (self.corner, self.is_dragged) = (Some(corner), true);
+    }
+
     /// Another scene, or the panel opens anew.
     pub(in crate::app) fn begin(&mut self) {
         if !self.is_dragged {
@@ -124,7 +129,7 @@ pub(super) fn show(
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
     let shown = area.show(context, |ui| panel(ui, ([SIZE[0], high], false), plots, wishes));
     if shown.response.dragged() {
-        *at = PlotsAt { corner: Some(corner + shown.response.drag_delta()), is_dragged: true, ..*at };
+        at.drag_to(corner + shown.response.drag_delta());
     }
     Some(shown.response.rect)
 }

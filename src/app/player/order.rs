@@ -86,6 +86,8 @@ pub enum Order {
     Add(Adder),
     /// The hand presses beside all bodies, or does not any more: a log that is followed is left when the cursor moves meanwhile.
     Press(bool),
+    /// The cursor is where it goes next at once: nothing lies on its way there.
+    Jump,
     /// Every island is moved by its own method from now on, whatever that costs: but for those that meet, where bodies do.
     Exact,
     /// What gave way to the load is taken back, and does not give way again.

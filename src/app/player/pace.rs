@@ -148,6 +148,11 @@ impl Pace {
         history.give(commands, None).is_ok()
     }
 
+    /// The cursor is where it is told to go next at once.
+    pub fn jump(&mut self) {
+        self.jumps = true;
+    }
+
     /// The cursor stays where the history has it until it moves again: what was done once is not done anew because a cursor
     /// rests elsewhere now.
     pub fn forget_cursor(&mut self, cursor: Option<Cursor>) {

@@ -254,6 +254,8 @@ pub struct Figures {
     pub step: f64,
     /// Time that stepping 1/60 s at its pace takes, about `[s]`.
     pub work: f64,
+    /// The same for each point, the least of late: of that no busy moment of the machine is a part `[s]`.
+    pub cost: f64,
     /// Points that are left.
     pub points: usize,
     /// Bonds that are left.
@@ -303,6 +305,8 @@ pub struct Shown {
     pub base: Option<f64>,
     /// Where its cursor is.
     pub cursor: Option<Cursor>,
+    /// A click starts a motion where it is.
+    pub starts: bool,
     /// What decides whether bonds and angles can have drives.
     pub driving: Driving,
     /// What is grabbed.

@@ -234,6 +234,26 @@ fn what_was_erased_comes_back_to_where_it_was_and_no_cursor_of_the_log_pushes_it
 }
 
 #[test]
+fn a_cursor_that_jumps_goes_through_no_body() {
+    let text = SCENE.replace("[0, -9.81]", "[0, 0]").replace("[[1, 0], [0, 3]]", "[[0, 0], [0, 0]]");
+    let still = Scene::parse(&text, "still.json").unwrap();
+    let after = |jumps: bool| {
+        let mut stage = Stage::new(still.clone().into()).unwrap();
+        for (x, frames) in [(-4.0, 3), (4.0, 3)] {
+            if jumps {
+                stage.obey(Order::Jump);
+            }
+            let cursor = Some(Cursor::at([x, 1.0]));
+            (0..frames).for_each(|_| _ = stage.obey(Order::Advance { wall: 0.05, cursor, back: false }));
+        }
+        positions(stage.history())
+    };
+    let start = positions(Stage::new(still.clone().into()).unwrap().history());
+    assert_ne!(after(false), start, "its way led through a point");
+    assert_eq!(after(true), start);
+}
+
+#[test]
 fn time_runs_back_to_states_that_were_seen() {
     let mut played = played();
     play(&mut played, 0.5, 60, away);

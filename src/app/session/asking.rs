@@ -70,7 +70,9 @@ impl Session {
     /// So many points come by `act`: at once, or after a question where the scene would be slow.
     pub(super) fn ask_if_full(&mut self, coming: usize, act: impl FnOnce(&mut Session) + 'static) {
         let figures = &self.shown().figures;
-        match question(coming, figures.points, (figures.work, figures.pace)) {
+        // Not the work of late: what else runs on the machine is a part of that, and would be told as if points cost it.
+        let work = figures.cost * figures.points as f64;
+        match question(coming, figures.points, (work, figures.pace)) {
             None => act(self),
             Some(words) => {
                 let answered = |session: &mut Session, answer: usize| {
@@ -126,6 +128,13 @@ mod tests {
         // What sleeps costs nothing, and what comes is awake.
         assert!(question(250_000, 10_000, (1e-5, 1.0)).is_some());
         assert_eq!(question(20_000, 10_000, (1e-5, 1.0)), None);
+    }
+
+    #[test]
+    fn a_small_cloth_comes_to_a_small_scene_however_busy_the_machine_is() {
+        // 36 points take a tenth of a millisecond at least, and reached half of their speed of late.
+        assert_eq!(question(120, 36, (1e-4, 0.5)), None);
+        assert!(question(120, 36, (0.006, 0.5)).is_some(), "they would be told as slow if 6 ms were theirs");
     }
 
     #[test]

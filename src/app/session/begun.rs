@@ -110,6 +110,7 @@ impl Session {
             waker,
             last_frame: None,
             told: None,
+            resting: Default::default(),
             frame_meter: Meter::default(),
             frames: 0,
             looks_again: None,

@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use super::{FIGURES_EVERY, FIRST_FRAME, Session};
 use crate::app::panels::Sheet;
+use crate::app::player::Order;
 use crate::render::RenderError;
 
 impl Session {
@@ -27,7 +28,12 @@ impl Session {
     /// Time ran on since the last frame: asks for it, once a frame.
     pub(super) fn advance(&mut self, start: Instant) {
         let is_asked = self.player.is_playing() || self.rewinds || self.shown().figures.behind;
-        let cursor = self.world_cursor();
+        let way = self.way_of_cursor();
+        let cursor = self.led_to(way);
+        match is_asked {
+            true => self.resting.tell(self.pointer.at, way),
+            false => self.resting.stand(),
+        }
         let is_new = cursor != self.told && self.player.is_open();
         if self.waits() || !is_asked || !(self.moves() || is_new) {
             self.last_frame = None;
@@ -41,6 +47,9 @@ impl Session {
             self.do_deed(deed);
         }
         self.lead(wall);
+        if way.jumps && self.told.is_some() {
+            self.player.ask(Order::Jump);
+        }
         self.told = cursor;
         self.player.advance(wall, cursor, self.rewinds);
     }

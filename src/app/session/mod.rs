@@ -51,6 +51,7 @@ use super::panels::{At, Misfits, PanelState, theme};
 use super::player::{Figures, Order, Player, Shown};
 use super::pointer::Pointer;
 use super::preferences::Preferences;
+use super::resting::Resting;
 use super::saving::Saving;
 use super::thumbnails::Thumbnails;
 use super::tools::{Chosen, Hand};
@@ -199,8 +200,9 @@ pub(super) struct Session {
     waker: EventLoopProxy<()>,
     /// When the last frame began, if time has passed in the world since.
     last_frame: Option<Instant>,
-    /// Where the cursor was told to be last.
+    /// Where the cursor was told to be last, and with the pointer where.
     told: Option<Cursor>,
+    resting: Resting,
     frame_meter: Meter,
     frames: u64,
     /// Where to look from when the next history is there.

@@ -8,6 +8,7 @@ use super::{Framing, Session};
 use crate::app::action::Tool;
 use crate::app::player;
 use crate::app::pointer::Pointer;
+use crate::app::resting::{Pointing, Way};
 use crate::app::starting;
 use crate::app::tools::{Hand, Scope};
 use crate::history::Do;
@@ -59,14 +60,18 @@ impl Session {
             return;
         }
         let Some(at) = self.pixel() else { return };
+        // Also on what it would have led.
+        let starts = !is_pressed && self.with_scope(|hand, scope| hand.has_clicked(scope, at));
         let deed = match is_pressed {
             true => {
                 self.used();
                 self.hand.stand_still(!self.player.is_playing());
                 let mut deed = self.with_scope(|hand, scope| hand.press(scope, at));
+                self.resting.press(at.to_array());
                 if self.hand.is_grabbing() {
                     // What is grabbed follows the cursor, so it is there first.
                     let to = Some(self.camera_here().cursor(at.to_array()));
+                    self.resting.tell(Some(at.to_array()), Way { to, jumps: true });
                     deed.commands.insert(0, Do::Cursor { to, by: None });
                     self.told = to;
                 }
@@ -82,10 +87,13 @@ impl Session {
             }
         };
         self.do_deed(deed);
+        if starts {
+            self.start_at(at);
+        }
         self.show_cursor();
     }
 
-    /// Where nothing is pressed, a motion starts there in scenes that have one for that.
+    /// A motion starts where a click was, in scenes that have one for that.
     fn start_at(&mut self, at: DVec2) {
         let place = self.camera_here().world_from_screen(at.to_array());
         if let Some(commands) = starting::start(&self.scene, place.truncate()) {
@@ -196,18 +204,26 @@ impl Session {
         is_beside || layer.is_some_and(|layer| layer.order != Order::Background)
     }
 
-    /// Where the cursor is in the world: nowhere while it is over a panel, drags the camera or has left. What is led follows it
-    /// over panels too.
+    /// Where the cursor is in the world, with what is led beside it.
     pub(super) fn world_cursor(&self) -> Option<Cursor> {
+        self.led_to(self.way_of_cursor())
+    }
+
+    /// Where what is led goes with the cursor.
+    pub(super) fn led_to(&self, way: Way) -> Option<Cursor> {
+        way.to.map(|cursor| self.hand.led_to(cursor))
+    }
+
+    /// Where the cursor goes in the world: nowhere while it is over a panel, drags the camera or has left. What is led follows it over
+    /// panels too.
+    pub(super) fn way_of_cursor(&self) -> Way {
         let leads = self.hand.is_busy();
         let is_free = !self.pointer.is_dragging() && !self.is_covered() && (leads || !self.is_over_panels());
         // A window that gets the focus is told of a pointer that may be anywhere.
         let [width, height] = self.area.map(f64::from);
-        let is_inside = |at: &[f64; 2]| (0.0..width).contains(&at[0]) && (0.0..height).contains(&at[1]);
-        self.pointer
-            .at
-            .filter(|at| leads || is_inside(at))
-            .filter(|_| is_free)
-            .map(|at| self.hand.led_to(self.camera_here().cursor(at)))
+        let is_inside = |[x, y]: [f64; 2]| (0.0..width).contains(&x) && (0.0..height).contains(&y);
+        let is_free = is_free && (leads || self.pointer.at.is_some_and(is_inside));
+        let pointing = Pointing { is_free, grabs: self.hand.is_grabbing() };
+        self.resting.way(&self.camera_here(), self.pointer.at, pointing)
     }
 }

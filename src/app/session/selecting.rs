@@ -184,6 +184,7 @@ impl Session {
         let is_plane = self.scene.dimensions() == 2;
         let mut on = |what: fn(Scope<'_>, DVec2) -> bool| can_look && self.with_scope(|_, scope| what(scope, at));
         match tool {
+            Tool::Hand if on(|scope, at| scope.starts_at(at)) => CursorIcon::Crosshair,
             Tool::Hand if on(|scope, at| scope.nearest(at).is_some() || scope.block(at).is_some()) => CursorIcon::Grab,
             Tool::Hand if on(|scope, at| scope.solid(at).is_some()) => CursorIcon::NotAllowed,
             Tool::Hand => CursorIcon::Default,

@@ -25,6 +25,8 @@ pub(super) struct Haul {
     /// What is stuck in them, and where it was when they were pressed on `[m]`.
     pins: Vec<(PointId, DVec2)>,
     by: By,
+    /// What the drag meant as the pointer came to where it is `[px]`, and whether in steps: a view that changes under it means nothing new.
+    meant: Option<((DVec2, bool), Change)>,
     /// Since they were sent last `[s]`.
     since: f64,
     goes_on: bool,
@@ -107,11 +109,14 @@ impl Haul {
     fn new(scope: Scope<'_>, what: Chosen, by: By) -> Self {
         let pins = pins_in(scope, &what.obstacles);
         let pins = pins.into_iter().map(|pin| (pin, place(scope, pin))).collect();
-        Haul { what, pins, by, since: f64::INFINITY, goes_on: false }
+        Haul { what, pins, by, meant: None, since: f64::INFINITY, goes_on: false }
     }
 
     /// All that the drag means, with the pointer at a pixel.
     fn change(&self, scope: Scope<'_>, at: DVec2, in_steps: bool) -> Change {
+        if let Some((_, change)) = self.meant.filter(|(from, _)| *from == (at, in_steps)) {
+            return change;
+        }
         match self.by {
             By::Way(from) => Change::Shift(scope.facing(from, at) - from),
             By::Handle(grip) => grip.change(scope, at, in_steps),
@@ -142,6 +147,7 @@ impl Haul {
         // Whatever it does next begins now.
         self.since = 0.0;
         let all = self.change(scope, at, in_steps);
+        self.meant = Some(((at, in_steps), all));
         let about = match self.by {
             By::Way(_) => DVec3::ZERO,
             By::Handle(grip) => grip.about().extend(0.0),

@@ -161,10 +161,14 @@ fn led(scope: Scope<'_>, points: &[PointId], at: Option<DVec2>) -> Vec<Mark> {
     vec![Mark::Line(Role::Lead, middle, at, width * scale), Mark::Ring(Role::Lead, middle, 5.0 * scale)]
 }
 
-/// The outline of the obstacle that the hand would take; a ring around the point; around a pin, and along the bar that goes with it.
+/// The outline of the obstacle that the hand would take, words where it is ground; a small ring where a click starts something; a ring around the point; around a pin, and along the bar that goes with it.
 fn would_grab(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
+    if scope.starts_at(at) {
+        return vec![Mark::Ring(Role::Come, at, 5.0 * scope.scale)];
+    }
     let Some(hit) = scope.nearest(at) else {
-        return scope.block(at).map_or_else(Vec::new, |number| obstacle(Role::Lead, scope, number));
+        let outline = |number| obstacle(Role::Lead, scope, number);
+        return scope.block(at).map_or_else(|| scope.ground_marks(at), outline);
     };
     let is_pin = scope.is_pinned(hit.point);
     let role = if is_pin { Role::Hold } else { Role::Lead };
@@ -225,14 +229,18 @@ pub(super) fn body(role: Role, scope: Scope<'_>, points: &[PointId]) -> Vec<Mark
     if lines.is_empty() { bonds(role, scope, points) } else { lines }
 }
 
+/// The places of a ball that lie farthest along the axes `[m]`.
+pub(super) fn around_ball(center: [f64; 3], radius: f64) -> [DVec3; 6] {
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+    std::array::from_fn(|k| DVec3::from(center) + if k < 3 { radius } else { -radius } * axes[k % 3])
+}
+
 /// The edges of a box; a circle about a ball, as wide as it is seen from afar.
 fn around(role: Role, scope: Scope<'_>, figure: &Figure) -> Vec<Mark> {
     let pixel = |x: [f64; 3]| scope.camera.screen_from_world(DVec3::from(x)).map(DVec2::from);
     if let &Figure::Ball { center, radius } = figure {
-        let middle = DVec3::from(center);
-        let beside = |side: DVec3| Some(pixel((middle + radius * side).into())?.distance(pixel(center)?));
-        let sides = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().flat_map(|side| [side, -side]);
-        let wide = sides.filter_map(beside).fold(0.0, f64::max);
+        let beside = |place: DVec3| Some(pixel(place.into())?.distance(pixel(center)?));
+        let wide = around_ball(center, radius).into_iter().filter_map(beside).fold(0.0, f64::max);
         return pixel(center).map(|at| Mark::Ring(role, at, wide)).into_iter().collect();
     }
     let Some(frame) = figure.frame() else { return Vec::new() };

@@ -22,6 +22,7 @@ mod fastened;
 mod floor;
 #[cfg(test)]
 mod grab_tests;
+mod ground;
 mod handles;
 mod haul;
 #[cfg(test)]

@@ -243,8 +243,8 @@ impl Scope<'_> {
         }
     }
 
-    /// The number of the obstacle that has an end and that a pixel lies in: the hand drags it.
-    pub(in crate::app) fn block(&self, at: DVec2) -> Option<u32> {
+    /// The number of the obstacle that has an end and that a pixel lies in.
+    pub(super) fn with_an_end(&self, at: DVec2) -> Option<u32> {
         match self.camera.pose {
             Pose::Plane { .. } => self.polygon(at),
             Pose::Orbit { .. } => self.convex(at),
@@ -276,6 +276,12 @@ impl Scope<'_> {
         let Pose::Plane { center, .. } = self.camera.pose else { return None };
         let (point, normal) = (DVec3::from(*point).truncate(), DVec3::from(*normal).truncate().normalize_or_zero());
         Some(center - (center - point).dot(normal) * normal)
+    }
+
+    /// Whether a click of the hand at a pixel starts a motion there: where that is so pins are a part of the picture.
+    pub(in crate::app) fn starts_at(&self, at: DVec2) -> bool {
+        let is_led = || self.nearest(at).is_some_and(|hit| !self.is_pinned(hit.point));
+        self.shown.starts && !is_led() && self.block(at).is_none()
     }
 
     /// Where a pixel lies in the plane `[m]`.

@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 use super::build::{self, Drag, Path};
 use super::cutting::Slash;
 use super::erase::erase;
+use super::ground::GROUND;
 use super::lead::Lead;
 use super::muscles::Swipe;
 use super::selecting::is_drag;
@@ -15,8 +16,6 @@ use crate::app::action::Tool;
 use crate::history::Do;
 use crate::sim::Reach;
 
-/// Said where a plane is pressed on by the hand.
-const SOLID: &str = "it stands: the tool that selects (6) moves it";
 /// Said where the brush finds no numbers to take.
 const NO_SPRINGS: &str = "no body of springs lies here whose numbers the brush could take";
 /// Said where nothing is pinned.
@@ -106,8 +105,12 @@ impl Hand {
     }
 
     /// What lies under the pixel is led: a pin along its way, all else by its points. Where nothing does, what the hover force has
-    /// pushed away comes to the hand; where nothing is in its reach, it pushes on.
+    /// pushed away comes to the hand; where nothing is in its reach, it pushes on, and in scenes where a click starts something it does there.
     pub(super) fn take_hold(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        if scope.starts_at(at) {
+            self.doing = Doing::Pushing;
+            return Deed::default();
+        }
         // The pins of a hinge go with what turns on it while time stands still.
         let lead = Lead::of_pin(scope, at).filter(|lead| !self.is_still || !hub::is_hinged(scope, lead.point()));
         if let Some(lead) = lead {
@@ -136,8 +139,7 @@ impl Hand {
         }
         if points.is_empty() {
             self.doing = Doing::Pushing;
-            let is_solid = scope.solid(at).is_some();
-            return if is_solid { Deed::words(SOLID.to_owned()) } else { Deed::default() };
+            return if scope.is_on_ground(at) { Deed::words(GROUND.to_owned()) } else { Deed::default() };
         }
         let mut commands = self.calm_now();
         commands.push(Do::Grab(Reach::Points(points.clone())));

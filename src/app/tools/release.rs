@@ -68,6 +68,12 @@ impl Hand {
         }
     }
 
+    /// Whether the button, which is about to be let go at a pixel, clicked with the hand on something that it would have led.
+    pub(in crate::app) fn has_clicked(&self, scope: Scope<'_>, at: DVec2) -> bool {
+        let holds = matches!(self.doing, Doing::Grabbing(_) | Doing::Carrying(..)) && self.tool() == Tool::Hand;
+        holds && !self.is_dragged && !is_drag(scope, [self.pressed, at])
+    }
+
     /// The point that the button, which is about to be let go at a pixel, clicked on with the tool for selecting.
     pub(in crate::app) fn clicked(&self, scope: Scope<'_>, at: DVec2) -> Option<Probe> {
         let is_click = matches!(self.doing, Doing::Moving(hold, _) if !is_drag(scope, [hold.at, at]));

@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::chosen::Chosen;
 use super::facing::{self, Hold};
+use super::ground::GROUND;
 use super::handles::{Change, Frame, Grip, Handle};
 use super::marks::{Mark, Role};
 use super::pick::Scope;
@@ -67,8 +68,11 @@ impl Hand {
         moved(scope, (hold, to), &chosen)
     }
 
-    /// What lies under the pixel is moved by a drag of the hand, while time stands still; a click does nothing.
+    /// What lies under the pixel is moved by a drag of the hand, while time stands still, but for ground; a click does nothing.
     pub(super) fn carry(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
+        if scope.nearest(at).is_none() && scope.is_on_ground(at) {
+            return Deed::words(GROUND.to_owned());
+        }
         if let Some(under) = Chosen::at(scope, at).filter(|under| !under.is_ground(scope)) {
             self.doing = Doing::Carrying(scope.hold(at), under);
         }

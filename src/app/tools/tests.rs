@@ -3,7 +3,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Deed, Hand, Scope};
+use super::{Deed, Hand, Mark, Role, Scope};
 use crate::app::action::Tool;
 use crate::app::opening;
 use crate::app::player::{Shown, Stage};
@@ -202,6 +202,41 @@ fn what_is_erased_is_a_body_a_bond_or_an_obstacle() {
     let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     assert_eq!(keys.obstacles, [0]);
     assert!(hand.press(scope(&solid), DVec2::new(20.0, 600.0)).is_empty(), "nothing is there");
+}
+
+#[test]
+fn where_a_click_starts_a_motion_pins_are_not_grabbed_and_what_moves_is() {
+    let portrait = opened("phase-portrait");
+    let count = portrait.0.point_count();
+    let pins: Vec<usize> = (0..count).filter(|&point| scope(&portrait).is_pinned(PointId(point as u32))).collect();
+    assert!(pins.len() > 200);
+    for is_still in [false, true] {
+        let begun = || {
+            let mut hand = Hand::default();
+            hand.stand_still(is_still);
+            hand
+        };
+        // Beside an arrow too, and where nothing is.
+        for at in pins.iter().step_by(7).map(|&pin| pixel(&portrait, pin)).chain([DVec2::new(20.0, 20.0)]) {
+            if !scope(&portrait).nearest(at).is_none_or(|hit| scope(&portrait).is_pinned(hit.point)) {
+                continue;
+            }
+            let mut hand = begun();
+            let marks = hand.marks(scope(&portrait), Some(at));
+            assert!(matches!(marks[..], [Mark::Ring(Role::Come, ..)]), "{at}: {marks:?}");
+            assert_eq!(hand.press(scope(&portrait), at), Deed::default(), "{at}");
+            assert!(hand.is_pushing() && !hand.has_clicked(scope(&portrait), at), "{at}: the press has started it");
+            assert!(hand.release(scope(&portrait), at).is_empty());
+        }
+        let mut hand = begun();
+        let at = pixel(&portrait, 0);
+        let deed = hand.press(scope(&portrait), at);
+        assert_eq!(grabbed(&deed).is_empty(), is_still, "it is led, or moved");
+        assert!(hand.has_clicked(scope(&portrait), at) && !hand.has_clicked(scope(&portrait), at + 50.0));
+    }
+    // Elsewhere pins are led.
+    let swing = opened("spring-damper");
+    assert!(!scope(&swing).starts_at(DVec2::new(20.0, 20.0)));
 }
 
 #[test]

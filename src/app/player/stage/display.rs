@@ -78,6 +78,7 @@ impl Stage {
         }
         shown.mouse.clone_from(&self.force);
         (shown.cursor, shown.grab) = (mouse.map(|(_, cursor)| cursor), world.grab());
+        shown.starts = self.history.scene().click_start.is_some();
         shown.jam = self.jam.clone().filter(|_| self.is_dragging());
         (shown.base, shown.settings, shown.driving) = (self.base, world.settings(), world.driving());
         shown.figures = self.figures(world);
@@ -102,6 +103,7 @@ impl Stage {
             pace: self.reached.value(),
             step: self.steps.value(),
             work: self.works.value(),
+            cost: self.costs.value(),
             points: world.point_count() - world.gone().len(),
             bonds: world.bonds().len(),
             energy: self.energy,

@@ -19,7 +19,7 @@ use super::shown::Scenery;
 use super::softness::Relaxed;
 use super::watch::Watch;
 use crate::app::matter::{Among, Matter};
-use crate::app::meter::Meter;
+use crate::app::meter::{Lowest, Meter};
 use crate::app::tools::Hauled;
 use crate::history::{BranchView, History, HistoryError, Recording, Start};
 use crate::scene::{MethodKeys, Parameter, ViewKeys};
@@ -54,6 +54,8 @@ pub struct Stage {
     steps: Meter,
     /// Wall time that stepping 1/60 s at its pace takes `[s]`.
     works: Meter,
+    /// The same for each point, the least of late.
+    costs: Lowest,
     reached: Meter,
     /// Strength of the hover force when nothing is led `[1/s^2]`.
     base: Option<f64>,
@@ -127,6 +129,7 @@ impl Stage {
             figures_at: None,
             steps: Meter::default(),
             works: Meter::default(),
+            costs: Lowest::default(),
             reached: Meter::default(),
             base,
             force,
@@ -233,6 +236,10 @@ impl Stage {
             }),
             Order::Press(presses) => {
                 self.pace.presses = presses;
+                None
+            }
+            Order::Jump => {
+                self.pace.jump();
                 None
             }
             Order::LeadPins(way) => self.lead_pins(way),

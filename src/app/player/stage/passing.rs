@@ -23,7 +23,10 @@ impl Stage {
         let (steps, gone) = (start.elapsed().as_secs_f64(), self.history.world().time() - before);
         if substeps > 0 {
             self.steps.push(steps);
-            self.works.push(SINGLE_STEP * (steps - beside) * self.pace.rate / gone);
+            let work = SINGLE_STEP * (steps - beside) * self.pace.rate / gone;
+            let world = self.history.world();
+            self.works.push(work);
+            self.costs.push(work / (world.point_count() - world.gone().len()).max(1) as f64);
         }
         if wall > 0.0 && self.pace.is_moving(&self.history) {
             self.reached.push(gone / (wall * self.pace.rate));
