@@ -30,6 +30,7 @@ mod own;
 mod passes;
 mod places;
 mod renderer;
+mod seen_forms;
 mod sight;
 mod skin;
 mod tiles;
