@@ -29,6 +29,7 @@ mod order;
 mod own;
 mod passes;
 mod places;
+mod quads;
 mod renderer;
 mod seen_forms;
 mod sight;

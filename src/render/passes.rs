@@ -11,6 +11,7 @@ use super::counters::RenderCounters;
 use super::fills::Fills;
 use super::gpu::Gpu;
 use super::obstacles::{COVER, Obstacles, SHARES};
+use super::quads::{QUAD, Quads};
 use super::skin::Skins;
 
 /// A shader with what all of them share in front.
@@ -71,8 +72,7 @@ enum Pass {
     Obstacles,
 }
 
-/// Vertices of a quad and of a disc.
-const QUAD: u32 = 6;
+/// Vertices of a disc.
 const DISC: u32 = 3;
 
 impl Pass {
@@ -206,6 +206,7 @@ pub(super) struct Passes {
     skin: [wgpu::RenderPipeline; 3],
     /// What obstacles cover, that alone, their rims along edges and everywhere, and all as it is shown: below the skins. In the plane alone.
     obstacles: Option<[wgpu::RenderPipeline; 5]>,
+    quads: Quads,
     layout: wgpu::BindGroupLayout,
     bindings: Option<[wgpu::BindGroup; 6]>,
 }
@@ -267,7 +268,7 @@ impl Passes {
                 pipeline(&gpu.device, layouts, &modules[pass.shader()], what, format, dimensions)
             })
         });
-        Passes { pipelines, floor, fill, skin, obstacles, layout, bindings: None }
+        Passes { pipelines, floor, fill, skin, obstacles, quads: Quads::new(gpu), layout, bindings: None }
     }
 
     /// How the world's buffers are bound.
@@ -339,7 +340,10 @@ impl Passes {
             target.set_bind_group(0, &bindings[pass.shader()], &[]);
             counters.draws += calls.len() as u64;
             for [vertices, instances] in calls {
-                target.draw(vertices, instances);
+                match pass {
+                    Pass::Strokes => self.quads.draw(target, vertices, instances),
+                    _ => target.draw(vertices, instances),
+                }
             }
         }
         let [below, over, marks] = buffers.guide_counts;
