@@ -144,7 +144,7 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
     let wide = own_width(bond, a, b);
     var width = max(frame.bond_width, wide);
     var form = vec4(0.0);
-    if is_set(frame.coil_length, a.x) && bond.kind != 0u {
+    if FORMS && is_set(frame.coil_length, a.x) && bond.kind != 0u {
         let span = distance(pixel_of(frame.clip_from_world * vec4(a, 1.0)), pixel_of(frame.clip_from_world * vec4(b, 1.0)));
         let unit = frame.outline_width / 1.5;
         if bond.kind == ROD || bond.kind == STRUT {
@@ -183,7 +183,7 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
 fn fragment(in: Strand) -> @location(0) vec4<f32> {
     let kind = u32(in.form.x + 0.5);
     let plain = Stroke(in.position, in.line, in.color, in.size);
-    if kind == 0u {
+    if !FORMS || kind == 0u {
         return stroke_color(plain);
     }
     let at = in.position.xy - in.line.xy;

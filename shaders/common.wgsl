@@ -5,6 +5,8 @@
 override DIMENSIONS: u32 = 2u;
 // Whether strains or distances may be shown by colours: what works them out is left out of the shader where they are not.
 override MAPS: bool = true;
+// Whether any bond may be seen as what it is: where none is, likewise.
+override FORMS: bool = true;
 
 struct Frame {
     clip_from_world: mat4x4<f32>,

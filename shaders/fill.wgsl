@@ -176,39 +176,41 @@ fn round_color(in: Fill, color: vec3<f32>) -> vec4<f32> {
     return fogged(vec4(color, clamp(0.5 - off, 0.0, 1.0)), in.position.w);
 }
 
-@fragment
-fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec4<f32> {
-    let steps = max(fwidth(in.share), vec3(1e-6));
-    let kind = u32(in.size.z + 0.5);
+// What is no triangle: each way to draw is taken once, for a driver without a GPU takes all of them for every pixel.
+fn line_color(in: Fill, kind: u32) -> vec4<f32> {
     if kind == SHADOW {
         return vec4(0.0, 0.0, 0.0, DARKEST * in.share.x * in.share.x * frame.fill_opacity);
     }
-    if kind == OUTLINE || kind == SKIN {
-        // Beside colours of strain a body's own would mean nothing.
-        let bright = dot(in.color.rgb, vec3(0.3, 0.6, 0.1));
-        let lift = mix(LIFT.x, LIFT.y, smoothstep(0.1, 0.4, bright));
-        let is_map = (frame.strain_scale > 0.0) | (frame.difference_scale > 0.0);
-        let own = select(mix(in.color.rgb, vec3(1.0), lift), vec3(0.88), is_map);
-        let light = vec4(own, 1.0);
-        if kind == SKIN {
-            // Limbs lie on each other: on a bright ground a dark rim parts them.
-            let is_bright = dot(frame.ground.rgb, vec3(0.3, 0.6, 0.1)) > 0.5;
-            return round_color(in, select(own, SHADE * in.color.rgb, is_bright && !is_map));
-        }
-        return stroke_color(Stroke(in.position, in.line, light, in.size.xy));
-    }
-    if kind == FLESH {
+    // Beside colours of strain a body's own would mean nothing.
+    let bright = dot(in.color.rgb, vec3(0.3, 0.6, 0.1));
+    let lift = mix(LIFT.x, LIFT.y, smoothstep(0.1, 0.4, bright));
+    let is_map = (frame.strain_scale > 0.0) | (frame.difference_scale > 0.0);
+    let own = select(mix(in.color.rgb, vec3(1.0), lift), vec3(0.88), is_map);
+    if kind == SKIN || kind == FLESH {
+        // Limbs lie on each other: on a bright ground a dark rim parts them.
+        let is_bright = dot(frame.ground.rgb, vec3(0.3, 0.6, 0.1)) > 0.5;
+        let rim = select(own, SHADE * in.color.rgb, is_bright && !is_map);
         var flesh = mix(frame.ground.rgb, in.color.rgb, 0.8);
         if MAPS {
             flesh = select(flesh, strain_color(0.0).rgb, frame.strain_scale > 0.0);
         }
-        return round_color(in, flesh);
+        return round_color(in, select(rim, flesh, kind == FLESH));
     }
-    if kind == INNER {
-        // As dark as the sides of triangles, and seen where those are.
-        let room = smoothstep(ROOM.x, ROOM.y, 0.7 * in.size.x);
-        let dark = stroke_color(Stroke(in.position, in.line, vec4(0.0, 0.0, 0.0, 1.6 * LINES), in.size.xy));
-        return vec4(dark.rgb, dark.a * room * frame.fill_opacity);
+    // Bonds within are as dark as the sides of triangles, and seen where those are.
+    let is_inner = kind == INNER;
+    let room = select(1.0, smoothstep(ROOM.x, ROOM.y, 0.7 * in.size.x) * frame.fill_opacity, is_inner);
+    let color = select(vec4(own, 1.0), vec4(0.0, 0.0, 0.0, 1.6 * LINES), is_inner);
+    let line = stroke_color(Stroke(in.position, in.line, color, in.size.xy));
+    return vec4(line.rgb, line.a * room);
+}
+
+@fragment
+fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec4<f32> {
+    let steps = max(fwidth(in.share), vec3(1e-6));
+    let kind = u32(in.size.z + 0.5);
+    // In space triangles are drawn by themselves: they alone write their depth.
+    if PART != 1u && kind != FILL && kind != UNDER {
+        return line_color(in, kind);
     }
     var color = mix(frame.ground.rgb, in.color.rgb, 0.8);
     if MAPS && is_set(frame.strain_scale, in.position.x) {

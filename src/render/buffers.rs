@@ -21,6 +21,7 @@ use super::kept::KeptBuffer;
 use super::order;
 use super::own::{self, Owns};
 use super::places::{Staging, stage, states};
+use super::seen_forms::SeenForms;
 use super::view::View;
 use crate::picture::Tint;
 use crate::sim::Positions;
@@ -60,6 +61,7 @@ pub(super) struct WorldBuffers {
     pub(super) widest_own: f64,
     /// Pinned points.
     pub(super) pin_count: u32,
+    forms: SeenForms,
     /// What positions are relative to `[m]`.
     pub(super) origin: DVec3,
     /// Middle one of the rest lengths `[m]`; 0 without bonds.
@@ -104,6 +106,7 @@ impl WorldBuffers {
             covers_all: false,
             widest_own: 0.0,
             pin_count: 0,
+            forms: SeenForms::default(),
             origin: DVec3::ZERO,
             typical_bond: 0.0,
             covered_bond: 0.0,
@@ -191,6 +194,7 @@ impl WorldBuffers {
         let origin = if double { self.origin_near(camera) } else { DVec3::ZERO };
         if self.motion != Some(view.motion) || self.origin != origin {
             (self.origin, self.motion, self.selected) = (origin, None, None);
+            self.forms.forget_motion();
             if let Some(chunks) = &mut self.chunks {
                 chunks.forget_motion();
             }
@@ -264,6 +268,7 @@ impl WorldBuffers {
             ),
             false => median_rest_length(beside),
         };
+        self.forms = SeenForms::of(&bonds);
         let packed: Vec<PackedBond> = bonds.iter().map(PackedBond::from).collect();
         self.bonds.write(gpu, bytemuck::cast_slice(&packed), counters)?;
         let is_pinned = pins(view.pinned, point_count);
@@ -309,6 +314,12 @@ impl WorldBuffers {
     /// The present positions as they lie on the GPU.
     pub(super) fn current_places<'a>(&'a self, view: &View<'a>) -> &'a [f32] {
         states(view, &self.staging)[1]
+    }
+
+    /// Whether bonds may be seen as what they are, where springs of this length `[px]` are coils.
+    pub(super) fn shows_forms(&mut self, view: &View<'_>, camera: &Camera, coil_length: f32) -> bool {
+        let states = states(view, &self.staging);
+        self.forms.are_seen(states, view.dimensions, (camera.pixels_per_metre(), coil_length))
     }
 
     /// Finds out what a picture takes of bonds and points, unless that is what the last one took.

@@ -5,7 +5,7 @@ use crate::sim::{Bond, BondKind, Bonds, Limit};
 /// Kinds as the shader knows them: `ROD`, `COIL`, `ROPE`, `RELAXED`, `STRING`, `STRUT`, `MUSCLE` in bonds.wgsl; 0 is a plain stroke. A string and a
 /// strut act on one side only, as a rope and a rod that show no strain on the other.
 pub(super) const ROD: u32 = 1;
-const COIL: u32 = 2;
+pub(super) const COIL: u32 = 2;
 const ROPE: u32 = 3;
 const RELAXED: u32 = 4;
 const STRING: u32 = 5;

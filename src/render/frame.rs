@@ -132,6 +132,11 @@ impl Frame {
         self.outline_width
     }
 
+    /// Length of a spring from which on it is a coil `[px]`; 0: bonds have no forms.
+    pub(super) fn coil_length(&self) -> f32 {
+        self.coil_length
+    }
+
     /// Whether there is a region to draw.
     pub(super) fn has_region(&self) -> bool {
         self.region[3] != 0.0

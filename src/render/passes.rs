@@ -11,6 +11,7 @@ use super::counters::RenderCounters;
 use super::fills::Fills;
 use super::gpu::Gpu;
 use super::obstacles::{COVER, Obstacles, SHARES};
+use super::quads::{QUAD, Quads};
 use super::skin::Skins;
 
 /// A shader with what all of them share in front.
@@ -71,8 +72,7 @@ enum Pass {
     Obstacles,
 }
 
-/// Vertices of a quad and of a disc.
-const QUAD: u32 = 6;
+/// Vertices of a disc.
 const DISC: u32 = 3;
 
 impl Pass {
@@ -108,6 +108,11 @@ impl Pass {
     /// Whether it may show a map by colours: its shader is another then, for a driver without a GPU works out both sides of a branch.
     fn has_maps(self) -> bool {
         matches!(self, Pass::Dots | Pass::Strokes | Pass::Points | Pass::Fill)
+    }
+
+    /// Whether it may show bonds as what they are: likewise.
+    fn has_forms(self) -> bool {
+        self == Pass::Strokes
     }
 
     /// How what it draws is put on what is there: cover is added up, rims take their place, all else lies on top.
@@ -184,13 +189,15 @@ pub(super) struct Shown {
     pub(super) fills: bool,
     /// A map by colours, in place of skins.
     pub(super) map: bool,
+    /// Bonds as what they are.
+    pub(super) forms: bool,
 }
 
 /// Pipelines and bindings of all passes. Copies share the pipelines.
 #[derive(Clone)]
 pub(super) struct Passes {
-    /// In the order that they are drawn in, each without a map by colours and with one.
-    pipelines: Vec<(Pass, [wgpu::RenderPipeline; 2])>,
+    /// In the order that they are drawn in, each without forms of bonds and with them, both without a map by colours and with one.
+    pipelines: Vec<(Pass, [[wgpu::RenderPipeline; 2]; 2])>,
     /// Of the floor and its shadow, below all else. In space alone.
     floor: Option<[wgpu::RenderPipeline; 2]>,
     /// Of fills, and in space of their outlines, likewise: below the skins.
@@ -199,6 +206,7 @@ pub(super) struct Passes {
     skin: [wgpu::RenderPipeline; 3],
     /// What obstacles cover, that alone, their rims along edges and everywhere, and all as it is shown: below the skins. In the plane alone.
     obstacles: Option<[wgpu::RenderPipeline; 5]>,
+    quads: Quads,
     layout: wgpu::BindGroupLayout,
     bindings: Option<[wgpu::BindGroup; 6]>,
 }
@@ -218,18 +226,23 @@ impl Passes {
         let layers = layers(dimensions).into_iter();
         let own_to_world = [&layout];
         let pipelines = layers.map(|(pass, part)| {
-            let made = |maps: bool| {
-                let what = (pass, part, maps);
+            let made = |forms: bool, maps: bool| {
+                let what = (pass, part, maps, forms);
                 pipeline(&gpu.device, &own_to_world, &modules[pass.shader()], what, format, dimensions)
             };
-            let plain = made(false);
-            let mapped = if pass.has_maps() { made(true) } else { plain.clone() };
-            (pass, [plain, mapped])
+            let both = |forms: bool| {
+                let plain = made(forms, false);
+                let mapped = if pass.has_maps() { made(forms, true) } else { plain.clone() };
+                [plain, mapped]
+            };
+            let formed = both(true);
+            let bare = if pass.has_forms() { both(false) } else { formed.clone() };
+            (pass, [bare, formed])
         });
         let pipelines = pipelines.collect();
         let floor = (dimensions == 3).then(|| {
             [Pass::Floor, Pass::Shadow].map(|pass| {
-                let what = (pass, Part::All, false);
+                let what = (pass, Part::All, false, true);
                 pipeline(&gpu.device, &own_to_world, &modules[pass.shader()], what, format, dimensions)
             })
         });
@@ -238,11 +251,11 @@ impl Passes {
         let [worn, covered, filled] = own.map(|own| [&layout, own]);
         let parts = [(Pass::SkinRind, Part::All), (Pass::Skin, solid), (Pass::SkinEdges, Part::All)];
         let skin = parts.map(|(pass, part)| {
-            pipeline(&gpu.device, &worn, &modules[pass.shader()], (pass, part, false), format, dimensions)
+            pipeline(&gpu.device, &worn, &modules[pass.shader()], (pass, part, false, true), format, dimensions)
         });
         let fill = [false, true].map(|maps| {
             [solid, Part::All].map(|part| {
-                let what = (Pass::Fill, part, maps);
+                let what = (Pass::Fill, part, maps, true);
                 pipeline(&gpu.device, &filled, &modules[Pass::Fill.shader()], what, format, dimensions)
             })
         });
@@ -251,11 +264,11 @@ impl Passes {
             let passes = [(Pass::Cover, COVER, 1), plain, edges, rim, (Pass::Obstacles, format, 2)];
             passes.map(|(pass, format, groups)| {
                 let layouts = &covered[..groups];
-                let what = (pass, Part::All, false);
+                let what = (pass, Part::All, false, true);
                 pipeline(&gpu.device, layouts, &modules[pass.shader()], what, format, dimensions)
             })
         });
-        Passes { pipelines, floor, fill, skin, obstacles, layout, bindings: None }
+        Passes { pipelines, floor, fill, skin, obstacles, quads: Quads::new(gpu), layout, bindings: None }
     }
 
     /// How the world's buffers are bound.
@@ -323,11 +336,14 @@ impl Passes {
             if calls.is_empty() {
                 continue;
             }
-            target.set_pipeline(&pipelines[map]);
+            target.set_pipeline(&pipelines[usize::from(shown.forms)][map]);
             target.set_bind_group(0, &bindings[pass.shader()], &[]);
             counters.draws += calls.len() as u64;
             for [vertices, instances] in calls {
-                target.draw(vertices, instances);
+                match pass {
+                    Pass::Strokes => self.quads.draw(target, vertices, instances),
+                    _ => target.draw(vertices, instances),
+                }
             }
         }
         let [below, over, marks] = buffers.guide_counts;
@@ -343,7 +359,7 @@ impl Passes {
     /// Draws further guides: the numbers of the grid and the marks of motors, over all else.
     fn draw_guides(&self, target: &mut wgpu::RenderPass<'_>, range: Range<u32>, counters: &mut RenderCounters) {
         let pipeline = self.pipelines.iter().find(|(pass, _)| *pass == Pass::Guides);
-        let (Some((_, [pipeline, _])), Some(bindings)) = (pipeline.filter(|_| !range.is_empty()), &self.bindings)
+        let (Some((_, [[pipeline, _], _])), Some(bindings)) = (pipeline.filter(|_| !range.is_empty()), &self.bindings)
         else {
             return;
         };
@@ -385,7 +401,7 @@ fn pipeline(
     device: &wgpu::Device,
     layouts: &[&wgpu::BindGroupLayout],
     module: &wgpu::ShaderModule,
-    (pass, part, maps): (Pass, Part, bool),
+    (pass, part, maps, forms): (Pass, Part, bool, bool),
     format: wgpu::TextureFormat,
     dimensions: usize,
 ) -> wgpu::RenderPipeline {
@@ -397,8 +413,12 @@ fn pipeline(
         bind_group_layouts: &layouts,
         immediate_size: 0,
     });
-    let constants =
-        [("DIMENSIONS", dimensions as f64), ("PART", f64::from(part as u32)), ("MAPS", f64::from(u8::from(maps)))];
+    let constants = [
+        ("DIMENSIONS", dimensions as f64),
+        ("PART", f64::from(part as u32)),
+        ("MAPS", f64::from(u8::from(maps))),
+        ("FORMS", f64::from(u8::from(forms))),
+    ];
     let options = || wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
     // The region lies over everything; in the plane, what is drawn later does.
     let depth = (dimensions == 3).then(|| wgpu::DepthStencilState {

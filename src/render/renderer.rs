@@ -30,6 +30,7 @@ pub struct Renderer {
     has_region: bool,
     has_fills: bool,
     shows_map: bool,
+    shows_forms: bool,
     veil: Veil,
     /// How bodies were drawn last.
     tints: Vec<Tint>,
@@ -63,6 +64,7 @@ impl Renderer {
             has_region: false,
             has_fills: false,
             shows_map: false,
+            shows_forms: false,
             veil: Veil::default(),
             tints: Vec::new(),
             counters: RenderCounters::default(),
@@ -103,6 +105,7 @@ impl Renderer {
         self.buffers.set_solids(gpu, solids(view, camera, origin), counters)?;
         self.buffers.set_floor(gpu, floor::rows(view, self.obstacles.patches(), origin, look), counters)?;
         self.has_region = frame.has_region();
+        self.shows_forms = self.buffers.shows_forms(view, camera, frame.coil_length());
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
         let wanted = frame.wanted(camera, &self.buffers, look.has_mesh || !look.has_fills);
         self.buffers.select(view, &wanted, counters);
@@ -164,7 +167,8 @@ impl Renderer {
             pass.set_viewport(0.0, 0.0, area[0] as f32, area[1] as f32, 0.0, 1.0);
             pass.set_scissor_rect(left, top, width, height);
             let shapes = (&self.buffers, &self.skins, &self.obstacles, &self.fills);
-            let shown = Shown { region: self.has_region, fills: self.has_fills, map: self.shows_map };
+            let shown =
+                Shown { region: self.has_region, fills: self.has_fills, map: self.shows_map, forms: self.shows_forms };
             self.passes.draw(&mut pass, shapes, shown, &mut self.counters);
         }
         self.counters.frames_drawn += 1;
