@@ -93,14 +93,14 @@ impl MatterAt {
 }
 
 /// Shows it at the right edge of a room, or beside the tools, where it would cover what is selected. Where it would cover the middle of the
-/// window it begins folded.
+/// window it begins folded. Returns where it begins and ends, bars and all, however much of that it takes now `[points]`.
 pub(super) fn show(
     context: &egui::Context,
     (room, beside_tools): (Rect, Pos2),
     state: &mut PanelState,
     facts: &Facts,
     wishes: &mut Vec<Wish>,
-) {
+) -> [f32; 2] {
     let id = Id::unique("matter");
     let is_down = context.input(|input| input.pointer.any_down());
     if !is_down {
@@ -143,6 +143,10 @@ pub(super) fn show(
             });
         });
     });
+    match state.matter_at.is_left {
+        true => [beside_tools.x, beside_tools.x + WHOLE],
+        false => [room.right() - WHOLE, room.right()],
+    }
 }
 
 /// A button: its name, what it does, and the action.

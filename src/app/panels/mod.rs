@@ -406,8 +406,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     }
     if has_panels {
         let rooms = places.of_tools(plotted, all_edge);
-        column = (facts.tool == Tool::Select).then(|| rooms.right.right() - material::WHOLE);
-        palette::show(&context, &rooms, state, facts, &mut wishes);
+        column = palette::show(&context, &rooms, state, facts, &mut wishes);
     }
     held::show(&context, places.low(), facts);
     state.notes.show(&context, &places, facts, &mut wishes);

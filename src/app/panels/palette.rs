@@ -80,14 +80,14 @@ fn beside(context: &egui::Context, tools: Rect, room: Rect, tool: Tool) -> Rect 
     tools.with_min_y(tools.top().min(room.bottom() - high).max(room.top().min(tools.top())))
 }
 
-/// Shows them, and what belongs to the one that is taken.
+/// Shows them, and what belongs to the one that is taken. Returns where that begins and ends, of what grows with what is selected `[points]`.
 pub(super) fn show(
     context: &egui::Context,
     rooms: &ToolRooms,
     state: &mut PanelState,
     facts: &Facts,
     wishes: &mut Vec<Wish>,
-) {
+) -> Option<[f32; 2]> {
     let id = Id::unique("tools");
     let height = context.memory(|memory| memory.area_rect(id)).map_or(HEIGHT, |rect| rect.height());
     // In the middle, but above plots that lie there and below the buttons.
@@ -120,10 +120,11 @@ pub(super) fn show(
     match facts.tool {
         Tool::Select => {
             let beside_tools = egui::pos2(shown.response.rect.right() + 8.0, rooms.right.top());
-            material::show(context, (rooms.right, beside_tools), state, facts, wishes);
+            return Some(material::show(context, (rooms.right, beside_tools), state, facts, wishes));
         }
         Tool::Push => push::show(context, tools, facts, wishes),
         Tool::Paint => brush::show(context, tools, facts, wishes),
         _ => {}
     }
+    None
 }

@@ -39,8 +39,8 @@ pub(in crate::app) struct Laid {
     pub(in crate::app) size: [f32; 2],
     /// What lies in the upper right corner, its left lower corner `[points]`.
     pub(in crate::app) corner: Option<egui::Pos2>,
-    /// Where what belongs to a tool begins at the right edge `[points]`.
-    pub(in crate::app) column: Option<f32>,
+    /// Where what belongs to a tool begins and ends, beside the tools or at the right edge `[points]`.
+    pub(in crate::app) column: Option<[f32; 2]>,
     /// Height of what stands above each of several worlds `[points]`.
     pub(in crate::app) titles: f32,
     /// Where nothing lies over it for long `[points]`; `None`: a sheet lies over all of it for now.

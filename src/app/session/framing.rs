@@ -50,7 +50,7 @@ impl Session {
         let corner = laid.corner.map(|at| [at.x, at.y].map(|x| f64::from(x * scale)));
         let corners = |free: Rect| [free.min, free.max].map(|at| [at.x, at.y].map(|x| f64::from((x * scale).round())));
         let free = laid.free.map_or(self.free, corners);
-        let column = laid.column.map(|left| f64::from((left * scale).round()));
+        let column = laid.column.map(|ends| ends.map(|x| f64::from((x * scale).round())));
         // What grows once it is there, as figures do, moves nothing.
         let is_wider = corner.is_some() && self.over.corner.is_none() || column != self.over.column;
         self.over = Over { corner, column };

@@ -1,9 +1,13 @@
 //! How a scene opens: its camera.
 
+mod beside;
+
 use glam::{DVec2, DVec3};
 
 use crate::render::{Camera, Pose, Tiles, View};
 use crate::scene::{Scene, Vector, ViewKeys};
+
+pub use beside::{Over, beside_all, beside_panels};
 
 /// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
 const MADE_FOR: f64 = 16.0 / 9.0;
@@ -36,12 +40,17 @@ pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
 }
 
 /// The same, drawn back and moved so that what it shows lies where nothing lies over it: in the free part of its picture, and below what lies in
-/// its upper right corner.
+/// its upper right corner. In space there is as much room on the other side of what the view looks at as bodies take on theirs: they may begin
+/// above it and end below.
 pub fn opened(scene: &Scene, seen: &View<'_>, size: [u32; 2], (free, over): (Free, Over)) -> Camera {
     let opened = camera(scene, seen, size);
     match opened.pose {
         Pose::Plane { .. } => beside_all(|free| clear(opened, seen, free), seen, (free, over)),
-        Pose::Orbit { .. } => whole(opened, seen, free),
+        Pose::Orbit { .. } => {
+            let target = look(scene.view.as_ref(), |height, _| height, seen, size).focus();
+            let about = |camera: &Camera| mirrored(on_screen(camera, seen), camera.screen_from_world(target));
+            drawn_back(opened, free, about)
+        }
     }
 }
 
@@ -168,15 +177,6 @@ pub fn fit(view: &View<'_>, with_walls: bool, size: [u32; 2]) -> Camera {
 /// What of a picture nothing lies over `[px]`: its left upper and its right lower corner.
 pub type Free = [[f64; 2]; 2];
 
-/// What lies over the free part of a picture where it may: bodies make way for it if it hides them.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Over {
-    /// The left lower corner of what lies in the upper right one `[px]`.
-    pub corner: Option<[f64; 2]>,
-    /// Where what belongs to a tool begins at the right edge, however low it reaches `[px]`.
-    pub column: Option<f64>,
-}
-
 /// The camera drawn back and moved as little as it takes that all sides of points and walls which it shows lie in the free part of its
 /// picture, in one higher than wide in the middle of its height; in space as it is.
 pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
@@ -228,13 +228,17 @@ pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
 /// The camera drawn back and moved as little as it takes that all points lie in the free part of its picture, and what it shows of walls and
 /// solid obstacles too; a few times its distance at most, for what flies away.
 pub fn whole(camera: Camera, seen: &View<'_>, free: Free) -> Camera {
-    let mut camera = clear(camera, seen, free);
+    drawn_back(clear(camera, seen, free), free, |camera| on_screen(camera, seen))
+}
+
+/// The camera drawn back and moved as little as it takes that what is `shown` in its picture, as two corners `[px]`, lies in the free part.
+fn drawn_back(mut camera: Camera, free: Free, shown: impl Fn(&Camera) -> [[f64; 2]; 2]) -> Camera {
     let middle = [0, 1].map(|axis| 0.5 * (free[0][axis] + free[1][axis]));
     let room = [0, 1].map(|axis| free[1][axis] - free[0][axis]);
     let mut further = 1.0;
     // In space the way back changes what is seen of the depth: a few rounds are enough.
     for _ in 0..ROUNDS {
-        let [low, high] = on_screen(&camera, seen);
+        let [low, high] = shown(&camera);
         if !(0..2).all(|axis| (high[axis] - low[axis]).is_finite()) {
             break;
         }
@@ -243,7 +247,7 @@ pub fn whole(camera: Camera, seen: &View<'_>, free: Free) -> Camera {
         let back = back.min(FURTHEST / further);
         further *= back;
         camera.zoom_at(middle, 1.0 / back);
-        let [low, high] = on_screen(&camera, seen);
+        let [low, high] = shown(&camera);
         let off = [0, 1].map(|axis| match high[axis] - low[axis] > room[axis] {
             true => middle[axis] - 0.5 * (low[axis] + high[axis]),
             false => (free[0][axis] - low[axis]).max(0.0) + (free[1][axis] - high[axis]).min(0.0),
@@ -254,6 +258,16 @@ pub fn whole(camera: Camera, seen: &View<'_>, free: Free) -> Camera {
         }
     }
     camera
+}
+
+/// A box in a picture, and as much on the other side of a place that is seen there `[px]`.
+fn mirrored([low, high]: [[f64; 2]; 2], about: Option<[f64; 2]>) -> [[f64; 2]; 2] {
+    let Some(about) = about else { return [low, high] };
+    let other = |end: f64, axis: usize| 2.0 * about[axis] - end;
+    [
+        [0, 1].map(|axis| low[axis].min(other(high[axis], axis))),
+        [0, 1].map(|axis| high[axis].max(other(low[axis], axis))),
+    ]
 }
 
 /// Rounds of drawing back, and how much further away that leads at most.
@@ -277,60 +291,6 @@ fn on_screen(camera: &Camera, seen: &View<'_>) -> [[f64; 2]; 2] {
     all.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], at| {
         [[0, 1].map(|axis| low[axis].min(at[axis])), [0, 1].map(|axis| high[axis].max(at[axis]))]
     })
-}
-
-/// What `look` makes of the free part of a picture: where points lie below what belongs to a tool at the right edge, of the part left of that;
-/// where they lie below what is in the upper right corner, of the part below that.
-pub fn beside_all(look: impl Fn(Free) -> Camera, seen: &View<'_>, (free, over): (Free, Over)) -> Camera {
-    let camera = beside_corner(&look, seen, free, over.corner);
-    let Some(left) = over.column.filter(|left| *left > 0.5 * (free[0][0] + free[1][0])) else { return camera };
-    let Pose::Plane { .. } = camera.pose else { return camera };
-    let hides = |[x, y]: [f64; 2]| (left..free[1][0]).contains(&x) && (free[0][1]..free[1][1]).contains(&y);
-    if !places(seen).any(|place| camera.screen_from_world(place).is_some_and(hides)) {
-        return camera;
-    }
-    beside_corner(look, seen, [free[0], [left, free[1][1]]], over.corner.filter(|corner| corner[0] < left))
-}
-
-/// The camera of a picture in which panels opened over what is `taken` of it `[px]`: as it is where they hide no point, else drawn back and moved
-/// by as little as it takes that all lies in the `free` part.
-pub fn beside_panels(camera: Camera, seen: &View<'_>, (free, over): (Free, Over), taken: &[[f64; 4]]) -> Camera {
-    let hides = |[x, y]: [f64; 2]| {
-        let is_in = |&[left, top, right, bottom]: &[f64; 4]| (left..right).contains(&x) && (top..bottom).contains(&y);
-        taken.iter().any(is_in)
-    };
-    let x = seen.current;
-    let place =
-        |first: usize| DVec3::from_array([0, 1, 2].map(|k| if k < seen.dimensions { x.get(first + k) } else { 0.0 }));
-    let mut points = (0..x.len()).step_by(seen.dimensions.max(1)).map(place);
-    if !points.any(|place| camera.screen_from_world(place).is_some_and(hides)) {
-        return camera;
-    }
-    let look = |free: Free| match camera.pose {
-        Pose::Plane { .. } => clear(camera, seen, free),
-        Pose::Orbit { .. } => whole(camera, seen, free),
-    };
-    beside_all(look, seen, (free, over))
-}
-
-/// Where the points of a plane are.
-fn places<'a>(seen: &'a View<'_>) -> impl Iterator<Item = DVec3> + use<'a> {
-    let x = seen.current;
-    (0..x.len() / 2).map(move |point| DVec3::new(x.get(2 * point), x.get(2 * point + 1), 0.0))
-}
-
-/// What `look` makes of the free part of a picture: where points lie in its upper right corner, whose left lower corner `[px]` is `corner`,
-/// of the part below that.
-fn beside_corner(look: impl Fn(Free) -> Camera, seen: &View<'_>, free: Free, corner: Option<[f64; 2]>) -> Camera {
-    let camera = look(free);
-    let Some([left, below]) = corner.filter(|corner| corner[1] > free[0][1]) else { return camera };
-    let Pose::Plane { .. } = camera.pose else { return camera };
-    let hides = |[x, y]: [f64; 2]| (left..free[1][0]).contains(&x) && (0.0..below).contains(&y);
-    let has_room = below < 0.5 * (free[0][1] + free[1][1]);
-    match has_room && places(seen).any(|place| camera.screen_from_world(place).is_some_and(hides)) {
-        true => look([[free[0][0], below], free[1]]),
-        false => camera,
-    }
 }
 
 /// A camera that shows all points in the free part of a picture.
@@ -533,70 +493,24 @@ mod tests {
     }
 
     #[test]
-    fn points_do_not_lie_below_what_is_in_the_corner() {
-        let text = |x: f64| format!(r#"{{"wobble": 1, "points": {{"position": [[-4, -3], [{x}, 3]]}}}}"#);
-        let (size, free, corner) = ([1000, 600], [[80.0, 60.0], [990.0, 570.0]], [840.0, 140.0]);
-        for (x, is_hidden) in [(6.0, true), (0.0, false)] {
-            let scene = Scene::parse(&text(x), "x.json").unwrap();
-            let world = scene.world(None).unwrap();
-            let view = View::of(&*world);
-            // As it would be drawn, far to the right.
-            let opened = Camera::new(Pose::Plane { center: DVec2::new(1.0, 0.3), height: 7.6 }, size);
-            let look = |free: Free| clear(opened, &view, free);
-            let at = |camera: Camera| camera.screen_from_world(DVec3::new(x, 3.0, 0.0)).unwrap();
-            let before = at(look(free));
-            assert_eq!(before[0] > corner[0] && before[1] < corner[1], is_hidden, "{before:?}");
-            let after = at(beside_corner(look, &view, free, Some(corner)));
-            assert_eq!(after[1] >= corner[1] - 0.1, is_hidden, "{after:?}");
-        }
-    }
-
-    #[test]
-    fn a_panel_that_opens_over_points_takes_room_from_the_view_and_one_that_hides_none_does_not() {
-        let scene = Scene::parse(
-            r#"{"wobble": 1, "points": {"position": [[-3, 0], [0, 1], [3, 0]]}, "view": {"center": [0, 0], "height": 4}}"#,
-            "x.json",
-        )
-        .unwrap();
+    fn in_space_what_drops_from_above_the_target_to_as_far_below_it_stays_in_the_picture() {
+        let text = r#"{"wobble": 1, "dimensions": 3, "points": {"position": [[-5, 0, 0], [5, 0, 0], [-5, 10, 0], [5, 10, 0]]},
+            "view": {"target": [0, -4, 0], "distance": 44, "yaw": 0.5, "pitch": 0.15}}"#;
+        let scene = Scene::parse(text, "x.json").unwrap();
         let world = scene.world(None).unwrap();
-        let view = View::of(&*world);
-        let size = [1280, 720];
-        let before = camera(&scene, &view, size);
-        let seen = |camera: &Camera| {
-            [[-3.0, 0.0], [0.0, 1.0], [3.0, 0.0]].map(|[x, y]| camera.screen_from_world(DVec3::new(x, y, 0.0)).unwrap())
-        };
-        let all = [[0.0; 2], [1280.0, 720.0]];
-        let corner = [0.0, 500.0, 300.0, 720.0];
-        assert_eq!(
-            beside_panels(before, &view, ([[300.0, 0.0], all[1]], Over::default()), &[corner]).pose,
-            before.pose
+        let (view, size, free) = (View::of(&*world), [640, 676], [[76.0, 236.0], [630.0, 650.0]]);
+        let at = |camera: &Camera, y: f64| camera.screen_from_world(DVec3::new(0.0, y, 0.0)).unwrap()[1];
+        let start = whole(camera(&scene, &view, size), &view, free);
+        assert!(at(&start, -18.0) > 650.0, "led by its start alone it drops out of the picture: {}", at(&start, -18.0));
+        let opened = opened(&scene, &view, size, (free, Over::default()));
+        assert!(
+            at(&opened, 10.0) > 235.0 && at(&opened, -17.5) < 651.0,
+            "{} {}",
+            at(&opened, 10.0),
+            at(&opened, -17.5)
         );
-        let left = [0.0, 200.0, 300.0, 720.0];
-        let after = beside_panels(before, &view, ([[300.0, 0.0], all[1]], Over::default()), &[left]);
-        assert!(seen(&after).iter().all(|at| (300.0..1280.0).contains(&at[0])), "{:?}", seen(&after));
-        let column = Over { corner: None, column: Some(1000.0) };
-        let after = beside_panels(before, &view, (all, column), &[[1000.0, 0.0, 1280.0, 720.0]]);
-        assert!(seen(&after).iter().all(|at| (0.0..1000.0).contains(&at[0])), "{:?}", seen(&after));
-    }
-
-    #[test]
-    fn points_do_not_lie_below_what_belongs_to_a_tool_nor_at_an_edge() {
-        let text = |x: f64| format!(r#"{{"wobble": 1, "points": {{"position": [[-4, -3], [{x}, -3]]}}}}"#);
-        let (size, free) = ([1000, 600], [[80.0, 60.0], [990.0, 570.0]]);
-        let over = Over { corner: None, column: Some(740.0) };
-        for (x, is_hidden) in [(5.0, true), (-1.0, false)] {
-            let scene = Scene::parse(&text(x), "x.json").unwrap();
-            let world = scene.world(None).unwrap();
-            let view = View::of(&*world);
-            let opened = Camera::new(Pose::Plane { center: DVec2::new(1.0, 0.3), height: 7.6 }, size);
-            let look = |free: Free| clear(opened, &view, free);
-            let at = |camera: &Camera, x: f64| camera.screen_from_world(DVec3::new(x, -3.0, 0.0)).unwrap();
-            let (before, after) = (look(free), beside_all(look, &view, (free, over)));
-            assert_eq!(at(&before, x)[0] > 740.0, is_hidden);
-            assert!(at(&after, x)[0] < 740.0 - 11.0 && at(&after, -4.0)[0] > 80.0 + 11.0);
-            assert!(at(&after, x)[1] < 570.0 - 11.0, "a pin at the lower edge is seen whole");
-            assert_eq!(after.pose != before.pose, is_hidden, "nothing moves where nothing is hidden");
-        }
+        let distance = opened.distance();
+        assert!((44.0..80.0).contains(&distance), "no further away than that takes: {distance} m");
     }
 
     #[test]

@@ -1,0 +1,232 @@
+//! How the camera makes way for what lies over bodies in their picture: panels, figures, what belongs to a tool.
+
+use glam::DVec3;
+
+use super::{BESIDE, Free, clear, whole};
+use crate::render::{Camera, Pose, View};
+
+/// What lies over the free part of a picture where it may: bodies make way for it if it hides them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Over {
+    /// The left lower corner of what lies in the upper right one `[px]`.
+    pub corner: Option<[f64; 2]>,
+    /// Where what belongs to a tool begins and ends, beside the tools or at the right edge, however low it reaches `[px]`.
+    pub column: Option<[f64; 2]>,
+}
+
+/// A part of a picture: its left, upper, right and lower edge `[px]`.
+type Part = [f64; 4];
+
+/// What `look` makes of the free part of a picture: where bodies lie below what belongs to a tool, of the part beside that; where they lie
+/// below what is in the upper right corner, of the part below that.
+pub fn beside_all(look: impl Fn(Free) -> Camera, seen: &View<'_>, (free, over): (Free, Over)) -> Camera {
+    let camera = beside_corner(&look, seen, free, over.corner);
+    let Pose::Plane { .. } = camera.pose else { return camera };
+    let Some((column, rest)) = over.column.and_then(|column| parted(free, column)) else { return camera };
+    if !is_hidden(&camera, seen, &[column]) {
+        return camera;
+    }
+    beside_corner(look, seen, rest, over.corner.filter(|corner| corner[0] < rest[1][0]))
+}
+
+/// The camera of a picture in which panels opened over what is `taken` of it `[px]`: as it is where they hide nothing of a body, else drawn back
+/// and moved by as little as it takes that all lies in the `free` part. What belongs to a tool takes all of its column, for it grows when
+/// something is selected.
+pub fn beside_panels(camera: Camera, seen: &View<'_>, (free, over): (Free, Over), taken: &[Part]) -> Camera {
+    let column = over.column.and_then(|column| parted(free, column)).map(|(column, _)| column);
+    let column = column.filter(|_| matches!(camera.pose, Pose::Plane { .. }));
+    if !is_hidden(&camera, seen, &[taken, column.as_slice()].concat()) {
+        return camera;
+    }
+    let look = |free: Free| match camera.pose {
+        Pose::Plane { .. } => clear(camera, seen, free),
+        Pose::Orbit { .. } => whole(camera, seen, free),
+    };
+    // Springs are wider than their ends: what moved once does not end at the very edge of a panel.
+    let apart = BESIDE * camera.viewport().map(f64::from).into_iter().fold(f64::INFINITY, f64::min);
+    let column = over.column.map(|[from, to]| [from - apart, to + apart]);
+    let narrower = [[free[0][0] + apart, free[0][1]], [free[1][0] - apart, free[1][1]]];
+    let has_room = narrower[1][0] - narrower[0][0] > 4.0 * apart;
+    beside_all(look, seen, (if has_room { narrower } else { free }, Over { column, ..over }))
+}
+
+/// The column of the free part that what belongs to a tool may take, and the larger part that it leaves; `None`: it leaves too little.
+fn parted(free: Free, [from, to]: [f64; 2]) -> Option<(Part, Free)> {
+    let [[left, top], [right, bottom]] = free;
+    let middle = 0.5 * (left + right);
+    match 0.5 * (from + to) > middle {
+        true if from > middle => Some(([from, top, right, bottom], [[left, top], [from, bottom]])),
+        false if to < middle => Some(([left, top, to, bottom], [[to, top], [right, bottom]])),
+        _ => None,
+    }
+}
+
+/// What `look` makes of the free part of a picture: where bodies lie in its upper right corner, whose left lower corner `[px]` is `corner`,
+/// of the part below that.
+fn beside_corner(look: impl Fn(Free) -> Camera, seen: &View<'_>, free: Free, corner: Option<[f64; 2]>) -> Camera {
+    let camera = look(free);
+    let Some([left, below]) = corner.filter(|corner| corner[1] > free[0][1]) else { return camera };
+    let Pose::Plane { .. } = camera.pose else { return camera };
+    let has_room = below < 0.5 * (free[0][1] + free[1][1]);
+    match has_room && is_hidden(&camera, seen, &[[left, 0.0, free[1][0], below]]) {
+        true => look([[free[0][0], below], free[1]]),
+        false => camera,
+    }
+}
+
+/// Whether a point or a piece of a bond is seen in one of these parts of the picture.
+fn is_hidden(camera: &Camera, seen: &View<'_>, parts: &[Part]) -> bool {
+    let (x, dimensions) = (seen.current, seen.dimensions.max(1));
+    let place = |first: usize| {
+        let place = [0, 1, 2].map(|axis| if axis < dimensions { x.get(first + axis) } else { 0.0 });
+        camera.screen_from_world(DVec3::from_array(place))
+    };
+    let places: Vec<Option<[f64; 2]>> = (0..x.len()).step_by(dimensions).map(place).collect();
+    let crosses_one = |ends: [[f64; 2]; 2]| parts.iter().any(|part| crosses(part, ends));
+    if places.iter().flatten().any(|at| crosses_one([*at; 2])) {
+        return true;
+    }
+    let ends = |at: usize| places.get(at).copied().flatten();
+    let mut bonds = seen.bonds.iter().filter_map(|bond| Some([ends(bond.a.index())?, ends(bond.b.index())?]));
+    bonds.any(crosses_one)
+}
+
+/// Whether a piece of a straight line lies in a part of a picture: the shares of its length between both pairs of edges have some in common.
+fn crosses([left, top, right, bottom]: &Part, [a, b]: [[f64; 2]; 2]) -> bool {
+    let mut shared = [0.0_f64, 1.0];
+    for (axis, [low, high]) in [[*left, *right], [*top, *bottom]].into_iter().enumerate() {
+        let way = b[axis] - a[axis];
+        if way == 0.0 {
+            if !(low..high).contains(&a[axis]) {
+                return false;
+            }
+            continue;
+        }
+        let [one, other] = [low, high].map(|edge| (edge - a[axis]) / way);
+        shared = [shared[0].max(one.min(other)), shared[1].min(one.max(other))];
+    }
+    shared[0] < shared[1]
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use glam::DVec2;
+
+    use super::super::camera;
+    use super::*;
+    use crate::scene::Scene;
+
+    #[test]
+    fn points_do_not_lie_below_what_is_in_the_corner() {
+        let text = |x: f64| format!(r#"{{"wobble": 1, "points": {{"position": [[-4, -3], [{x}, 3]]}}}}"#);
+        let (size, free, corner) = ([1000, 600], [[80.0, 60.0], [990.0, 570.0]], [840.0, 140.0]);
+        for (x, is_hidden) in [(6.0, true), (0.0, false)] {
+            let scene = Scene::parse(&text(x), "x.json").unwrap();
+            let world = scene.world(None).unwrap();
+            let view = View::of(&*world);
+            // As it would be drawn, far to the right.
+            let opened = Camera::new(Pose::Plane { center: DVec2::new(1.0, 0.3), height: 7.6 }, size);
+            let look = |free: Free| clear(opened, &view, free);
+            let at = |camera: Camera| camera.screen_from_world(DVec3::new(x, 3.0, 0.0)).unwrap();
+            let before = at(look(free));
+            assert_eq!(before[0] > corner[0] && before[1] < corner[1], is_hidden, "{before:?}");
+            let after = at(beside_corner(look, &view, free, Some(corner)));
+            assert_eq!(after[1] >= corner[1] - 0.1, is_hidden, "{after:?}");
+        }
+    }
+
+    #[test]
+    fn a_panel_that_opens_over_points_takes_room_from_the_view_and_one_that_hides_none_does_not() {
+        let scene = Scene::parse(
+            r#"{"wobble": 1, "points": {"position": [[-3, 0], [0, 1], [3, 0]]}, "view": {"center": [0, 0], "height": 4}}"#,
+            "x.json",
+        )
+        .unwrap();
+        let world = scene.world(None).unwrap();
+        let view = View::of(&*world);
+        let size = [1280, 720];
+        let before = camera(&scene, &view, size);
+        let seen = |camera: &Camera| {
+            [[-3.0, 0.0], [0.0, 1.0], [3.0, 0.0]].map(|[x, y]| camera.screen_from_world(DVec3::new(x, y, 0.0)).unwrap())
+        };
+        let all = [[0.0; 2], [1280.0, 720.0]];
+        let corner = [0.0, 500.0, 300.0, 720.0];
+        assert_eq!(
+            beside_panels(before, &view, ([[300.0, 0.0], all[1]], Over::default()), &[corner]).pose,
+            before.pose
+        );
+        let left = [0.0, 200.0, 300.0, 720.0];
+        let after = beside_panels(before, &view, ([[300.0, 0.0], all[1]], Over::default()), &[left]);
+        assert!(seen(&after).iter().all(|at| (300.0..1280.0).contains(&at[0])), "{:?}", seen(&after));
+        let column = Over { corner: None, column: Some([1000.0, 1280.0]) };
+        let after = beside_panels(before, &view, (all, column), &[[1000.0, 0.0, 1280.0, 720.0]]);
+        assert!(seen(&after).iter().all(|at| (0.0..1000.0).contains(&at[0])), "{:?}", seen(&after));
+    }
+
+    #[test]
+    fn points_do_not_lie_below_what_belongs_to_a_tool_nor_at_an_edge() {
+        let text = |x: f64| format!(r#"{{"wobble": 1, "points": {{"position": [[-4, -3], [{x}, -3]]}}}}"#);
+        let (size, free) = ([1000, 600], [[80.0, 60.0], [990.0, 570.0]]);
+        let over = Over { corner: None, column: Some([740.0, 990.0]) };
+        for (x, is_hidden) in [(5.0, true), (-1.0, false)] {
+            let scene = Scene::parse(&text(x), "x.json").unwrap();
+            let world = scene.world(None).unwrap();
+            let view = View::of(&*world);
+            let opened = Camera::new(Pose::Plane { center: DVec2::new(1.0, 0.3), height: 7.6 }, size);
+            let look = |free: Free| clear(opened, &view, free);
+            let at = |camera: &Camera, x: f64| camera.screen_from_world(DVec3::new(x, -3.0, 0.0)).unwrap();
+            let (before, after) = (look(free), beside_all(look, &view, (free, over)));
+            assert_eq!(at(&before, x)[0] > 740.0, is_hidden);
+            assert!(at(&after, x)[0] < 740.0 - 11.0 && at(&after, -4.0)[0] > 80.0 + 11.0);
+            assert!(at(&after, x)[1] < 570.0 - 11.0, "a pin at the lower edge is seen whole");
+            assert_eq!(after.pose != before.pose, is_hidden, "nothing moves where nothing is hidden");
+        }
+    }
+
+    #[test]
+    fn a_bond_is_hidden_where_both_of_its_ends_are_seen() {
+        let part = [100.0, 100.0, 200.0, 300.0];
+        for (ends, is_in) in [
+            ([[150.0, 50.0], [150.0, 400.0]], true),
+            ([[50.0, 200.0], [250.0, 210.0]], true),
+            ([[90.0, 90.0], [210.0, 310.0]], true),
+            ([[150.0, 150.0], [150.0, 150.0]], true),
+            ([[50.0, 250.0], [150.0, 380.0]], false),
+            ([[150.0, 310.0], [150.0, 400.0]], false),
+            ([[250.0, 150.0], [250.0, 250.0]], false),
+            ([[200.0, 150.0], [200.0, 150.0]], false),
+        ] {
+            assert_eq!(crosses(&part, ends), is_in, "{ends:?}");
+            assert_eq!(crosses(&part, [ends[1], ends[0]]), is_in, "{ends:?} the other way");
+        }
+    }
+
+    #[test]
+    fn a_spring_makes_way_for_a_tools_panel_on_either_side_and_for_what_that_grows_to() {
+        let text = r#"{"wobble": 1, "points": {"position": [[-3, 2], [-3, -2], [3, 2], [3, -2]]},
+            "bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 9}, {"a": 2, "b": 3, "kind": "spring", "stiffness": 9}],
+            "view": {"center": [0, 0], "height": 5}}"#;
+        let scene = Scene::parse(text, "x.json").unwrap();
+        let world = scene.world(None).unwrap();
+        let view = View::of(&*world);
+        let before = camera(&scene, &view, [1280, 720]);
+        let free = [[84.0, 60.0], [1270.0, 700.0]];
+        let across = |camera: &Camera| {
+            [-3.0, 3.0].map(|x| [-2.0, 2.0].map(|y| camera.screen_from_world(DVec3::new(x, y, 0.0)).unwrap()[0])[0])
+        };
+        assert!(across(&before)[0] < 300.0 && across(&before)[1] > 1000.0, "{:?}", across(&before));
+        // It lies over the middle of a spring alone, or over nothing yet: so much of the column is its own all the same.
+        let small = [990.0, 200.0, 1270.0, 260.0];
+        for taken in [&[small][..], &[]] {
+            let over = Over { corner: None, column: Some([990.0, 1270.0]) };
+            let [left, right] = across(&beside_panels(before, &view, (free, over), taken));
+            assert!(left > 84.0 + 28.0 && right < 990.0 - 28.0, "{left} {right}");
+        }
+        let over = Over { corner: None, column: Some([84.0, 364.0]) };
+        let [left, right] = across(&beside_panels(before, &view, (free, over), &[]));
+        assert!(left > 364.0 + 28.0 && right < 1270.0 - 28.0, "{left} {right}");
+        let over = Over { corner: None, column: Some([500.0, 800.0]) };
+        assert_eq!(beside_panels(before, &view, (free, over), &[]).pose, before.pose, "what it leaves is no room");
+    }
+}
