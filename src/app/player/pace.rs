@@ -232,6 +232,12 @@ impl Pace {
         left
     }
 
+    /// Whether it stands where it ended by itself: not where it was paused later, for it goes on from there.
+    pub fn is_at_end(&self, history: &History) -> bool {
+        let world = history.world();
+        self.ended && self.duration.is_some_and(|end| world.time() < end + world.substep())
+    }
+
     /// Whether time passes: playing and awake.
     pub fn is_moving(&self, history: &History) -> bool {
         self.playing && !history.rests()

@@ -244,7 +244,7 @@ pub struct Figures {
     pub asleep: bool,
     /// What stands beside it is on its way to where it is.
     pub behind: bool,
-    /// It came to the end of its duration.
+    /// It stands at the end of its duration.
     pub ended: bool,
     /// Seconds of the scene a second of wall time.
     pub rate: f64,

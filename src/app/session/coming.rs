@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use super::fresh::seeded_as;
 use super::{Framing, Session};
 use crate::app::action::Tool;
 use crate::app::panels::At;
@@ -172,8 +173,9 @@ impl Session {
 fn place_of(scene: &Scene) -> Option<usize> {
     let place = gallery().iter().position(|entry| entry.name == scene.name())?;
     let own = gallery()[place].scene().ok()?;
-    // What stands beside it may have been changed.
-    let alone = Scene { name: own.name.clone(), beside: own.beside.clone(), ..scene.clone() };
+    // What stands beside it may have been changed, and what it draws by lot drawn anew.
+    let mut alone = Scene { name: own.name.clone(), beside: own.beside.clone(), ..scene.clone() };
+    seeded_as(&mut alone, &own);
     (alone == own).then_some(place)
 }
 
@@ -194,6 +196,7 @@ fn listed(warnings: &[&str]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::fresh::rolled;
     use super::{gallery, listed, place_of};
     use crate::scene::Scene;
 
@@ -203,6 +206,17 @@ mod tests {
         assert_eq!(own.ok().and_then(|scene| place_of(&scene)), Some(1));
         let text = r#"{"wobble": 1, "name": "rope", "points": {"position": [[0, 0]]}}"#;
         assert_eq!(Scene::parse(text, "x.json").ok().and_then(|scene| place_of(&scene)), None);
+    }
+
+    #[test]
+    fn a_scene_whose_lot_was_drawn_anew_is_of_the_gallery_still() {
+        let place = gallery().iter().position(|entry| entry.name == "random-graph");
+        let own = place.and_then(|place| gallery()[place].scene().ok());
+        let anew = own.as_ref().and_then(|own| rolled(own, 40).ok());
+        assert!(place.is_some() && anew != own);
+        assert_eq!(anew.as_ref().and_then(place_of), place);
+        let other = anew.map(|anew| Scene { gravity: Some(crate::scene::Vector::Plane([0.0, 1.0])), ..anew });
+        assert_eq!(other.as_ref().and_then(place_of), None, "that is another one");
     }
 
     #[test]

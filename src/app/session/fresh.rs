@@ -64,15 +64,29 @@ pub(super) fn rolled(scene: &Scene, seed: u64) -> Result<Scene, &'static str> {
 
 /// Gives all that a scene draws by lot other seeds, from `seed` on. Returns whether there is anything.
 pub(in crate::app) fn reseeded(scene: &mut Scene, seed: u64) -> bool {
-    let is_drawn = |make: MakerName| matches!(make, MakerName::Points | MakerName::RandomGraph);
-    let of_bodies = scene.bodies.iter_mut().filter(|body| is_drawn(body.make)).map(|body| &mut body.seed);
-    let of_wind = scene.wind.iter_mut().filter(|wind| wind.turbulence.is_some()).map(|wind| &mut wind.seed);
     let mut next = seed;
-    for own in of_bodies.chain(of_wind) {
+    for own in seeds(scene) {
         *own = Some(next);
         next += 1;
     }
     next > seed
+}
+
+/// Gives what a scene draws by lot the seeds of another one, where that draws as much.
+pub(super) fn seeded_as(scene: &mut Scene, other: &Scene) {
+    let mut other = other.clone();
+    let of_other: Vec<Option<u64>> = seeds(&mut other).map(|seed| *seed).collect();
+    if seeds(scene).count() == of_other.len() {
+        seeds(scene).zip(of_other).for_each(|(own, seed)| *own = seed);
+    }
+}
+
+/// The seeds of all that a scene draws by lot.
+fn seeds(scene: &mut Scene) -> impl Iterator<Item = &mut Option<u64>> {
+    let is_drawn = |make: MakerName| matches!(make, MakerName::Points | MakerName::RandomGraph);
+    let of_bodies = scene.bodies.iter_mut().filter(move |body| is_drawn(body.make)).map(|body| &mut body.seed);
+    let of_wind = scene.wind.iter_mut().filter(|wind| wind.turbulence.is_some()).map(|wind| &mut wind.seed);
+    of_bodies.chain(of_wind)
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ use crate::app::resting::{Pointing, Way};
 use crate::app::starting;
 use crate::app::tools::{Hand, Scope};
 use crate::history::Do;
+use crate::scene::Scene;
 use crate::sim::{Cursor, PointId};
 
 impl Session {
@@ -55,11 +56,19 @@ impl Session {
         if is_pressed {
             self.panels.notes.go_on();
         }
-        self.pointer.press(button, state);
-        if button != MouseButton::Left {
+        let cuts = button == MouseButton::Right && self.cuts_by_right(is_pressed);
+        match cuts {
+            true => self.hand.hold_cut(true),
+            false => self.pointer.press(button, state),
+        }
+        // While one button cuts the other does nothing.
+        if !cuts && (button != MouseButton::Left || self.hand.cuts()) {
             return;
         }
-        let Some(at) = self.pixel() else { return };
+        let Some(at) = self.pixel() else {
+            self.hand.hold_cut(false);
+            return;
+        };
         // Also on what it would have led.
         let starts = !is_pressed && self.with_scope(|hand, scope| hand.has_clicked(scope, at));
         let deed = match is_pressed {
@@ -83,7 +92,9 @@ impl Session {
             false => {
                 self.lead(f64::INFINITY);
                 self.probe(at);
-                self.with_scope(|hand, scope| hand.release(scope, at))
+                let deed = self.with_scope(|hand, scope| hand.release(scope, at));
+                self.hand.hold_cut(false);
+                deed
             }
         };
         self.do_deed(deed);
@@ -91,6 +102,14 @@ impl Session {
             self.start_at(at);
         }
         self.show_cursor();
+    }
+
+    /// Whether the right button cuts, as it goes down or up: in cloths of the plane, where it goes down while the hand has nothing else to do.
+    fn cuts_by_right(&self, is_pressed: bool) -> bool {
+        match is_pressed {
+            true => cuts_by_right(&self.scene) && !self.hand.is_busy() && !self.pointer.is_dragging(),
+            false => self.hand.cuts(),
+        }
     }
 
     /// A motion starts where a click was, in scenes that have one for that.
@@ -225,5 +244,29 @@ impl Session {
         let is_free = is_free && (leads || self.pointer.at.is_some_and(is_inside));
         let pointing = Pointing { is_free, grabs: self.hand.is_grabbing() };
         self.resting.way(&self.camera_here(), self.pointer.at, pointing)
+    }
+}
+
+/// The tag of scenes in which the right button cuts.
+const CLOTH: &str = "cloth";
+
+/// Whether the right button cuts in a scene, in place of panning: in space it orbits.
+fn cuts_by_right(scene: &Scene) -> bool {
+    scene.dimensions() == 2 && scene.tags.iter().any(|tag| tag == CLOTH)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cuts_by_right;
+    use crate::scene::gallery;
+
+    #[test]
+    fn the_right_button_cuts_in_cloths_of_the_plane_alone() {
+        let cuts = |name: &str| {
+            let scene = gallery().iter().find(|entry| entry.name == name).and_then(|entry| entry.scene().ok());
+            scene.is_some_and(|scene| cuts_by_right(&scene))
+        };
+        assert!(cuts("net") && cuts("tearable-net"));
+        assert!(!cuts("cloth-ball") && !cuts("rim"));
     }
 }

@@ -6,12 +6,26 @@ use crate::app::action::{Primitive, Tool};
 impl Hand {
     /// The tool that the next press uses.
     pub(in crate::app) fn tool(&self) -> Tool {
-        if self.pins { Tool::Pin } else { self.tool }
+        match (self.cuts, self.pins) {
+            (true, _) => Tool::Cut,
+            (false, true) => Tool::Pin,
+            (false, false) => self.tool,
+        }
     }
 
     /// Takes another tool.
     pub(in crate::app) fn take(&mut self, tool: Tool) {
         self.tool = tool;
+    }
+
+    /// The button that cuts whatever tool is taken is held, or let go.
+    pub(in crate::app) fn hold_cut(&mut self, is_held: bool) {
+        self.cuts = is_held;
+    }
+
+    /// Whether that button is held.
+    pub(in crate::app) fn cuts(&self) -> bool {
+        self.cuts
     }
 
     /// The key that takes the tool for pins is held, or let go.

@@ -161,6 +161,8 @@ pub(super) struct Hand {
     tool: Tool,
     /// The tool for pins is held by its key.
     pins: bool,
+    /// The tool for cuts is held by a button.
+    cuts: bool,
     /// What the tool for building makes.
     maker: Maker,
     /// What the tools for muscles and motors make.

@@ -132,6 +132,24 @@ fn the_tool_for_pins_holds_and_lets_go() {
 }
 
 #[test]
+fn a_button_that_cuts_does_so_whatever_tool_is_taken_and_gives_that_back() {
+    let opened = opened("tearable-net");
+    let [from, to] = [DVec2::new(5.0, 300.0), DVec2::new(995.0, 330.0)];
+    for tool in [Tool::Hand, Tool::Build, Tool::Motor] {
+        let mut hand = Hand::default();
+        hand.take(tool);
+        hand.hold_cut(true);
+        assert!(hand.press(scope(&opened), from).is_empty() && hand.is_busy());
+        hand.trace(scope(&opened), to);
+        assert!(!hand.marks(scope(&opened), Some(to)).is_empty(), "the stroke is drawn");
+        let deed = hand.release(scope(&opened), to);
+        hand.hold_cut(false);
+        assert!(matches!(deed.commands[..], [Do::Cut { .. }, ..]), "{tool:?}: {deed:?}");
+        assert_eq!(hand.tool(), tool);
+    }
+}
+
+#[test]
 fn only_the_hand_pushes() {
     let mut hand = Hand::default();
     hand.set_strength(Some(3000.0));

@@ -98,7 +98,7 @@ impl Stage {
             playing: self.pace.playing,
             asleep: self.history.rests(),
             behind: self.escort.is_behind(&self.history),
-            ended: self.pace.ended,
+            ended: self.pace.is_at_end(&self.history),
             rate: self.pace.rate,
             pace: self.reached.value(),
             step: self.steps.value(),

@@ -6,7 +6,7 @@ use super::form::{End, Form, Hold, Round, chain};
 use super::matter::INNER;
 use crate::app::tools::knot;
 use crate::app::tools::marks::{Mark, Role};
-use crate::app::tools::pick::Scope;
+use crate::app::tools::pick::{self, Scope};
 use crate::app::tools::room::coming;
 use crate::sim::PointId;
 
@@ -14,6 +14,9 @@ use crate::sim::PointId;
 const WIDTH: f64 = 1.5;
 /// The size stands so far from the cursor `[logical px]`.
 const BESIDE: DVec2 = DVec2::new(16.0, -14.0);
+/// So far from the outline where it has no place there; and a letter of it with what lies about it, about `[logical px]`.
+const APART: f64 = 10.0;
+const LETTER: DVec2 = DVec2::new(7.5, 22.0);
 
 /// The outline where it will be, what it puts beside itself, the ropes and the points that it is tied to, those that it is drawn from and to being
 /// `held`, and its size; `None`: it is tied to nothing.
@@ -28,8 +31,54 @@ pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2, held: Option<Vec<Poin
     let tied = knot::words(scope, &knots).map(|words| format!("{words} (not with Shift)"));
     let words: Vec<String> = outcome.words().into_iter().chain(tied).collect();
     let more = if words.is_empty() { String::new() } else { format!(": {}", words.join("; ")) };
-    marks.push(label(scope, at, format!("{}{more}", form.words())));
+    let words = off(&marks, scope, at, format!("{}{more}", form.words()));
+    marks.push(words);
     marks
+}
+
+/// Words about an outline: beside the cursor, unless they would lie across it; else over it, under it or at a side of it, where there is room
+/// in view.
+pub(super) fn off(outline: &[Mark], scope: Scope<'_>, at: DVec2, words: String) -> Mark {
+    let size = LETTER * DVec2::new(words.chars().count() as f64, 1.0) * scope.scale;
+    let ends = outline.iter().flat_map(|mark| match mark {
+        Mark::Line(_, from, to, _) => [*from, *to],
+        Mark::Ring(_, middle, radius) => [*middle - *radius, *middle + *radius],
+        _ => [at; 2],
+    });
+    let [low, high] = ends.fold([at; 2], |[low, high], end| [low.min(end), high.max(end)]);
+    let (beside, apart) = (at + scope.scale * BESIDE, APART * scope.scale);
+    let places = [
+        beside,
+        DVec2::new(beside.x, low.y - apart),
+        DVec2::new(beside.x, high.y + apart + size.y),
+        DVec2::new(high.x + apart, beside.y),
+        DVec2::new(low.x - apart - size.x, beside.y),
+    ];
+    let view = DVec2::from(scope.camera.viewport().map(f64::from));
+    let is_free = |corner: &DVec2| {
+        let ground = [*corner - DVec2::new(0.0, size.y), *corner + DVec2::new(size.x, 0.0)];
+        let is_seen = ground[0].cmpge(DVec2::ZERO).all() && ground[1].cmple(view).all();
+        is_seen && !outline.iter().any(|mark| lies_across(mark, ground))
+    };
+    Mark::Words(places.into_iter().find(is_free).unwrap_or(beside), words)
+}
+
+/// Whether a line or a ring goes through a box, given by its left upper and its right lower corner `[px]`.
+fn lies_across(mark: &Mark, [low, high]: [DVec2; 2]) -> bool {
+    let is_in = |at: DVec2| at.cmpge(low).all() && at.cmple(high).all();
+    match *mark {
+        Mark::Line(_, from, to, _) => {
+            let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
+            let crosses = |k: usize| pick::cross([from, to], [corners[k], corners[(k + 1) % 4]]);
+            is_in(from) || is_in(to) || (0..4).any(crosses)
+        }
+        Mark::Ring(_, middle, radius) => {
+            let nearest = middle.clamp(low, high).distance(middle);
+            let farthest = (middle - low).abs().max((high - middle).abs()).length();
+            (nearest..=farthest).contains(&radius)
+        }
+        _ => false,
+    }
 }
 
 /// What is drawn of it.

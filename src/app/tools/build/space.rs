@@ -58,7 +58,11 @@ pub(super) fn build(maker: Maker, scope: Scope<'_>, drag: &Drag, at: DVec2) -> D
 /// The outline of what would be added, and its size in words.
 pub(super) fn marks(maker: Maker, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Vec<Mark> {
     match form(maker, scope, drag, at) {
-        Ok(form) => form.lines(scope).into_iter().chain([outline::label(scope, at, form.words())]).collect(),
+        Ok(form) => {
+            let mut marks = form.lines(scope);
+            marks.push(outline::off(&marks, scope, at, form.words()));
+            marks
+        }
         Err(words) => vec![outline::label(scope, at, words)],
     }
 }

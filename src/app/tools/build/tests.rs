@@ -206,6 +206,37 @@ fn the_outline_is_what_the_release_makes() {
 }
 
 #[test]
+fn the_size_of_what_is_drawn_lies_across_no_line_of_it() {
+    let seen = room();
+    for primitive in Primitive::ALL.into_iter().filter(|primitive| !primitive.is_drawn()) {
+        for to in [[1.4, 0.9], [-1.4, 0.9], [-1.4, -0.9], [1.4, -0.9], [0.3, -0.2], [0.0, 0.0]] {
+            let mut hand = hand(primitive);
+            hand.press(scope(&seen), at(&seen, 0.0, 0.0));
+            let marks = hand.marks(scope(&seen), Some(at(&seen, to[0], to[1])));
+            let words = marks.iter().find_map(|mark| match mark {
+                Mark::Words(corner, words) => Some((*corner, words.chars().count() as f64)),
+                _ => None,
+            });
+            let (corner, letters) = words.unwrap();
+            let [low, high] = [corner - DVec2::new(0.0, 17.0), corner + DVec2::new(6.5 * letters, 0.0)];
+            let share = |k: i32| f64::from(k) / 400.0;
+            let places = marks.iter().flat_map(|mark| -> Vec<DVec2> {
+                match *mark {
+                    Mark::Line(_, from, to, _) => (0..=400).map(|k| from.lerp(to, share(k))).collect(),
+                    Mark::Ring(_, middle, radius) => {
+                        let turn = |k: i32| DVec2::from_angle(std::f64::consts::TAU * share(k));
+                        (0..400).map(|k| middle + radius * turn(k)).collect()
+                    }
+                    _ => Vec::new(),
+                }
+            });
+            let is_in = |at: &DVec2| at.cmpgt(low).all() && at.cmplt(high).all();
+            assert_eq!(places.filter(is_in).count(), 0, "{primitive:?} to {to:?}: {low} to {high}");
+        }
+    }
+}
+
+#[test]
 fn ropes_and_cloths_hang_where_they_begin_unless_shift_is_held() {
     let seen = room();
     for (is_held, pins) in [(false, [1, 2]), (true, [0, 0])] {
