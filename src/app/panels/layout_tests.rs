@@ -101,6 +101,21 @@ fn no_panel_lies_over_another_and_bodies_are_shown_beside_them() {
 }
 
 #[test]
+fn the_column_of_a_tools_panel_is_where_that_stands() {
+    for lessons in [false, true] {
+        let mut state = PanelState::default();
+        state.lessons.is_open = lessons;
+        let (all, laid) = laid([1280.0, 720.0], &mut state, &facts(Tool::Select));
+        let [from, to] = laid.column.unwrap();
+        assert_eq!(to < 640.0, lessons, "beside the tools where lessons push it off the right edge: {from} to {to}");
+        let stands = |one: &Rect| one.width() > 200.0 && one.left() > from - 3.0 && one.right() < to + 3.0;
+        assert!(all.iter().any(stands), "it stands not between {from} and {to}: {all:?}");
+    }
+    let mut state = PanelState::default();
+    assert_eq!(laid([1280.0, 720.0], &mut state, &facts(Tool::Hand)).1.column, None);
+}
+
+#[test]
 fn plots_take_room_from_worlds_side_by_side() {
     let world = |at: f32| Neighbor {
         title: "a world".to_owned(),
