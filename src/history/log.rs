@@ -107,6 +107,7 @@ impl Log {
         Ok(Some(Recording {
             scene: Scene { view: head.view.clone().or(scene.view), ..scene },
             view: head.view,
+            paused: head.paused,
             state: head.state,
             commands: Vec::new(),
             end: end.or_else(|| marks.last().map(|mark| mark.at.max(self.last))),

@@ -12,7 +12,8 @@ use super::mark::Mark;
 use crate::scene::ViewKeys;
 
 /// The keys of a recording.
-const OF_RECORDINGS: [&str; 8] = ["wobble_recording", "scene", "state", "commands", "end", "view", "marks", "about"];
+const OF_RECORDINGS: [&str; 9] =
+    ["wobble_recording", "scene", "state", "commands", "end", "view", "paused", "marks", "about"];
 
 /// The keys of a recording but for its commands.
 #[derive(Debug, Default)]
@@ -24,6 +25,7 @@ pub(super) struct Head {
     /// The end stands on a line of its own, as far as was known then: commands may follow it.
     pub(super) is_end_open: bool,
     pub(super) view: Option<ViewKeys>,
+    pub(super) paused: bool,
     pub(super) marks: Vec<Mark>,
     pub(super) about: Option<Value>,
     pub(super) is_recording: bool,
@@ -190,6 +192,7 @@ impl<'de> Visitor<'de> for Top<'_, '_> {
                 "state" => reading.head.state = Some(map.next_value()?),
                 "end" => end = Some(map.next_value::<f64>()?),
                 "view" => reading.head.view = Some(map.next_value()?),
+                "paused" => reading.head.paused = map.next_value()?,
                 "marks" => reading.head.marks.append(&mut map.next_value()?),
                 "about" => about = Some(map.next_value()?),
                 "commands" => map.next_value_seed(Commands(reading))?,

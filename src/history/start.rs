@@ -31,6 +31,8 @@ pub struct Recording {
     pub end: Option<f64>,
     /// What a picture of it shows at first, if not what one of the scene does.
     pub view: Option<ViewKeys>,
+    /// It was paused when it was saved, and is so when it is opened in a window.
+    pub paused: bool,
     /// What the motion came to, to be compared with.
     pub marks: Vec<Mark>,
     /// What made it.
@@ -205,7 +207,7 @@ impl From<Scene> for Recording {
     /// The start alone.
     fn from(scene: Scene) -> Self {
         let (commands, marks, about) = (Vec::new(), Vec::new(), About::default());
-        Recording { scene, state: None, commands, end: None, view: None, marks, about }
+        Recording { scene, state: None, commands, end: None, view: None, paused: false, marks, about }
     }
 }
 

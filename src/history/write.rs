@@ -81,6 +81,9 @@ impl Recording {
         if let Some(view) = &self.view {
             tail.push(("view", said(view)));
         }
+        if self.paused {
+            tail.push(("paused", true.into()));
+        }
         if !self.marks.is_empty() {
             tail.push(("marks", said(&self.marks)));
         }

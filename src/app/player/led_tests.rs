@@ -159,6 +159,30 @@ fn what_is_opened_in_the_middle_of_a_grab_is_let_go_and_pushes_again() {
 }
 
 #[test]
+fn what_was_saved_while_it_was_paused_opens_paused_and_plays_on_when_asked() {
+    let mut stage = Stage::new(scene().into()).unwrap();
+    frames(&mut stage, 2, None);
+    let folder = tempfile::tempdir().unwrap();
+    let [played, paused, picture, all] = ["a.json", "b.json", "c.png", "d.json"].map(|name| folder.path().join(name));
+    stage.obey(Order::Moment(played.clone()));
+    stage.obey(Order::Play(false));
+    stage.obey(Order::Moment(paused.clone()));
+    stage.obey(Order::Picture(picture.clone(), Box::new(image::RgbaImage::new(4, 4))));
+    stage.obey(Order::Save(all.clone()));
+    let opened = |path: &std::path::Path| Stage::new(Start::load(path.to_str().unwrap()).unwrap()).unwrap();
+    for (path, plays) in [(&played, true), (&paused, false), (&picture, false), (&all, true)] {
+        assert_eq!(shown(&mut opened(path)).figures.playing, plays, "{}", path.display());
+    }
+    let mut again = opened(&paused);
+    let time = again.history().world().time();
+    frames(&mut again, 2, None);
+    assert_eq!(again.history().world().time(), time, "it stands");
+    again.obey(Order::Play(true));
+    frames(&mut again, 2, None);
+    assert!(again.history().world().time() > time);
+}
+
+#[test]
 fn after_going_back_the_cursor_is_where_it_moves_to_at_once() {
     let mut stage = Stage::new(scene().into()).unwrap();
     frames(&mut stage, 3, at(-2.0, 1.0));

@@ -112,6 +112,7 @@ impl Player {
         let record = keeping.record.clone();
         let desk = Arc::new(Desk::new(Keeper::new(keeping)));
         let (its, begin) = (Arc::clone(&desk), start.clone());
+        let playing = !start.recording().paused;
         let thread = std::thread::spawn(move || thread::run(begin, &asked, &its, wake));
         Player {
             start,
@@ -124,7 +125,7 @@ impl Player {
             waiting_since: None,
             written: None,
             is_folded: false,
-            playing: true,
+            playing,
             played_by: 0,
             advances: 0,
             edits: Vec::new(),

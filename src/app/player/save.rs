@@ -17,16 +17,23 @@ pub(super) fn recording(recording: &Recording, path: PathBuf) -> Note {
     }
 }
 
+/// How a moment is seen: the view, and whether it is paused.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Seen {
+    pub(super) view: Option<ViewKeys>,
+    pub(super) paused: bool,
+}
+
 /// Writes a moment as a scene: whoever opens it goes on from there, without what was done before.
-pub(super) fn moment(history: &History, path: PathBuf, view: Option<ViewKeys>) -> Note {
-    match snapshot(history, view) {
+pub(super) fn moment(history: &History, path: PathBuf, seen: Seen) -> Note {
+    match snapshot(history, seen) {
         Ok(snapshot) => recording(&snapshot, path),
         Err(why) => Note::NotWritten(why),
     }
 }
 
 /// Writes a picture with a snapshot of its moment in it: it opens as that.
-pub(super) fn picture(history: &History, path: PathBuf, picture: (&RgbaImage, Option<ViewKeys>)) -> Note {
+pub(super) fn picture(history: &History, path: PathBuf, picture: (&RgbaImage, Seen)) -> Note {
     match encoded(history, picture)
         .and_then(|bytes| replace(&path, |file| file.write_all(&bytes)).map_err(|error| error.to_string()))
     {
@@ -44,8 +51,8 @@ pub(super) fn table(bytes: &[u8], path: PathBuf) -> Note {
 }
 
 /// What begins at this moment.
-fn snapshot(history: &History, view: Option<ViewKeys>) -> Result<Recording, String> {
-    let mut recording = Recording { view, ..history.snapshot()? };
+fn snapshot(history: &History, Seen { view, paused }: Seen) -> Result<Recording, String> {
+    let mut recording = Recording { view, paused, ..history.snapshot()? };
     // Whoever opens it has nothing in hand.
     let at = history.world().time();
     let free = history.letting_go().into_iter().map(|act| Entry { at, act, edit: None, name: None });
@@ -54,10 +61,10 @@ fn snapshot(history: &History, view: Option<ViewKeys>) -> Result<Recording, Stri
 }
 
 /// The bytes of a PNG.
-fn encoded(history: &History, (picture, view): (&RgbaImage, Option<ViewKeys>)) -> Result<Vec<u8>, String> {
+fn encoded(history: &History, (picture, seen): (&RgbaImage, Seen)) -> Result<Vec<u8>, String> {
     let mut bytes = std::io::Cursor::new(Vec::new());
     picture.write_to(&mut bytes, ImageFormat::Png).map_err(|error| error.to_string())?;
-    let recording = snapshot(history, view)?;
+    let recording = snapshot(history, seen)?;
     let mut text = Vec::new();
     recording.write_json(&mut text).map_err(|error| error.to_string())?;
     chunk::insert(bytes.get_ref(), &String::from_utf8_lossy(&text)).map_err(|error| error.to_string())

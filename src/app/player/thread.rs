@@ -214,10 +214,17 @@ fn next(orders: &Receiver<(u64, Order)>, most: Option<Duration>) -> Next {
 }
 
 /// The same orders, of which frames' times that follow on each other are one: what was left undone for too long is not all made up for.
-/// What comes between two frames stays between them.
+/// What comes between two frames stays between them, but for a jump of the cursor, which is that of both.
 fn merged(list: Vec<(u64, Order)>) -> Vec<(u64, Order)> {
     let mut orders: Vec<(u64, Order)> = Vec::with_capacity(list.len());
     for (serial, order) in list {
+        if matches!(
+            (&orders[..], &order),
+            ([.., (_, Order::Advance { back: false, .. }), (_, Order::Jump)], Order::Advance { back: false, .. })
+        ) {
+            let last = orders.len() - 1;
+            orders.swap(last - 1, last);
+        }
         match (orders.last_mut(), order) {
             (
                 Some((last, Order::Advance { wall, cursor, back })),
@@ -258,6 +265,27 @@ mod tests {
             })
             .collect();
         assert_eq!(walls, [(2, 0.5), (3, 0.0), (4, 0.5), (6, 3.0)]);
+    }
+
+    #[test]
+    fn frames_between_which_the_cursor_jumped_are_one_that_it_jumps_in() {
+        let list = merged(vec![
+            frame(1, 0.25, false),
+            (2, Order::Jump),
+            frame(3, 0.25, false),
+            (4, Order::Jump),
+            frame(5, 0.5, false),
+            (6, Order::Jump),
+        ]);
+        let walls: Vec<Option<f64>> = list
+            .iter()
+            .map(|(_, order)| match order {
+                Order::Advance { wall, .. } => Some(*wall),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(walls, [None, None, Some(1.0), None], "the last one is for the frame after it");
+        assert_eq!(list[2].0, 5);
     }
 
     #[test]

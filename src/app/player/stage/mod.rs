@@ -14,7 +14,7 @@ use super::movers::{Movers, with};
 use super::order::{Note, Order};
 use super::pace::Pace;
 use super::rungs::{Rungs, Yielded};
-use super::save;
+use super::save::{self, Seen};
 use super::shown::Scenery;
 use super::softness::Relaxed;
 use super::watch::Watch;
@@ -104,9 +104,11 @@ impl Stage {
     ///
     /// Errors: as of [`History::new`].
     pub fn new(start: Start) -> Result<Self, HistoryError> {
+        let paused = start.recording().paused;
         let history = History::new(start)?;
         let scene = history.scene();
-        let pace = Pace::new(&history, scene.rate(), scene.duration);
+        let mut pace = Pace::new(&history, scene.rate(), scene.duration);
+        pace.playing = !paused;
         let force = scene.mouse_force();
         let named = scene.named_parameters();
         let base = history.base_strength();
@@ -168,6 +170,11 @@ impl Stage {
         stage.pace.go_to(&mut stage.history, folded.time, None);
         (stage.pace.rate, stage.pace.playing) = (folded.rate, folded.playing);
         Ok(stage)
+    }
+
+    /// How this moment is seen: what came to its end was not paused by anybody.
+    fn seen(&self) -> Seen {
+        Seen { view: self.view.clone(), paused: !self.pace.playing && !self.pace.is_at_end(&self.history) }
     }
 
     fn recording(&self) -> Recording {
@@ -296,9 +303,9 @@ impl Stage {
                 (!before.is_empty()).then_some(Note::Before(before))
             }
             Order::Save(path) => Some(save::recording(&self.recording(), path)),
-            Order::Moment(path) => Some(save::moment(&self.history, path, self.view.clone())),
+            Order::Moment(path) => Some(save::moment(&self.history, path, self.seen())),
             Order::Table(path, bytes) => Some(save::table(&bytes, path)),
-            Order::Picture(path, picture) => Some(save::picture(&self.history, path, (&picture, self.view.clone()))),
+            Order::Picture(path, picture) => Some(save::picture(&self.history, path, (&picture, self.seen()))),
         };
         if goes {
             // Of another past, whatever its number says.
