@@ -64,7 +64,7 @@ fn impacts_of_rigid_bonds_are_located_up_to_sixty() {
 
 #[test]
 fn touches_of_springs_are_located_up_to_eight_hundred() {
-    assert_eq!(moved_by(&in_a_room(springs(800, 100.0))), (Solver::Rk4, false));
+    assert_eq!(moved_by(&in_a_room(springs(800, 100.0))), (Solver::Pefrl, false));
     assert_eq!(moved_by(&in_a_room(springs(801, 100.0))), (Solver::VelocityVerlet, true));
 }
 

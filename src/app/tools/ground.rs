@@ -66,7 +66,7 @@ mod tests {
     use crate::scene::Scene;
 
     /// Ground that goes on to the right, a box that stands out of the view at the left, a plane above, a box in the middle.
-    const TERRAIN: &str = r#"{"wobble": 1, "points": {"position": [[0, 9]]}, "obstacles": [
+    const TERRAIN: &str = r#"{"wobble": 1, "points": {"position": [[0, -9]]}, "obstacles": [
         {"polygon": [[[-3, -4], [90, -4], [90, -2], [-3, -2]]]}, {"box": {"min": [-6, 0], "max": [-4, 1]}},
         {"plane": {"point": [0, 4], "normal": [0, -1]}}, {"box": {"min": [-1, 0], "max": [1, 1]}}]}"#;
 
