@@ -44,7 +44,7 @@ impl SeenForms {
         dimensions: usize,
         (pixels_per_metre, coil_length): (f64, f32),
     ) -> bool {
-        if coil_length == 0.0 || !(self.has_others || !self.springs.is_empty()) {
+        if coil_length == 0.0 || (!self.has_others && self.springs.is_empty()) {
             return false;
         }
         if self.has_others || dimensions != 2 {

@@ -43,7 +43,7 @@ fn located_touches_go_over_to_forces() {
     let [below, above] = [more, more + 1].map(|more| keys(&tipped(&net, more, spring(2e3)), &floor(-1.6)));
     let fine = fine("rk4", 512);
     Across { size: "MOST_TOUCHING", below, above, fine, seconds: 0.2, points: 256 }
-        .check_methods(["rk4", "velocity-verlet a mesh by forces"]);
+        .check_methods(["pefrl", "velocity-verlet a mesh by forces"]);
 }
 
 #[test]
