@@ -30,6 +30,8 @@ pub(super) struct Bends {
     ldl: Ldl<f64>,
     /// The multipliers so far in this substep, in the order of elimination `[kg m^2]`.
     pressed: Vec<f64>,
+    /// Some gives less than half of what its points do: what moves these again is to be answered in the same substep.
+    is_stiff: bool,
 }
 
 /// An angle as it stands in a substep.
@@ -78,7 +80,14 @@ impl Bends {
                 shared.extend(same.map(|j| (entry, [row, column], [i, j as u8])));
             }
         }
-        Some(Bends { order, shared, entries: lower.iter().map(Vec::len).sum(), ldl, pressed: vec![0.0; hinges.len()] })
+        Some(Bends {
+            order,
+            shared,
+            entries: lower.iter().map(Vec::len).sum(),
+            ldl,
+            pressed: vec![0.0; hinges.len()],
+            is_stiff: false,
+        })
     }
 
     /// Counted work of bending once.
@@ -106,6 +115,7 @@ impl Bends {
         let own =
             |bent: &Bent| bent.give + (0..3).map(|i| bent.w[i] * dot(bent.slopes[i], bent.slopes[i])).sum::<f64>();
         let diagonal: Vec<f64> = bent.iter().map(own).collect();
+        self.is_stiff = bent.iter().zip(&diagonal).any(|(bent, diagonal)| *diagonal > 2.0 * bent.give);
         let mut lower = vec![0.0; self.entries];
         for &(entry, pair, corners) in &self.shared {
             let [a, b] = pair.map(|k| &bent[k as usize]);
@@ -130,13 +140,16 @@ impl Bends {
 
 /// Bends the angles of all bodies that do so together, in a substep of `h` `[s]`.
 pub(super) fn bend<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
-    state.bends.iter_mut().flatten().for_each(|own| own.pressed.fill(0.0));
+    for own in state.bends.iter_mut().flatten() {
+        own.pressed.fill(0.0);
+        own.is_stiff = true;
+    }
     go_on(state, common, h);
 }
 
-/// Once more, where contacts pressed.
+/// Once more, where contacts pressed and what bends hardly gives.
 pub(super) fn again<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
-    if !state.bends.is_empty() && state.is_pressed() {
+    if state.bends.iter().flatten().any(|own| own.is_stiff) && state.is_pressed() {
         go_on(state, common, h);
     }
 }
@@ -144,7 +157,7 @@ pub(super) fn again<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
 fn go_on<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let mut bends = std::mem::take(&mut state.bends);
     for (own, (body, base)) in bends.iter_mut().zip(state.members(common)) {
-        if let Some(own) = own {
+        if let Some(own) = own.as_mut().filter(|own| own.is_stiff) {
             state.counts.work += own.work();
             own.bend(state, common.hinges(body), (base as u32, h));
         }
