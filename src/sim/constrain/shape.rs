@@ -2,7 +2,7 @@
 
 use crate::sim::bond::Limit;
 use crate::sim::real::Real;
-use crate::sim::solve::elimination;
+use crate::sim::solve::elimination::{self, Pattern};
 
 /// A rigid bond as the direct solver reads it.
 #[derive(Clone, Copy, Debug)]
@@ -69,23 +69,10 @@ impl<S: Real> Shape<S> {
     /// The pattern of some bonds over `points` points; of rows that hold areas the second legs are beside.
     pub(crate) fn new(bonds: Vec<Row<S>>, mut legs: Vec<Leg<S>>, points: usize) -> Self {
         let pairs = neighbours(&bonds, &legs, points);
-        let order = elimination::order(bonds.len(), &pairs, &[]);
-        let mut place = vec![0_u32; bonds.len()];
-        for (k, &bond) in order.iter().enumerate() {
-            place[bond as usize] = k as u32;
-        }
+        let Pattern { order, place, lower } = elimination::pattern(bonds.len(), &pairs);
         let rows: Vec<Row<S>> = order.iter().map(|&bond| bonds[bond as usize]).collect();
-        let mut lower: Vec<Vec<u32>> = vec![Vec::new(); rows.len()];
-        for [i, j] in pairs {
-            let (k, l) = (place[i as usize], place[j as usize]);
-            lower[k.max(l) as usize].push(k.min(l));
-        }
-        let mut couplings = Vec::new();
-        for (k, columns) in lower.iter_mut().enumerate() {
-            columns.sort_unstable();
-            columns.dedup();
-            couplings.extend(columns.iter().map(|&l| couple(k as u32, l, &rows)));
-        }
+        let entries = lower.iter().zip(0..).flat_map(|(columns, k)| columns.iter().map(move |&l| (k, l)));
+        let couplings: Vec<Coupling<S>> = entries.map(|(k, l)| couple(k, l, &rows)).collect();
         legs.iter_mut().for_each(|leg| leg.row = place[leg.row as usize]);
         let crossings = crossings(&rows, &legs, &couplings);
         Shape { rows, couplings, lower, legs, crossings }

@@ -6,18 +6,16 @@
 //! have moved points since, the same again for what l lacks.
 
 use super::cluster::{Cluster, Common};
-use super::shape;
+use super::shape::{self, MOST_TURN};
 use crate::sim::force::angle::Hinge;
 use crate::sim::force::form::at;
 use crate::sim::real::Real;
-use crate::sim::solve::elimination;
+use crate::sim::solve::elimination::{self, Pattern};
 use crate::sim::solve::ldl::Ldl;
-use crate::sim::vector::{convert, widen};
+use crate::sim::vector::{convert, dot, widen};
 
 /// Most multiplications of a factorisation for each angle: what is meshed more closely is bent one by one.
 const MOST_FILL: usize = 60;
-/// Most that a substep turns an angle by `[rad]`: further on its slopes are others.
-const MOST_TURN: f64 = 0.5;
 
 /// How the angles of a body hang together, and what solves for them.
 #[derive(Clone, Debug)]
@@ -50,25 +48,21 @@ impl Bends {
         let mut at: Vec<[u32; 2]> =
             hinges.iter().zip(0..).flat_map(|(hinge, k)| hinge.points.map(|point| [point, k])).collect();
         at.sort_unstable();
-        let groups = at.chunk_by(|a, b| a[0] == b[0]);
-        let together = |group: &[[u32; 2]]| {
-            let own: Vec<u32> = group.iter().map(|entry| entry[1]).collect();
-            let pair = move |k: usize| (0..k).map(move |j| [j, k]);
-            (0..own.len()).flat_map(pair).map(|[j, k]| [own[j], own[k]]).collect::<Vec<_>>()
-        };
-        let mut pairs: Vec<[u32; 2]> = groups.flat_map(together).collect();
-        pairs.sort_unstable();
-        pairs.dedup();
-        let order = elimination::order(hinges.len(), &pairs, &[]);
-        let mut place = vec![0; hinges.len()];
-        order.iter().zip(0..).for_each(|(&k, at)| place[k as usize] = at);
-        let mut lower: Vec<Vec<u32>> = vec![Vec::new(); hinges.len()];
-        for [a, b] in pairs.into_iter().map(|pair| pair.map(|k| place[k as usize])) {
-            lower[a.max(b) as usize].push(a.min(b));
+        let groups = || at.chunk_by(|a, b| a[0] == b[0]);
+        // Two angles share three points at most, and each pair is an entry of the factor.
+        let most = MOST_FILL * hinges.len();
+        if hinges.is_empty() || groups().map(|group| group.len() * (group.len() - 1) / 2).sum::<usize>() > 3 * most {
+            return None;
         }
-        lower.iter_mut().for_each(|row| row.sort_unstable());
+        let mut pairs = Vec::new();
+        for group in groups() {
+            for (k, [_, later]) in group.iter().enumerate() {
+                pairs.extend(group[..k].iter().map(|[_, earlier]| [*earlier, *later]));
+            }
+        }
+        let Pattern { order, lower, .. } = elimination::pattern(hinges.len(), &pairs);
         let ldl = Ldl::analyse(&lower);
-        if hinges.is_empty() || ldl.multiplications() > MOST_FILL * hinges.len() {
+        if ldl.multiplications() > most {
             return None;
         }
         let mut shared = Vec::new();
@@ -111,7 +105,6 @@ impl Bends {
         };
         let (bent, asked): (Vec<Bent>, Vec<f64>) =
             self.order.iter().zip(&self.pressed).map(|entry| stands(entry).unwrap_or((idle, 0.0))).unzip();
-        let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
         let own =
             |bent: &Bent| bent.give + (0..3).map(|i| bent.w[i] * dot(bent.slopes[i], bent.slopes[i])).sum::<f64>();
         let diagonal: Vec<f64> = bent.iter().map(own).collect();

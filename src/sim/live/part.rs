@@ -141,7 +141,7 @@ fn along_shadows<S: Real>(state: &Cluster<S>, [a, b]: [u32; 2]) -> [S; 2] {
 
 /// Moves what is parted on by a substep of `h` `[s]`, and lets it go no deeper.
 pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S, gravity: [f64; 2]) {
-    if state.tangle.couples.is_empty() {
+    if !state.tangle.couples.iter().any(Couple::is_parted) {
         return;
     }
     let speed = if owes(state) { 0.0 } else { SPEED };

@@ -12,7 +12,7 @@ use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale};
 
 /// Most that a substep turns an angle by `[rad]`: further on its slopes are others.
-const MOST_TURN: f64 = 0.5;
+pub(super) const MOST_TURN: f64 = 0.5;
 /// Share of what a joint was beyond its range before a substep that comes back in a pass, without speed.
 const MENDED: f64 = 0.1 / 3.0;
 /// By how much it may stay beyond it `[rad]`: what is led back into it without end, against what it lies on, pushes its body about.

@@ -12,7 +12,7 @@ use super::inertia::Inertia;
 use super::motion::Motion;
 use super::motion::Twist;
 use super::place::Place;
-use crate::sim::solve::elimination;
+use crate::sim::solve::elimination::{self, Pattern};
 use crate::sim::solve::ldl::Ldl;
 use crate::sim::vector::{add, cross, dot, scale, sub};
 
@@ -128,18 +128,7 @@ impl Joints {
         let of = |(link, k): (&Link, u32)| axes(link).map(move |axis| Row { link: k, axis });
         let listed: Vec<Row> = links.iter().zip(0..).flat_map(of).collect();
         let pairs = neighbours(&links, &listed);
-        let order = elimination::order(listed.len(), &pairs, &[]);
-        let mut place = vec![0_u32; listed.len()];
-        order.iter().zip(0..).for_each(|(&row, k)| place[row as usize] = k);
-        let mut lower: Vec<Vec<u32>> = vec![Vec::new(); listed.len()];
-        for [i, j] in pairs {
-            let (k, l) = (place[i as usize], place[j as usize]);
-            lower[k.max(l) as usize].push(k.min(l));
-        }
-        lower.iter_mut().for_each(|columns| {
-            columns.sort_unstable();
-            columns.dedup();
-        });
+        let Pattern { order, lower, .. } = elimination::pattern(listed.len(), &pairs);
         let couples = lower.iter().zip(0..).flat_map(|(columns, k)| columns.iter().map(move |&l| [k, l])).collect();
         Joints {
             rows: order.iter().map(|&row| listed[row as usize]).collect(),

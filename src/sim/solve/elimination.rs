@@ -42,6 +42,32 @@ pub(crate) fn order(count: usize, pairs: &[[u32; 2]], waits_for: &[Vec<u32>]) ->
     queue.result
 }
 
+/// What a factorisation is analysed by, of unknowns of which none waits for others.
+pub(crate) struct Pattern {
+    /// The unknowns in their order of elimination, and the place of each in it.
+    pub(crate) order: Vec<u32>,
+    pub(crate) place: Vec<u32>,
+    /// For each place those before it that it shares an equation with, ascending, each once.
+    pub(crate) lower: Vec<Vec<u32>>,
+}
+
+/// The pattern of so many unknowns; `pairs` as for [`order`].
+pub(crate) fn pattern(count: usize, pairs: &[[u32; 2]]) -> Pattern {
+    let order = order(count, pairs, &[]);
+    let mut place = vec![0_u32; count];
+    order.iter().zip(0..).for_each(|(&unknown, at)| place[unknown as usize] = at);
+    let mut lower: Vec<Vec<u32>> = vec![Vec::new(); count];
+    for [i, j] in pairs {
+        let (k, l) = (place[*i as usize], place[*j as usize]);
+        lower[k.max(l) as usize].push(k.min(l));
+    }
+    for columns in &mut lower {
+        columns.sort_unstable();
+        columns.dedup();
+    }
+    Pattern { order, place, lower }
+}
+
 /// Of so many unknowns and fewer, neighbours are bits of a row each.
 const DENSE: usize = 4096;
 
