@@ -13,6 +13,8 @@ const MOST_COUNTED: f64 = 20e3;
 /// Rounds of a substep that are usual, and what each further one takes about `[ms]`: where friction holds what is rigid, there are hundreds.
 const USUAL_ROUNDS: u64 = 64;
 const OF_A_ROUND: f64 = 5e-3;
+/// What a part of a step of a rigid body takes of what is counted for it, about, where it lies on something.
+const OF_A_RIGID: f64 = 6.0;
 /// Longest substep that is tried `[s]`.
 const LONGEST: f64 = 0.25;
 /// The longest of what the rules move, such as rigid bodies `[s]`.
@@ -123,25 +125,27 @@ impl<'a, const D: usize> Trials<'a, D> {
         let model = Model { method, ..self.model.clone() };
         let mut world = build(&model)?;
         let unit: f64 = world.parts().iter().map(|part| part.work).sum();
+        let is_rigid = world.parts().iter().any(|part| part.solver == Solver::Rigid);
+        let rate = if is_rigid { OF_A_RIGID } else { 1.0 };
         let limit = limit.min(MOST_WORK - self.spent);
         let mut positions = Vec::with_capacity(self.times.len());
         self.was_dear = false;
         for &time in self.times {
             while world.time() + world.substep() * (1.0 - 1e-9) <= time {
                 world.step();
-                if work(&*world, unit) > limit || counted(&*world) > MOST_COUNTED - self.counted {
+                if work(&*world, unit) > limit || rate * counted(&*world) > MOST_COUNTED - self.counted {
                     self.was_dear = true;
-                    self.count(&*world, unit);
+                    self.count(&*world, (unit, rate));
                     return Ok(None);
                 }
             }
             positions.push(world.sample(time).position);
             if !world.is_finite() {
-                self.count(&*world, unit);
+                self.count(&*world, (unit, rate));
                 return Ok(None);
             }
         }
-        self.count(&*world, unit);
+        self.count(&*world, (unit, rate));
         self.last_work = work(&*world, unit);
         let is_finite = positions.iter().flatten().flatten().all(|x| x.is_finite());
         Ok(is_finite.then_some(Trial {
@@ -152,9 +156,9 @@ impl<'a, const D: usize> Trials<'a, D> {
         }))
     }
 
-    fn count(&mut self, world: &dyn Dynamics, unit: f64) {
+    fn count(&mut self, world: &dyn Dynamics, (unit, rate): (f64, f64)) {
         self.spent += work(world, unit);
-        self.counted += counted(world);
+        self.counted += rate * counted(world);
         self.substeps += world.counters().substeps;
     }
 }

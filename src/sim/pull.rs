@@ -154,9 +154,10 @@ impl<S: Real, const D: usize> Pull<S, D> {
                 let fall: [S; D] = convert(gravity);
                 let mut all: Vec<[S; D]> = a.iter().map(|a| add(*a, fall)).collect();
                 rigid.answer(x, v, &mut all, contacts);
-                contacts.hold_kick(gravity, v, a, Some(&all));
+                rub_through(rigid, contacts, v, &mut all);
+                contacts.hold_kick(gravity, v, a, true);
             }
-            _ => contacts.hold_kick(gravity, v, a, None),
+            _ => contacts.hold_kick(gravity, v, a, false),
         }
     }
 
@@ -219,14 +220,13 @@ impl<S: Real, const D: usize> Pull<S, D> {
     /// Adds to these accelerations what rigid bonds and surfaces answer with.
     pub(crate) fn react(&mut self, (x, v): (&[[S; D]], &[[S; D]]), a: &mut [[S; D]], counters: &mut Counters) {
         let Pull { rigid, contacts, .. } = self;
-        if let Some(rigid) = rigid {
-            rigid.answer(x, v, a, contacts);
-            counters.bonds_solved += rigid.len() as u64;
-        }
-        if contacts.rub(v, a)
-            && let Some(rigid) = rigid
-        {
-            rigid.multiply(v, a, contacts);
+        match rigid {
+            Some(rigid) => {
+                rigid.answer(x, v, a, contacts);
+                counters.bonds_solved += rigid.len() as u64;
+                rub_through(rigid, contacts, v, a);
+            }
+            None => _ = contacts.rub(v, a),
         }
         contacts.hold(a);
     }
@@ -254,5 +254,35 @@ impl<S: Real, const D: usize> Pull<S, D> {
         counters.iterations += u64::from(held.iterations);
         counters.bonds_solved += u64::from(held.iterations + 1) * rigid.len() as u64;
         held.is_held
+    }
+}
+
+/// Times that friction is found anew from what presses with it.
+const MOST_ROUNDS: u32 = 60;
+
+/// Adds friction, and what rigid bonds answer to it, to accelerations to which they have answered: what presses is found together with what
+/// rubs, for bonds make one of the other.
+fn rub_through<S: Real, const D: usize>(
+    rigid: &mut Direct<S, D>,
+    contacts: &mut Contacts<S, D>,
+    v: &[[S; D]],
+    a: &mut [[S; D]],
+) {
+    if !contacts.rub(v, a) {
+        return;
+    }
+    rigid.multiply(v, a, contacts);
+    let mut last = S::INFINITY;
+    for _ in 0..MOST_ROUNDS {
+        let change = contacts.rub_again(v, a);
+        if change == S::ZERO {
+            return;
+        }
+        rigid.multiply(v, a, contacts);
+        // Where that does not settle, as where friction lifts what presses, no more is looked for.
+        if change > last {
+            return;
+        }
+        last = change;
     }
 }

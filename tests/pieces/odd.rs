@@ -110,3 +110,15 @@ fn what_is_cut_in_an_impact_goes_on_as_two_and_makes_no_energy() {
         assert!(movers.iter().all(|moved| matches!(moved.method, Solver::Rigid | Solver::Live)), "{what}: {movers:?}");
     }
 }
+
+#[test]
+fn bodies_among_obstacles_that_are_asked_to_be_of_32_bits_are_told_that_these_are_too_few() {
+    let mut scene = triangle(&json!([[0, 1], [1, 1], [0, 2]]), &json!(1));
+    scene["method"] = json!({"precision": "f32"});
+    let told = |scene: &Value| world(scene).warnings().iter().any(|warning| warning.starts_with("32 bits"));
+    assert!(!told(&scene), "walls alone");
+    scene["obstacles"] = json!([{"circle": {"center": [0, -0.5], "radius": 0.2}}]);
+    assert!(told(&scene));
+    scene["method"] = json!({});
+    assert!(!told(&scene));
+}

@@ -2,6 +2,7 @@
 
 pub mod bounds;
 pub mod convex;
+pub(crate) mod coulomb;
 pub(crate) mod geometry;
 pub(crate) mod hinged;
 pub(crate) mod obstacles;
@@ -18,6 +19,9 @@ use super::vector::{add, dot, length, scale, sub};
 use obstacles::Obstacles;
 use rest::Rest;
 use surface::Surface;
+
+/// Changes of friction that are rounding, in roundings of it.
+const ROUNDED: f64 = 64.0;
 
 /// The surfaces of a world and the points of a group that rest on them.
 ///
@@ -152,14 +156,14 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         self.place.fill(0);
     }
 
-    /// Makes accelerations `a`, to which a kick adds `gravity`, such that the sum is what resting points can follow. `pressing`: all that
-    /// presses on points, where bonds pass something on.
-    pub(crate) fn hold_kick(&self, gravity: [f64; D], v: &[[S; D]], a: &mut [[S; D]], pressing: Option<&[[S; D]]>) {
+    /// Makes accelerations `a`, to which a kick adds `gravity`, such that the sum is what resting points can follow. `is_pressed`: what
+    /// presses on them was found before, where bonds pass something on.
+    pub(crate) fn hold_kick(&self, gravity: [f64; D], v: &[[S; D]], a: &mut [[S; D]], is_pressed: bool) {
         let gravity: [S; D] = super::vector::convert(gravity);
         for rest in &self.rests {
             let i = rest.point as usize;
             let total = add(a[i], gravity);
-            let pressed = pressing.map_or(total, |pressing| pressing[i]);
+            let pressed = if is_pressed { rest.pressing } else { total };
             let total = rest.free(add(total, self.friction(rest, v[i], pressed)));
             a[i] = sub(total, gravity);
         }
@@ -183,6 +187,24 @@ impl<S: Real, const D: usize> Contacts<S, D> {
             a[i] = add(a[i], friction);
         }
         any
+    }
+
+    /// Makes friction that was added, and that bonds have answered to since, as large as what presses now allows. Returns the largest change
+    /// `[m/s^2]`, 0 where all of it is rounding.
+    pub(crate) fn rub_again(&mut self, v: &[[S; D]], a: &mut [[S; D]]) -> S {
+        let mut largest = S::ZERO;
+        for at in 0..self.rests.len() {
+            let i = self.rests[at].point as usize;
+            let before = self.friction(&self.rests[at], v[i], self.rests[at].pressing);
+            self.rests[at].pressing = sub(a[i], before);
+            let change = sub(self.friction(&self.rests[at], v[i], self.rests[at].pressing), before);
+            let (size, rounded) = (length(change), length(before) * S::EPSILON * S::from_f64(ROUNDED));
+            if size > rounded {
+                a[i] = add(a[i], change);
+                largest = largest.max(size);
+            }
+        }
+        largest
     }
 
     /// What resting points can follow of their accelerations.

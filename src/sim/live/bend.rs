@@ -14,6 +14,9 @@ use crate::sim::solve::elimination::{self, Pattern};
 use crate::sim::solve::ldl::Ldl;
 use crate::sim::vector::{convert, dot, widen};
 
+/// What the points of an angle may give to it within a substep, over what it gives itself, where one by one is as good: k h^2 + c h times the
+/// sum of w |g|^2.
+const SOFT: f64 = 0.1;
 /// Most multiplications of a factorisation for each angle: what is meshed more closely is bent one by one.
 const MOST_FILL: usize = 60;
 
@@ -28,6 +31,8 @@ pub(super) struct Bends {
     ldl: Ldl<f64>,
     /// The multipliers so far in this substep, in the order of elimination `[kg m^2]`.
     pressed: Vec<f64>,
+    /// All give so much more than their points in this step that they are bent one by one.
+    pub(super) is_soft: bool,
     /// Some gives less than half of what its points do: what moves these again is to be answered in the same substep.
     is_stiff: bool,
 }
@@ -80,8 +85,20 @@ impl Bends {
             entries: lower.iter().map(Vec::len).sum(),
             ldl,
             pressed: vec![0.0; hinges.len()],
+            is_soft: false,
             is_stiff: false,
         })
+    }
+
+    /// Finds out whether all are soft in substeps of `h` `[s]`, of a body whose points begin at `base`.
+    fn prepare<S: Real>(&mut self, state: &Cluster<S>, hinges: &[Hinge<S>], (base, h): (u32, S)) {
+        let give = |hinge: &Hinge<S>| {
+            let points = hinge.points.map(|point| base + point);
+            let stand = hinge.stand(at(&state.now, points))?;
+            let asked = stand.share() * (hinge.stiffness * h * h + hinge.damping * h);
+            Some((asked * shape::weight(state, points, stand.slopes)).to_f64())
+        };
+        self.is_soft = hinges.iter().all(|hinge| give(hinge).is_none_or(|give| give < SOFT));
     }
 
     /// Counted work of bending once.
@@ -131,11 +148,23 @@ impl Bends {
     }
 }
 
+/// Finds out which bodies are bent one by one in a step, of substeps of `h` `[s]`.
+pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
+    let mut bends = std::mem::take(&mut state.bends);
+    for (own, (body, base)) in bends.iter_mut().zip(state.members(common)) {
+        if let Some(own) = own {
+            state.counts.work += 60 * own.order.len() as u64;
+            own.prepare(state, common.hinges(body), (base as u32, h));
+        }
+    }
+    state.bends = bends;
+}
+
 /// Bends the angles of all bodies that do so together, in a substep of `h` `[s]`.
 pub(super) fn bend<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     for own in state.bends.iter_mut().flatten() {
         own.pressed.fill(0.0);
-        own.is_stiff = true;
+        own.is_stiff = !own.is_soft;
     }
     go_on(state, common, h);
 }

@@ -238,6 +238,7 @@ impl<S: Real> Live<S> {
         cluster.is_violent = cluster.is_struck();
         cluster.see_within(common);
         bonds::prepare(cluster, common, cluster.span);
+        bend::prepare(cluster, common, cluster.span);
         drives::prepare(cluster, common, (t, around), cluster.span);
         let before = moving + guard::elastic(cluster, common);
         let held = cluster.tally.is_some().then(|| guard::all(cluster, common, pull.gravity));

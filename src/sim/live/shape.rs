@@ -26,8 +26,9 @@ pub(super) fn resist<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) 
     bend::bend(state, common, h);
     let areas = &common.resist;
     let is_spring = areas.stiffness > 0.0 && !areas.is_rigid();
-    for (body, base) in state.members(common) {
-        if body.bends.is_none() {
+    for (k, (body, base)) in state.members(common).enumerate() {
+        let are_together = state.bends.get(k).and_then(Option::as_ref).is_some_and(|bends| !bends.is_soft);
+        if !are_together {
             let hinges = common.hinges(body);
             state.counts.work += 60 * hinges.len() as u64;
             hinges.iter().for_each(|hinge| bend(state, hinge, (base, h)));

@@ -6,7 +6,7 @@ use super::choice;
 use super::gather::Gathered;
 use super::island::Island;
 use super::make::Maker;
-use crate::sim::bond::{Bond, BondKind, PointId};
+use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::bulk::control::FRAME;
 use crate::sim::force::angle::Angle;
 use crate::sim::group::Group;
@@ -19,7 +19,10 @@ use crate::sim::rigid::shape::{Held, Shape};
 use crate::sim::rigid::ties::Ties;
 use crate::sim::sizes::{MOST_RODS, MOST_SOUGHT};
 use crate::sim::solver::Solver;
-use crate::sim::vector::{flat, widen};
+use crate::sim::vector::{flat, length, sub, widen};
+
+/// Strain by which a bond that is within a body may be off the length that the body gives it.
+const FITS: f64 = 1e-6;
 
 /// What an island is as rigid bodies.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +36,18 @@ impl Pieces {
     /// Whether it is one body that nothing joins to anything.
     pub(crate) fn is_one(&self) -> bool {
         self.plan.bodies.len() == 1 && self.plan.links.is_empty()
+    }
+
+    /// Whether two points are on one body.
+    fn share(&self, points: [PointId; 2]) -> bool {
+        let places = points.map(|point| self.points.binary_search(&point.0).map_or(u32::MAX, |place| place as u32));
+        let are_on = |body: &BodyPlan| places.iter().all(|place| body.points.binary_search(place).is_ok());
+        // A point of two bodies has its seat on one of them, which need not be that of the other point.
+        let on_seat = |place: &u32| match self.plan.seats.get(*place as usize) {
+            Some(&End::On { body, .. }) => are_on(&self.plan.bodies[body as usize]),
+            _ => false,
+        };
+        if self.is_one() { self.plan.bodies.iter().all(are_on) } else { places.iter().any(on_seat) }
     }
 
     /// Whether points stay as far from each other as they are: on one body, or standing still.
@@ -82,11 +97,10 @@ fn pieces<S: Real, const D: usize>(
         return None;
     }
     let bonds: Vec<Bond> = island.bonds.iter().map(|&k| gathered.bonds.get(k as usize)).collect();
-    let (rigid, springs): (Vec<&Bond>, Vec<&Bond>) = bonds.iter().partition(|bond| bond.kind == BondKind::Rigid);
-    let breaks = |bond: &&Bond| bond.break_strain.is_finite();
-    if !rigid.iter().all(|bond| bond.holds()) || springs.iter().any(breaks) {
-        return None;
-    }
+    let rigid: Vec<&Bond> = bonds.iter().filter(|bond| bond.holds()).collect();
+    // What may break or acts one way only makes no body; within one it never does.
+    let is_idle = |bond: &&Bond| !bond.holds() && (bond.kind == BondKind::Rigid || bond.break_strain.is_finite());
+    let idle: Vec<&Bond> = bonds.iter().filter(is_idle).collect();
     let w = |point: u32| gathered.w[point as usize];
     let of_angles = island.angles.iter().flat_map(|&k| gathered.ties.angles[k as usize].points);
     let ends = || bonds.iter().flat_map(|bond| [bond.a, bond.b]).chain(of_angles.clone()).map(|end| end.0);
@@ -110,7 +124,22 @@ fn pieces<S: Real, const D: usize>(
     let plan = one.or_else(|| may_swing.then(|| joined(island, (held(), most_alone), is_led)).flatten())?;
     let pieces = Pieces { plan: Arc::new(plan), points };
     let corners = |&k: &u32| gathered.ties.patches[k as usize].corners;
-    island.patches.iter().map(corners).all(|corners| pieces.keep(corners)).then_some(pieces)
+    let is_fine = island.patches.iter().map(corners).all(|corners| pieces.keep(corners))
+        && idle.iter().all(|bond| pieces.share([bond.a, bond.b]) && is_borne(gathered, bond));
+    is_fine.then_some(pieces)
+}
+
+/// Whether a bond that may break or acts one way only does neither at the length that it has now: that of a rigid one is its own.
+fn is_borne<S: Real, const D: usize>(gathered: &Gathered<S, D>, bond: &Bond) -> bool {
+    let [a, b] = [bond.a, bond.b].map(|end| widen(gathered.state.position[end.index()]));
+    let strain = length(sub(a, b)) / bond.rest_length - 1.0;
+    let is_fit = match bond.limit {
+        _ if bond.kind != BondKind::Rigid => true,
+        Limit::Both => strain.abs() <= FITS,
+        Limit::Max => strain <= FITS,
+        Limit::Min => strain >= -FITS,
+    };
+    is_fit && strain.is_finite() && (strain.abs() <= bond.break_strain)
 }
 
 /// Several bodies, where springs between them are not too stiff for explicit steps.

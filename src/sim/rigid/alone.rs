@@ -8,10 +8,10 @@ use super::course::{
     within,
 };
 use super::inertia::{Alone, Contact};
-use super::law::{OF_A_CONTACT, strike};
 use super::motion::Motion;
 use super::motion::Twist;
 use super::touch::{Among, Near, Touch, way};
+use crate::sim::contact::coulomb::{OF_A_CONTACT, strike};
 use crate::sim::force::wind::OF_A_GUST;
 use crate::sim::ledger::Book;
 use crate::sim::real::Real;
@@ -74,6 +74,11 @@ impl Body {
     /// A speed that counts as none `[m/s]`.
     pub(super) fn still(&self, twist: &Twist) -> f64 {
         STILL * (length(twist.velocity) + twist.spin.abs() * self.reach + 1e-3)
+    }
+
+    /// Whether it has no speed that counts.
+    pub(super) fn is_still(&self, twist: &Twist) -> bool {
+        length(twist.velocity) + twist.spin.abs() * self.reach <= self.still(twist)
     }
 
     /// Operations of a part in flight, about.
@@ -171,6 +176,10 @@ impl<S: Real, const D: usize> Assembly for Lone<'_, S, D> {
 
     fn first_stop(&self, path: &dyn Fn(f64) -> Motion, ends: (&Motion, &Motion, f64), lying: &[Touch]) -> Option<f64> {
         self.among.first_stop(path, ends, lying)
+    }
+
+    fn rests(&self, (start, end): (&Motion, &Motion)) -> bool {
+        !self.field.pushes() && [start, end].iter().all(|motion| self.body.is_still(&motion.twist))
     }
 
     fn work(&self, near: Option<&Near>) -> u64 {

@@ -109,6 +109,10 @@ pub(super) trait Assembly {
     fn fault(&self, _ends: (&Self::Motion, &Self::Motion), _h: f64, _is_free: bool) -> Option<Fault> {
         None
     }
+    /// Whether what lies on surfaces stands still there at both ends of a part, and nothing pushes it that may change: so it goes on.
+    fn rests(&self, _ends: (&Self::Motion, &Self::Motion)) -> bool {
+        false
+    }
     /// Operations of a part in flight, and of a look at what it touches, about.
     fn work(&self, near: Option<&Self::Near>) -> u64;
 }
@@ -167,6 +171,10 @@ pub(super) fn advance<A: Assembly>(
         part = if lying.is_empty() { part } else { part.min(within(LYING, h)) };
         let path = |time: f64| go(time, None);
         let end = shortened((of, &motion, lying.is_empty()), (&mut part, &mut grown), &mut halvings, path);
+        if !lying.is_empty() && of.rests((&motion, &end)) {
+            log.work += spent.get();
+            return of.stopped(motion);
+        }
         let hit = of.first_hit(&path, (&motion, &end, part), (&near, &lying)).filter(|_| locates);
         let until = hit.map_or_else(|| (end.clone(), part), |time| (path(time), time));
         let stop = of.first_stop(&path, (&motion, &until.0, until.1), &lying).filter(|_| locates);

@@ -1,7 +1,7 @@
 //! How a rigid body answers to impulses at the points that touch something.
 
-use super::law::{Answers, Impulse, Rub};
 use super::motion::Twist;
+use crate::sim::contact::coulomb::{Answers, Impulse, Rub};
 use crate::sim::vector::{add, cross, dot, scale};
 
 /// What the impulses move: a body's velocities and what resists them.
@@ -100,7 +100,7 @@ impl Answers for Alone<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sim::rigid::law::{Pressed, strike};
+    use crate::sim::contact::coulomb::{Pressed, strike};
 
     fn on_floor(arm: [f64; 2], friction: f64, restitution: f64) -> Contact {
         let rub = Rub { friction, restitution, slides: 0.0, target: [0.0; 2] };
@@ -142,6 +142,29 @@ mod tests {
                     assert!(lost > -1e-12, "{restitution} {friction} {angle}: {lost}");
                     assert!(after.at(arm)[1] > -1e-12);
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn one_contact_obeys_the_law_at_once_however_rough_it_is() {
+        for friction in [0.0, 0.1, 0.7, 2.0, 9.0] {
+            for turned in 0..64 {
+                let angle = 0.1 * f64::from(turned);
+                let arm = [libm::cos(angle), libm::sin(angle)];
+                let before = Twist { velocity: [1.0, -1.0], spin: 0.07 * f64::from(turned) - 2.0 };
+                let found = struck(ROD, before, &[on_floor(arm, friction, 0.0)]);
+                assert!(found.has_converged && found.passes <= 2, "{friction} {angle}: {}", found.passes);
+                let ([push, rub], speed) = (found.impulses[0], found.motion.at(arm));
+                assert!(push >= 0.0 && speed[1] > -1e-12 && (push * speed[1]).abs() < 1e-12, "{friction} {angle}");
+                // Along (-1, 0): what rubs is held, or as large as may be and against the way.
+                let most = friction * push;
+                assert!(rub.abs() <= most * (1.0 + 1e-12), "{friction} {angle}");
+                let is_held = speed[0].abs() < 1e-12;
+                assert!(
+                    push == 0.0 || is_held || (rub * speed[0] >= 0.0 && rub.abs() >= most * (1.0 - 1e-12)),
+                    "{friction} {angle}"
+                );
             }
         }
     }

@@ -6,11 +6,11 @@ use super::alone::gentle;
 use super::body::Body;
 use super::course::{Assembly, Fault, HANGING, Log, SHORTEST, TURN, book_strike, gives_back, within};
 use super::joints::End;
-use super::law::{OF_A_CONTACT, strike};
 use super::linkage::{Moving, Spot, twists_of};
 use super::motion::{Motion, Twist};
 use super::together::Together;
 use super::touch::{Near, Touch, way};
+use crate::sim::contact::coulomb::{OF_A_CONTACT, strike};
 use crate::sim::ledger::Book;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, flat, length, scale, sub};
@@ -179,7 +179,7 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
         let joints = self.factored(motions, t);
         let together = Together::new(&joints, &contacts);
         let twists = twists_of(motions);
-        let pressed = strike(&together, &together.seen(&twists), &together.rubs());
+        let pressed = strike(&together.coupled, &together.seen(&twists), &together.rubs());
         log.hits += 1;
         log.work += OF_A_CONTACT * u64::from(pressed.passes) * (contacts.len() * contacts.len()) as u64;
         log.work += contacts.len() as u64 * self.linkage.joints.work();
@@ -246,6 +246,13 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
             || jerk(start, end, h) > MOST_JERK * self.shortest()
             || is_free && self.is_conserved() && self.makes_energy((start, end), h);
         strays.then_some(Fault::Strays)
+    }
+
+    fn rests(&self, (start, end): (&Vec<Motion>, &Vec<Motion>)) -> bool {
+        let is_still = |motions: &[Motion]| {
+            self.linkage.bodies.iter().zip(motions).all(|(body, motion)| body.is_still(&motion.twist))
+        };
+        self.is_conserved() && is_still(start) && is_still(end)
     }
 
     fn work(&self, near: Option<&Vec<Near>>) -> u64 {

@@ -19,7 +19,6 @@ mod course;
 pub(crate) mod inertia;
 mod joined;
 pub(crate) mod joints;
-mod law;
 mod linkage;
 pub(crate) mod motion;
 mod pieces;

@@ -7,9 +7,9 @@ use std::cell::Cell;
 
 use super::body::{Body, Field};
 use super::inertia::{Alone, Contact};
-use super::law::{Impulse, OF_A_CONTACT, press_or_stop};
 use super::motion::Motion;
 use super::touch::{Among, Touch};
+use crate::sim::contact::coulomb::{Impulse, OF_A_CONTACT, press_or_stop};
 use crate::sim::ledger::Book;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, scale, sub};

@@ -2,14 +2,13 @@
 
 use super::inertia::{Contact, Inertia};
 use super::joints::Factored;
-use super::law::{Answers, Impulse, Pressed, Rub, press_or_stop, stop};
 use super::motion::Twist;
+use crate::sim::contact::coulomb::coupled::{Coupled, Speeds};
+use crate::sim::contact::coulomb::{Impulse, Pressed, Rub, press_or_stop};
 use crate::sim::vector::{add, scale, sub};
 
 /// Share of what a body alone would give at a point below which its joints hold it there.
 const HELD: f64 = 1e-10;
-/// Times that one contact is gone through at most; of several each that much less often.
-const PASSES: u32 = 2_000;
 /// Share of an energy that is rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -19,15 +18,8 @@ pub(super) struct Together<'a> {
     contacts: &'a [(u32, Contact)],
     /// What an impulse of 1 does to all bodies: along the normal of each contact and across it.
     columns: Vec<Vec<Twist>>,
-    /// What that is at all contacts, across and along: column by column `[1/kg]`.
-    gives: Vec<Vec<[f64; 2]>>,
-}
-
-/// Velocities of all contacts, across and along, and the energy of the motion that they belong to.
-#[derive(Clone, Debug)]
-pub(super) struct Speeds {
-    speeds: Vec<[f64; 2]>,
-    energy: f64,
+    /// What that is at all contacts.
+    pub(super) coupled: Coupled,
 }
 
 impl<'a> Together<'a> {
@@ -50,7 +42,9 @@ impl<'a> Together<'a> {
                 gives.push(all);
             }
         }
-        Together { joints, contacts, columns, gives }
+        let inverses = joints.inertias.iter().flat_map(|of| of.inverse);
+        let mass = inverses.filter(|inverse| *inverse > 0.0).map(|inverse| 1.0 / inverse).sum();
+        Together { joints, contacts, columns, coupled: Coupled { gives, mass, rounding: ROUNDING } }
     }
 
     /// What the law asks of each contact.
@@ -90,7 +84,7 @@ impl<'a> Together<'a> {
     ) -> (Vec<Twist>, Pressed<Speeds>) {
         let mut held = before.to_vec();
         self.joints.hold(&mut held, targets);
-        let pressed = press_or_stop(self, &self.seen(&held), rubs, guess);
+        let pressed = press_or_stop(&self.coupled, &self.seen(&held), rubs, guess);
         let twists = self.moved(&held, &pressed);
         (twists, pressed)
     }
@@ -124,66 +118,5 @@ impl<'a> Together<'a> {
             }
         }
         twists
-    }
-}
-
-impl Answers for Together<'_> {
-    type Motion = Speeds;
-
-    fn speeds(&self, contact: usize, motion: &Speeds) -> [f64; 2] {
-        motion.speeds[contact]
-    }
-
-    fn gives(&self, contact: usize) -> [f64; 3] {
-        let [normal, along] = [&self.gives[2 * contact][contact], &self.gives[2 * contact + 1][contact]];
-        [normal[0], along[1], normal[1]]
-    }
-
-    fn pushed(&self, contact: usize, impulse: Impulse, mut motion: Speeds) -> Speeds {
-        let before = motion.speeds[contact];
-        for (axis, push) in impulse.into_iter().enumerate() {
-            for (speed, gives) in motion.speeds.iter_mut().zip(&self.gives[2 * contact + axis]) {
-                *speed = add(*speed, scale(*gives, push));
-            }
-        }
-        let after = motion.speeds[contact];
-        motion.energy += 0.5 * (0..2).map(|k| impulse[k] * (before[k] + after[k])).sum::<f64>();
-        motion
-    }
-
-    fn energy(&self, motion: &Speeds) -> f64 {
-        motion.energy
-    }
-
-    fn stopped(&self, motion: &Speeds) -> Speeds {
-        Speeds { speeds: vec![[0.0; 2]; motion.speeds.len()], energy: 0.0 }
-    }
-
-    fn along_after(&self, contact: usize, push: f64, motion: &Speeds) -> f64 {
-        motion.speeds[contact][1] + self.gives[2 * contact][contact][1] * push
-    }
-
-    /// Contacts that joints couple strongly need many.
-    fn most_passes(&self, contacts: usize) -> u32 {
-        PASSES / (contacts as u32).max(1)
-    }
-
-    /// It is summed up push by push.
-    fn rounding(&self) -> f64 {
-        ROUNDING
-    }
-
-    /// It is slowed down as a whole, which joints and surfaces bear.
-    fn give_up(&self, before: &Speeds, found: Pressed<Speeds>) -> Pressed<Speeds> {
-        let share = (before.energy / found.motion.energy).sqrt();
-        if !share.is_finite() {
-            return stop(self, before, found.impulses.len());
-        }
-        Pressed { share: share.min(1.0), ..found }
-    }
-
-    fn heaviest(&self) -> f64 {
-        let inverses = self.joints.inertias.iter().flat_map(|of| of.inverse);
-        inverses.filter(|inverse| *inverse > 0.0).map(|inverse| 1.0 / inverse).sum()
     }
 }

@@ -2,8 +2,8 @@
 
 use super::body::{Body, lift};
 use super::inertia::Contact;
-use super::law::Rub;
 use super::motion::Motion;
+use crate::sim::contact::coulomb::Rub;
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::real::Real;
 use crate::sim::solve::root::Root;

@@ -99,6 +99,7 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_torques(&model.position);
         world.warn_of_rounding(&model.position);
         world.warn_of_limits();
+        world.warn_of_single();
         world.warn_of_wind();
         world.warn_of_areas(0);
         world.warn_of_stops(0..u32::MAX, |point| model.position[point.index()]);

@@ -251,6 +251,16 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
+    /// Tells of rigid bodies among obstacles in a world of 32 bits, which is so only where that is asked for.
+    pub(super) fn warn_of_single(&mut self) {
+        let is_single = size_of::<S>() < size_of::<f64>();
+        let is_rigid = |part: &PlanPart| part.solver == Solver::Rigid;
+        if is_single && !self.model.polygons.is_empty() && self.plan.parts.iter().any(is_rigid) {
+            let text = "32 bits do not tell on which side of an obstacle rigid bodies are: they may stick and gain energy: leave out `precision`";
+            self.warnings.push(text.to_owned());
+        }
+    }
+
     pub(super) fn warn_of_limits(&mut self) {
         let is_swept = |part: &&PlanPart| part.solver == Solver::Path && part.kernel.is_empty() && part.bonds > 0;
         let swept: usize = self.plan.parts.iter().filter(is_swept).map(|part| part.bonds).sum();

@@ -1,5 +1,7 @@
 //! Impacts: points that reach a surface get their velocities back from it, at once, bonds and all.
 
+mod bonded;
+
 use crate::sim::account::kinetic;
 use crate::sim::constrain::direct::Direct;
 use crate::sim::contact::Contacts;
@@ -18,9 +20,8 @@ pub(crate) struct Hit {
 /// Velocities after an impact: v_n -> -restitution v_n where points hit, with rigid bonds kept.
 ///
 /// Model: the impulse of least energy that keeps the bonds, gives every hit point its velocity off the surface, and
-/// never pulls; found by leaving out, one by one, the hits that would have to pull. Friction takes at most `friction`
-/// times the change across the surface from the velocity along it. Points that rest already take part: they are not
-/// pushed into their surface.
+/// never pulls. Friction takes at most `friction` times the change across the surface from the velocity along it; of points in
+/// bonds it is found together with what presses. Points that rest already take part: they are not pushed into their surface.
 /// What the impact and its friction take is written into `book`, if there is one.
 /// `gentle(hit, speed)` tells which hits are too slow to bounce: those points come to rest.
 pub(crate) fn strike<S: Real, const D: usize>(
@@ -45,7 +46,7 @@ pub(crate) fn strike<S: Real, const D: usize>(
         }
     }
     match rigid {
-        Some(rigid) => strike_bonded(points, contacts, rigid, &mut targets, &mut pressed),
+        Some(rigid) => bonded::strike_bonded(points, contacts, rigid, &mut targets, &mut pressed),
         None => strike_loose(points, contacts, &mut targets, &mut pressed),
     }
     if let (Some(book), Some(start), Some(pressed)) = (book, start, pressed) {
@@ -196,54 +197,5 @@ fn rub<S: Real, const D: usize>(points: &mut Points<S, D>, contacts: &Contacts<S
             let share = (surface.friction * target.change / speed).min(S::ONE);
             *v = sub(*v, scale(way, share));
         }
-    }
-}
-
-/// With rigid bonds: hits that would have to pull are left out, most of all first, until none is left; so are strings that
-/// would have to push, where events decide which of them act.
-fn strike_bonded<S: Real, const D: usize>(
-    points: &mut Points<S, D>,
-    contacts: &mut Contacts<S, D>,
-    rigid: &mut Direct<S, D>,
-    targets: &mut Vec<Target<S>>,
-    pressed: &mut Option<f64>,
-) {
-    let before = points.velocity.clone();
-    for point in contacts.rests.iter().map(|rest| rest.point as usize).collect::<Vec<_>>() {
-        join_rests(contacts, point, targets);
-    }
-    contacts.clear();
-    loop {
-        points.velocity.copy_from_slice(&before);
-        let mut held = contacts.clone();
-        for target in targets.iter() {
-            give(points, contacts, target);
-            held.touch(target.hit.point, target.hit.surface);
-        }
-        rigid.aim(&points.position);
-        rigid.factor(&held);
-        rigid.project_velocity(points, &held);
-        let mut worst = (S::ZERO, usize::MAX);
-        for (at, target) in targets.iter_mut().enumerate() {
-            let i = target.hit.point;
-            let normal = contacts.obstacles.surfaces[target.hit.surface].normal;
-            target.change = target.target - dot(before[i], normal) - dot(rigid.push_on(i), normal);
-            if target.change < worst.0 {
-                worst = (target.change, at);
-            }
-        }
-        if let Some((push, string)) = rigid.most_wrong()
-            && push < worst.0
-        {
-            rigid.set_taut(string, false);
-            continue;
-        }
-        if worst.1 == usize::MAX {
-            note(points, pressed);
-            rub(points, contacts, targets);
-            rigid.project_velocity(points, &held);
-            return;
-        }
-        targets.remove(worst.1);
     }
 }

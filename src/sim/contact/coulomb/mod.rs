@@ -9,6 +9,8 @@
 //! is limited by the normal impulse of the same moment. Gone through contact by contact (Gauss and Seidel's method) until nothing
 //! changes: of a line of touching points the two ends are enough, so there are few.
 
+pub(crate) mod coupled;
+
 use crate::sim::vector::sub;
 
 /// Most times that all contacts are gone through.
@@ -17,28 +19,30 @@ const MOST_PASSES: u32 = 100;
 const ROUNDING: f64 = 1e-13;
 /// Change of a motion, relative to the fastest, that is none.
 const NOTHING: f64 = 1e-15;
+/// Share of what a contact gives across and along below which both are one direction.
+const REPEATED: f64 = 1e-9;
 /// Operations of a contact that is gone through once, about.
-pub(super) const OF_A_CONTACT: u64 = 40;
+pub(crate) const OF_A_CONTACT: u64 = 40;
 /// Halvings in which the restitution is found that adds no energy.
 const HALVINGS: u32 = 30;
 
 /// Impulses of a contact, along its normal and across it `[kg m/s]`.
-pub(super) type Impulse = [f64; 2];
+pub(crate) type Impulse = [f64; 2];
 
 /// What the law asks of a contact.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rub {
-    pub(super) friction: f64,
+pub(crate) struct Rub {
+    pub(crate) friction: f64,
     /// Share of the speed across that comes back: 0 of what lies there or is slow.
-    pub(super) restitution: f64,
+    pub(crate) restitution: f64,
     /// Which way it slides along (-n_y, n_x) for all of the moment, -1 or 1; 0: friction may hold it.
-    pub(super) slides: f64,
+    pub(crate) slides: f64,
     /// The least speed across afterwards, and the speed along where friction holds it `[m/s]`.
-    pub(super) target: [f64; 2],
+    pub(crate) target: [f64; 2],
 }
 
 /// What impulses at contacts move.
-pub(super) trait Answers: Sized {
+pub(crate) trait Answers: Sized {
     type Motion: Clone;
 
     /// Velocities of a contact, by its number, across and along its surface `[m/s]`.
@@ -82,23 +86,23 @@ pub(super) trait Answers: Sized {
 
 /// What impulses made of a motion.
 #[derive(Clone, Debug)]
-pub(super) struct Pressed<M> {
-    pub(super) motion: M,
+pub(crate) struct Pressed<M> {
+    pub(crate) motion: M,
     /// Of each contact.
-    pub(super) impulses: Vec<Impulse>,
+    pub(crate) impulses: Vec<Impulse>,
     /// What impulses across and along took `[J]`.
-    pub(super) taken: [f64; 2],
+    pub(crate) taken: [f64; 2],
     /// How often all contacts were gone through, and whether nothing changed any more: of what is held on all sides it may go on for ever.
-    pub(super) passes: u32,
-    pub(super) has_converged: bool,
+    pub(crate) passes: u32,
+    pub(crate) has_converged: bool,
     /// The law had no answer: it was stopped.
-    pub(super) is_stopped: bool,
+    pub(crate) is_stopped: bool,
     /// Share of the motion that was left to it, so that it has no more energy than there was.
-    pub(super) share: f64,
+    pub(crate) share: f64,
 }
 
 /// An impact: contacts that close give back what their restitution says, with no more energy than there was.
-pub(super) fn strike<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub]) -> Pressed<A::Motion> {
+pub(crate) fn strike<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub]) -> Pressed<A::Motion> {
     let most = body.energy(before) * (1.0 + body.rounding());
     let mut passes = 0;
     let mut with = |share: f64| {
@@ -133,7 +137,7 @@ pub(super) fn strike<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub]) -> 
 
 /// As [`press`], with no more energy than before and what targets ask for; where what slides on two surfaces at once has no
 /// answer by that law, friction may hold it there, and if that has none either it is stopped.
-pub(super) fn press_or_stop<A: Answers>(
+pub(crate) fn press_or_stop<A: Answers>(
     body: &A,
     before: &A::Motion,
     rubs: &[Rub],
@@ -154,7 +158,7 @@ pub(super) fn press_or_stop<A: Answers>(
 }
 
 /// It stands still.
-pub(super) fn stop<A: Answers>(body: &A, before: &A::Motion, contacts: usize) -> Pressed<A::Motion> {
+pub(crate) fn stop<A: Answers>(body: &A, before: &A::Motion, contacts: usize) -> Pressed<A::Motion> {
     Pressed {
         motion: body.stopped(before),
         impulses: vec![[0.0; 2]; contacts],
@@ -201,24 +205,43 @@ fn press<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub], guess: &[Impuls
     Pressed { motion, impulses, taken, passes, has_converged, is_stopped: false, share: 1.0 }
 }
 
-/// One contact, the others as they are.
+/// One contact, the others as they are: it is free, held or slides.
 fn solve<A: Answers>(body: &A, (contact, rub): (usize, &Rub), old: Impulse, motion: &A::Motion) -> Impulse {
-    let gives = body.gives(contact);
-    if gives[0] <= 0.0 {
+    let [across, along, both] = body.gives(contact);
+    if across <= 0.0 {
         return old;
     }
-    let rubbed = rub.slides * rub.friction;
-    let [normal, _] = body.speeds(contact, motion);
     let [target, hold] = rub.target;
+    let [normal, speed] = body.speeds(contact, motion);
+    let rubbed = rub.slides * rub.friction;
     // Where friction that goes along with what presses lifts the point more than that does, it is held instead (Painlevé).
-    let across = gives[0] - rubbed * gives[2];
-    if rub.slides != 0.0 && across > 0.0 {
-        let push = (old[0] + (target - normal) / across).max(0.0);
+    let eased = across - rubbed * both;
+    if rub.slides != 0.0 && eased > 0.0 {
+        let push = (old[0] + (target - normal) / eased).max(0.0);
         return [push, -rubbed * push];
     }
-    let push = (old[0] + (target - normal) / gives[0]).max(0.0);
-    let along = body.along_after(contact, push - old[0], motion);
+    // What it lacks without an impulse of its own.
+    let lacks = [target - normal + across * old[0] + both * old[1], hold - speed + both * old[0] + along * old[1]];
+    if lacks[0] <= 0.0 {
+        return [0.0; 2];
+    }
+    let held = across * along - both * both;
+    if held > REPEATED * across * along {
+        let stuck = [along * lacks[0] - both * lacks[1], across * lacks[1] - both * lacks[0]].map(|x| x / held);
+        if stuck[0] >= 0.0 && stuck[1].abs() <= rub.friction * stuck[0] {
+            return stuck;
+        }
+        for side in [stuck[1].signum(), -stuck[1].signum()] {
+            let push = lacks[0] / (across + side * rub.friction * both);
+            let slip = (both + side * rub.friction * along) * push - lacks[1];
+            if push >= 0.0 && push.is_finite() && slip * side <= 0.0 {
+                return [push, side * rub.friction * push];
+            }
+        }
+    }
+    let push = (old[0] + (target - normal) / across).max(0.0);
+    let after = body.along_after(contact, push - old[0], motion);
     let most = rub.friction * push;
-    let wanted = if gives[1] > 0.0 { old[1] + (hold - along) / gives[1] } else { 0.0 };
+    let wanted = if along > 0.0 { old[1] + (hold - after) / along } else { 0.0 };
     [push, wanted.clamp(-most, most)]
 }
