@@ -122,3 +122,17 @@ fn bodies_among_obstacles_that_are_asked_to_be_of_32_bits_are_told_that_these_ar
     scene["method"] = json!({});
     assert!(!told(&scene));
 }
+
+#[test]
+fn pins_that_are_led_and_stop_take_what_the_body_had() {
+    for pinned in [vec![0], vec![0, 4]] {
+        let track = |&point: &usize| {
+            let x = 0.2 * point as f64;
+            json!({"point": point, "track": [[0, x, 1], [1, x + 1.0, 1]]})
+        };
+        let scene = json!({"wobble": 1, "gravity": [0, -9.81], "method": {"ledger": true},
+            "bodies": [{"make": "lattice", "columns": 5, "rows": 5, "spacing": 0.2, "pinned": pinned, "origin": [0, 1]}],
+            "pin_motion": pinned.iter().map(track).collect::<Vec<_>>()});
+        go(&format!("{pinned:?}"), &mut *world(&scene), 2.0);
+    }
+}

@@ -45,7 +45,6 @@ use alone::Lone;
 use blueprint::Blueprint;
 use body::{Body, Field, lift};
 use course::{Log, advance};
-use joints::are_led;
 use linkage::{Linkage, Moving};
 use motion::Motion;
 use ties::Ties;
@@ -99,8 +98,8 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
         for linkage in self.linkages.iter() {
             let anchors = linkage.anchors(points);
             let motions = linkage.read(points, &anchors);
-            if let Some(book) = book.as_deref_mut().filter(|_| are_led(&anchors)) {
-                // A pin that changes its velocity passes that on at once.
+            if let Some(book) = book.as_deref_mut().filter(|_| !anchors.is_empty()) {
+                // A pin that changes its velocity, or stops, passes that on at once.
                 book.pins += linkage.energy_of(&motions) - linkage.energy(points);
             }
             let is_reached = linkage.bodies.iter().zip(&motions).any(|(body, motion)| {
