@@ -13,6 +13,7 @@ impl Session {
     /// The camera as the scene opens, or on all points, also when the window gets another size.
     pub(super) fn frame_as(&mut self, framing: Framing) {
         self.framing = framing;
+        self.follows |= framing == Framing::Opening && !opening::followed(&self.scene).is_empty();
         self.framed.begin();
         self.frame_now();
     }
