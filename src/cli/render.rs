@@ -10,8 +10,9 @@ use image::{Delay, Frame, ImageFormat, RgbaImage};
 
 use super::replay::say_notes;
 use super::{progress, values};
+use crate::app::distances;
+use crate::app::opening::{self, Followed};
 use crate::app::player::driven;
-use crate::app::{distances, opening};
 use crate::history::{Companion, Do, Entry, Replay, Start, chunk, distances};
 use crate::output;
 use crate::picture::{Skin, Tint};
@@ -107,6 +108,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let worlds = (1 + scene.beside.len(), arguments.size);
     let tiles = opening::tiles(&alone, &View::of(run.world()), worlds, ([0.0; 2], 0.0));
     let mut own = opening::camera(scene, &View::of(run.world()), tiles.pane(arguments.size));
+    let followed = opening::followed(scene, &View::of(run.world()), tiles.pane(arguments.size));
     let difference_full = distances::full_distance(&alone) as f32;
     let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, .. } = *arguments;
     let overlay = arguments.overlay(scene);
@@ -133,7 +135,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         run.advance(commands, time)?;
         let is_driven =
             commands.iter().any(|entry| entry.at <= time && matches!(entry.act, Do::Key { down: true, .. }));
-        follow(&mut own, run.world(), opening::followed(scene), is_driven);
+        follow(&mut own, run.world(), &followed, is_driven);
         let camera = tiles.whole(&own, arguments.size);
         beside.reach(commands, time);
         let skins = run.skins();
@@ -192,19 +194,19 @@ impl Arguments {
     }
 }
 
-/// The camera goes along with what the scene says, else with what keys drive, as that of the window does once one was pressed.
-fn follow(camera: &mut Camera, world: &dyn Dynamics, said: &[u32], is_driven: bool) {
+/// The camera goes along with what it follows from the start, else with what keys drive, as that of the window does once one was pressed.
+fn follow(camera: &mut Camera, world: &dyn Dynamics, followed: &Followed, is_driven: bool) {
     if world.dimensions() != 2 {
         return;
     }
-    let points = match said {
+    let points = match &followed.points[..] {
         [] if is_driven => driven(world),
-        said => said.iter().copied().map(PointId).collect(),
+        points => points.iter().copied().map(PointId).collect(),
     };
     let positions = world.positions();
     let place =
         |point: PointId| DVec3::new(positions.get(2 * point.index()), positions.get(2 * point.index() + 1), 0.0);
-    opening::follow(camera, points.into_iter().map(place));
+    followed.lead(camera, points.into_iter().map(place));
 }
 
 /// How long trails of points last `[s of wall time]`.

@@ -1,6 +1,7 @@
 //! How a scene opens: its camera.
 
 mod beside;
+mod roaming;
 
 use glam::{DVec2, DVec3};
 
@@ -8,6 +9,7 @@ use crate::render::{Camera, Pose, Tiles, View};
 use crate::scene::{Scene, Vector, ViewKeys};
 
 pub use beside::{Over, beside_all, beside_panels};
+pub use roaming::{Followed, followed};
 
 /// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
 const MADE_FOR: f64 = 16.0 / 9.0;
@@ -29,6 +31,9 @@ const SLIMMEST: f64 = 0.75;
 pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
     let [width, tall] = size.map(f64::from);
     let height = |height: f64, center: DVec2| height_for(height, width / tall, center.x, seen);
+    if roaming::roams(scene, seen, size) {
+        return roaming::camera(scene, seen, size);
+    }
     let camera = look(scene.view.as_ref(), height, seen, size);
     let Pose::Orbit { .. } = camera.pose else { return camera };
     // In space what a narrower picture cuts off is seen from further away.
@@ -311,11 +316,6 @@ pub fn fit_in(view: &View<'_>, free: Free, size: [u32; 2]) -> Camera {
 /// Share of the view about its middle in which what is driven stays.
 const STAY: f64 = 0.4;
 
-/// The points of a scene whose middle its view goes along with.
-pub fn followed(scene: &Scene) -> &[u32] {
-    scene.view.as_ref().and_then(|view| view.follow.as_deref()).unwrap_or_default()
-}
-
 /// The camera goes along with the middle of places, those that are none apart, as far as it leaves the middle of the view; in the plane.
 /// Returns whether it moved.
 pub fn follow(camera: &mut Camera, places: impl Iterator<Item = DVec3>) -> bool {
@@ -546,7 +546,8 @@ mod tests {
         };
         while world.time() < 16.0 {
             let place = |point: &u32| [0, 1].map(|axis| world.positions().get(2 * *point as usize + axis));
-            let places = followed(&scene).iter().map(place).map(|[x, y]| DVec3::new(x, y, 0.0));
+            let places = followed(&scene, &View::of(&*world), USUAL);
+            let places = places.points.iter().map(place).map(|[x, y]| DVec3::new(x, y, 0.0));
             let has_moved = follow(&mut own, places);
             assert!(!has_moved || world.time() > 2.0, "what the view shows at first stays a while");
             assert!(is_whole(&own, &*world), "after {} s", world.time());

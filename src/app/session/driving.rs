@@ -5,7 +5,6 @@ use winit::keyboard::{Key as Pressed, NamedKey};
 
 use super::{Framing, Session};
 use crate::app::keys::taken;
-use crate::app::opening;
 use crate::history::Do;
 use crate::sim::Key;
 
@@ -79,16 +78,20 @@ impl Session {
         if !self.follows || self.pointer.is_dragging() {
             return;
         }
-        let (shown, said) = (self.shown(), opening::followed(&self.scene));
-        let driven = shown.scenery.driven.iter().map(|point| point.index());
-        let points: Vec<usize> = match said {
-            [] => driven.collect(),
-            said => said.iter().map(|&point| point as usize).collect(),
+        // What is in hand would run away from a view that goes along with it.
+        let (shown, followed) = (self.shown(), &self.followed);
+        let is_by_keys = followed.points.is_empty();
+        if !is_by_keys && self.hand.is_busy() {
+            return;
+        }
+        let points: Vec<usize> = match is_by_keys {
+            true => shown.scenery.driven.iter().map(|point| point.index()).collect(),
+            false => followed.points.iter().map(|&point| point as usize).collect(),
         };
         let mut own = self.tiles.own(&self.camera, self.area);
-        if opening::follow(&mut own, points.into_iter().map(|point| shown.place(point).into())) {
-            // Where the scene says it, the view is as it opens still, for a window of another size.
-            let framing = if said.is_empty() { Framing::Free } else { self.framing };
+        if followed.lead(&mut own, points.into_iter().map(|point| shown.place(point).into())) {
+            // Where it does so from the start, the view is as it opens still, for a window of another size.
+            let framing = if is_by_keys { Framing::Free } else { self.framing };
             (self.camera, self.framing) = (self.tiles.whole(&own, self.area), framing);
             self.dirty = true;
         }

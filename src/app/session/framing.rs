@@ -5,7 +5,7 @@ use egui::Rect;
 use super::Session;
 use crate::app::action::Tool;
 use crate::app::framing::{Beside, Framing, Open, Turn, Undocked};
-use crate::app::opening::{self, Over};
+use crate::app::opening::{self, Followed, Over};
 use crate::app::panels::Laid;
 use crate::render::Overlay;
 
@@ -13,9 +13,9 @@ impl Session {
     /// The camera as the scene opens, or on all points, also when the window gets another size.
     pub(super) fn frame_as(&mut self, framing: Framing) {
         self.framing = framing;
-        self.follows |= framing == Framing::Opening && !opening::followed(&self.scene).is_empty();
         self.framed.begin();
         self.frame_now();
+        self.follows |= framing == Framing::Opening && !self.followed.points.is_empty();
     }
 
     fn frame_now(&mut self) {
@@ -40,6 +40,11 @@ impl Session {
                 own
             }
         };
+        if self.framing == Framing::Opening {
+            let is_saved = self.player.start().recording().view.is_some();
+            let followed = opening::followed(&self.scene, &view, pane);
+            self.followed = if is_saved && !followed.is_said() { Followed::default() } else { followed };
+        }
         self.camera = self.tiles.whole(&own, self.area);
     }
 
