@@ -90,8 +90,7 @@ impl Session {
         if !self.ways.wait_for(open, tool) || taken == self.ways.taken {
             return;
         }
-        let over = Over { corner: None, ..self.over };
-        let (view, free) = (self.player.shown().view(), (self.free, over));
+        let (view, free) = (self.player.shown().view(), (self.free, self.over));
         let look = |before| opening::beside_panels(before, &view, free, &taken);
         let (beside, camera) = Beside::of(self.ways.beside, self.camera, look);
         (self.ways.beside, self.ways.taken, self.camera) = (Some(beside), taken, camera);
