@@ -47,9 +47,9 @@ struct Side {
 struct Net {
     /// Sides in the order of their ends, the lower of which comes first.
     sides: Vec<Side>,
-    /// Where the neighbours of each point begin, and those, ascending.
+    /// Where the neighbours of each point begin, and those, ascending, each with the place of the side to it.
     starts: Vec<usize>,
-    neighbors: Vec<u32>,
+    neighbors: Vec<(u32, u32)>,
     cells: Vec<[u32; 3]>,
     /// Points at bonds that would have three cells.
     crowded: Vec<u32>,
@@ -67,35 +67,39 @@ impl Net {
             .collect();
         sides.sort_by_key(|side| side.ends);
         sides.dedup_by_key(|side| side.ends);
-        let mut ways: Vec<[u32; 2]> = sides.iter().flat_map(|Side { ends: [a, b], .. }| [[*a, *b], [*b, *a]]).collect();
+        let mut ways: Vec<(u32, u32, u32)> = (0..)
+            .zip(&sides)
+            .flat_map(|(place, Side { ends: [a, b], .. })| [(*a, *b, place), (*b, *a, place)])
+            .collect();
         ways.sort_unstable();
         let mut starts = vec![0; is_bare.len() + 1];
-        ways.iter().for_each(|[from, _]| starts[*from as usize + 1] += 1);
+        ways.iter().for_each(|(from, ..)| starts[*from as usize + 1] += 1);
         (1..starts.len()).for_each(|point| starts[point] += starts[point - 1]);
-        let neighbors = ways.iter().map(|[_, to]| *to).collect();
+        let neighbors = ways.iter().map(|(_, to, place)| (*to, *place)).collect();
         Net { sides, starts, neighbors, cells: Vec::new(), crowded: Vec::new() }
     }
 
-    fn neighbors(&self, point: u32) -> &[u32] {
+    fn neighbors(&self, point: u32) -> &[(u32, u32)] {
         &self.neighbors[self.starts[point as usize]..self.starts[point as usize + 1]]
     }
 
     /// The place of the bond between two points.
     fn side(&self, a: u32, b: u32) -> Option<usize> {
-        self.sides.binary_search_by_key(&[a.min(b), a.max(b)], |side| side.ends).ok()
+        let [(few, to), (many, from)] = [(self.neighbors(a), b), (self.neighbors(b), a)];
+        let (list, wanted) = if few.len() < many.len() { (few, to) } else { (many, from) };
+        list.binary_search_by_key(&wanted, |(to, _)| *to).ok().map(|at| list[at].1 as usize)
     }
 
     /// Takes the triangles of bonds, smaller ones first.
     fn take_triangles(&mut self) {
         let mut found: Vec<(f64, [u32; 3])> = Vec::new();
         for (place, side) in self.sides.iter().enumerate() {
+            let [a, b] = side.ends;
             let [one, other] = side.ends.map(|end| self.neighbors(end));
-            let (few, many) = if one.len() < other.len() { (one, other) } else { (other, one) };
+            let few = if one.len() < other.len() { one } else { other };
             // Each triangle is met at its first side, whose third corner comes last.
-            let third = few.iter().filter(|&&corner| corner > side.ends[1] && many.binary_search(&corner).is_ok());
-            found.extend(
-                third.filter_map(|&corner| Some((self.area(place, corner)?, [side.ends[0], side.ends[1], corner]))),
-            );
+            let third = few.iter().map(|(corner, _)| *corner).filter(|corner| *corner > b);
+            found.extend(third.filter_map(|corner| Some((self.area(place, corner)?, [a, b, corner]))));
         }
         found.sort_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
         for (_, corners) in found {
@@ -103,13 +107,13 @@ impl Net {
         }
     }
 
-    /// Lengths at rest between the ends of a side and a point that is bonded to both `[m]`.
+    /// Lengths at rest between the ends of a side and a point `[m]`; `None`: it is not bonded to both.
     fn rests(&self, place: usize, corner: u32) -> Option<[f64; 2]> {
         let [a, b] = self.sides[place].ends;
         Some([self.sides[self.side(a, corner)?].rest, self.sides[self.side(b, corner)?].rest])
     }
 
-    /// The area of a triangle at rest `[m²]`; `None`: it is too slim for a cell.
+    /// The area of a triangle at rest `[m²]`; `None`: it is none, or too slim for a cell.
     fn area(&self, place: usize, corner: u32) -> Option<f64> {
         let (base, [from_a, from_b]) = (self.sides[place].rest, self.rests(place, corner)?);
         let area = 0.5 * base * apex(base, [from_a, from_b])[1];
@@ -126,15 +130,19 @@ impl Net {
         let covers = |(place, third): &(usize, u32)| {
             self.sides[*place].beside.iter().any(|&other| self.is_on_one_side(*place, [other, *third]))
         };
-        if sides.iter().any(covers) {
-            return;
+        if !sides.iter().any(covers) && self.take_sides(&sides, a) {
+            self.cells.push([a, b, c]);
         }
-        if sides.iter().any(|(place, _)| self.sides[*place].beside.len() > 1) {
-            self.crowded.push(a);
-            return;
+    }
+
+    /// Gives sides a cell more, with these third corners; where one has two, `corner` is at a bond that would have three.
+    fn take_sides(&mut self, sides: &[(usize, u32)], corner: u32) -> bool {
+        let has_room = sides.iter().all(|(place, _)| self.sides[*place].beside.len() < 2);
+        match has_room {
+            true => sides.iter().for_each(|(place, third)| self.sides[*place].beside.push(*third)),
+            false => self.crowded.push(corner),
         }
-        sides.iter().for_each(|(place, third)| self.sides[*place].beside.push(*third));
-        self.cells.push([a, b, c]);
+        has_room
     }
 
     /// Whether two points that are bonded to both ends of a side lie on one side of it, by the length of the bond between them.
@@ -142,7 +150,7 @@ impl Net {
         let base = self.sides[place].rest;
         let (Some(between), Some(of_p), Some(of_q)) = (self.side(p, q), self.rests(place, p), self.rests(place, q))
         else {
-            return p == q;
+            return false;
         };
         let ([x, y], [u, v]) = (apex(base, of_p), apex(base, of_q));
         let rest = self.sides[between].rest;
@@ -151,10 +159,25 @@ impl Net {
 
     /// Takes the rings of four bonds that have no diagonal and no triangle beside them.
     fn take_quads(&mut self) {
+        let found = self.rings();
+        for [a, b, c, d] in found {
+            let sides = [([a, b], c), ([b, c], d), ([c, d], a), ([d, a], b)];
+            let sides: Vec<(usize, u32)> =
+                sides.iter().filter_map(|&([from, to], third)| Some((self.side(from, to)?, third))).collect();
+            if self.take_sides(&sides, a) {
+                self.cells.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+    }
+
+    /// Rings of four bonds without a diagonal and without triangles beside them, each once.
+    fn rings(&self) -> Vec<[u32; 4]> {
         // Pairs of points with a neighbour that both have: two such neighbours close a ring.
         let mut wedges: Vec<([u32; 2], u32)> = Vec::new();
+        let is_free = |(to, place): &(u32, u32)| self.sides[*place as usize].beside.is_empty().then_some(*to);
         for middle in 0..self.starts.len() as u32 - 1 {
-            let around = self.neighbors(middle);
+            let around: Vec<u32> =
+                self.neighbors(middle).iter().filter_map(is_free).take(MOST_AT_A_POINT + 1).collect();
             if around.len() > MOST_AT_A_POINT {
                 continue;
             }
@@ -173,21 +196,7 @@ impl Net {
             }
         }
         found.sort_unstable();
-        let has_triangle: Vec<bool> = self.sides.iter().map(|side| !side.beside.is_empty()).collect();
-        for [a, b, c, d] in found {
-            let sides = [([a, b], c), ([b, c], d), ([c, d], a), ([d, a], b)];
-            let places: Vec<(usize, u32)> =
-                sides.iter().filter_map(|&([from, to], third)| Some((self.side(from, to)?, third))).collect();
-            if places.iter().any(|(place, _)| has_triangle[*place]) {
-                continue;
-            }
-            if places.iter().any(|(place, _)| self.sides[*place].beside.len() > 1) {
-                self.crowded.push(a);
-                continue;
-            }
-            places.iter().for_each(|(place, third)| self.sides[*place].beside.push(*third));
-            self.cells.extend([[a, b, c], [a, c, d]]);
-        }
+        found
     }
 }
 
