@@ -15,7 +15,6 @@ impl Session {
         self.framing = framing;
         self.framed.begin();
         self.frame_now();
-        self.follows |= framing == Framing::Opening && !self.followed.points.is_empty();
     }
 
     fn frame_now(&mut self) {
@@ -44,6 +43,7 @@ impl Session {
             let is_saved = self.player.start().recording().view.is_some();
             let followed = opening::followed(&self.scene, &view, pane);
             self.followed = if is_saved && !followed.is_said() { Followed::default() } else { followed };
+            self.follows = !self.followed.points.is_empty() || !self.driving.is_empty();
         }
         self.camera = self.tiles.whole(&own, self.area);
     }
