@@ -39,7 +39,8 @@ use shade::{Shade, shades};
 #[repr(C)]
 struct Primitive {
     /// Of a fill the corners of two triangles, of a side its ends with those before and after, then whether it may be an arc, 0 or 1, and
-    /// nothing; of a bond the second and the third are its ends. Of a limb two points for each end, then the bits of its larger radius `[m]` and what [`packed`] makes.
+    /// nothing; of a bond the second and the third are its ends. Of a limb two points for each end, then the bits of its larger radius
+    /// `[m]` and what [`packed`] makes.
     points: [u32; 6],
     /// The kind in the upper eight bits, then red, green, blue.
     ink: u32,
