@@ -1,9 +1,10 @@
-// Fills: bodies without a picture. Primitives of seven kinds in the order that they are drawn in: a soft shadow about what is covered,
-// that, bonds within it that are no side of a triangle, and its outline; of figures of limbs rim and flesh of round strokes in place
+// Fills: bodies without a picture. Primitives of eight kinds in the order that they are drawn in: cells of nets, a soft shadow about what is
+// covered, that, bonds within it that are no side of a triangle, and its outline; of figures of limbs rim and flesh of round strokes in place
 // of outlines, and below them what is covered, seen only where bonds are shown through it.
 
 struct Primitive {
-    // Of a fill the corners of two triangles; of a side its ends in the middle, those before and after beside them. Of a limb two points
+    // Of a fill the corners of two triangles; of a side its ends in the middle, those before and after beside them, then 1 where it may
+    // be an arc. Of a limb two points
     // for each end, then the bits of its larger radius [m], and ten each: shares of the ways between those, lesser radius by the larger.
     points: array<u32, 6>,
     // The kind in the upper eight bits, then red, green, blue.
@@ -21,6 +22,7 @@ const INNER: u32 = 3u;
 const FLESH: u32 = 4u;
 const SKIN: u32 = 5u;
 const UNDER: u32 = 6u;
+const CELL: u32 = 7u;
 
 struct Fill {
     @builtin(position) position: vec4<f32>,
@@ -28,7 +30,7 @@ struct Fill {
     @location(1) @interpolate(flat) color: vec4<f32>,
     // As of a stroke, then the kind.
     @location(2) @interpolate(flat) size: vec3<f32>,
-    // In a triangle: shares of its corners. In a shadow the first is its strength.
+    // In a triangle: shares of its corners. In a shadow the first is its strength, in an outline how far its arc bulges out [px].
     @location(3) share: vec3<f32>,
     // Normal, and strain or distance.
     @location(4) shade: vec4<f32>,
@@ -46,7 +48,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     var out: Fill;
     out.color = vec4(color_of(primitive.ink), 1.0);
     out.size.z = f32(kind);
-    if kind == FILL || kind == UNDER {
+    if kind == FILL || kind == UNDER || kind == CELL {
         let point = primitive.points[corner];
         let place = position_of(point);
         let is_hidden = kind == UNDER && !(frame.fill_opacity < 1.0);
@@ -67,13 +69,62 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     let b = position_of(primitive.points[2]);
     if kind == OUTLINE || kind == INNER {
         let width = select(frame.fill_outline, max(0.8 * frame.outline_width, 1.0), kind == INNER);
-        let side = stroke(corner, a, b, out.color, width);
+        var high = 0.0;
+        if DIMENSIONS == 2u && kind == OUTLINE && primitive.points[4] == 1u {
+            high = bulge(a, b, position_of(primitive.points[0]), position_of(primitive.points[3]));
+        }
+        let side = stroke(corner, a, b, out.color, width + 2.0 * high);
         out.position = side.position;
         out.line = side.line;
-        out.size = vec3(side.size, f32(kind));
+        out.size = vec3(side.size.x, 0.5 * width, f32(kind));
+        out.share = vec3(high, 0.0, 0.0);
+        if MAPS && is_set(frame.strain_scale, a.x) {
+            out.shade = shades[primitive.points[select(1u, 2u, corner_of(corner).x > 0.0)]];
+        }
+        if MAPS && is_set(frame.difference_scale, a.x) {
+            out.shade.w = values[primitive.points[select(1u, 2u, corner_of(corner).x > 0.0)]];
+        }
         return out;
     }
     return shadow(out, corner, a, b, position_of(primitive.points[0]), position_of(primitive.points[3]));
+}
+
+// Turns of an outline from one side to the next up to which it is round, and from which on it has a corner [rad]: those of a regular polygon
+// of ten sides, and of one of eight, which is one.
+const ROUND: vec2<f32> = vec2(0.65, 0.75);
+// Ratio of two turns, and of two sides, from which on they begin to be alike, and are.
+const ALIKE: vec2<f32> = vec2(0.35, 0.65);
+// A bulge that is not seen [px].
+const FLAT: f32 = 0.05;
+
+// How far a side of an outline bulges out [px]: as the circle does that it turns along, where both turns at its ends are alike and no corners.
+// At a polygon of ten sides that is a twelfth of a side.
+fn bulge(a: vec3<f32>, b: vec3<f32>, before: vec3<f32>, after: vec3<f32>) -> f32 {
+    let sides = array(a.xy - before.xy, b.xy - a.xy, after.xy - b.xy);
+    let long = vec3(length(sides[0]), length(sides[1]), length(sides[2]));
+    let shortest = min(min(long.x, long.y), long.z);
+    let longest = max(max(long.x, long.y), long.z);
+    if !(shortest > ALIKE.x * longest) {
+        return 0.0;
+    }
+    let turns = vec2(turn(sides[0], sides[1]), turn(sides[1], sides[2]));
+    let least = min(turns.x, turns.y);
+    let most = max(turns.x, turns.y);
+    if !(least > 0.0 && most < ROUND.y) {
+        return 0.0;
+    }
+    let is_round = smoothstep(ALIKE.x, ALIKE.y, shortest / longest) * smoothstep(ALIKE.x, ALIKE.y, least / most)
+        * (1.0 - smoothstep(ROUND.x, ROUND.y, most));
+    // The angle between a side of a circle and its tangent is half of a turn.
+    let angle = 0.25 * (turns.x + turns.y) * is_round;
+    let metre = abs(0.5 * frame.clip_from_world[1].y * frame.viewport.y);
+    let high = 0.5 * long.y * tan(0.5 * angle) * metre;
+    return select(0.0, high, high > FLAT);
+}
+
+// From one side of an outline to the next [rad], to the left.
+fn turn(side: vec2<f32>, next: vec2<f32>) -> f32 {
+    return atan2(side.x * next.y - side.y * next.x, dot(side, next));
 }
 
 // An end of a limb so thick [m], where it lies on a wall that its point may touch: what is drawn of it does not dip into that.
@@ -152,6 +203,8 @@ const ROOM: vec2<f32> = vec2(7.0, 22.0);
 const LIGHT: vec3<f32> = vec3(0.34, 0.82, 0.46);
 const BRIGHT: vec2<f32> = vec2(0.36, 1.22);
 const ASIDE: f32 = 0.7;
+// How much a cell of a net covers: its bonds, and what lies behind it, are seen as well, and strains are told apart.
+const CELL_OPACITY: vec2<f32> = vec2(0.4, 0.55);
 // The other side of a surface, beside the one that is seen from where its normal points.
 const REVERSE: vec3<f32> = vec3(0.78, 0.82, 0.92);
 
@@ -174,6 +227,18 @@ fn round_color(in: Fill, color: vec3<f32>) -> vec4<f32> {
         off = length(place - vec2(0.0, long)) - radii.y;
     }
     return fogged(vec4(color, clamp(0.5 - off, 0.0, 1.0)), in.position.w);
+}
+
+// What a body is filled with: its colour, or that of what is shown in place of it.
+fn flesh_color(in: Fill) -> vec3<f32> {
+    var color = mix(frame.ground.rgb, in.color.rgb, 0.8);
+    if MAPS && is_set(frame.strain_scale, in.position.x) {
+        color = strain_color(in.shade.w).rgb;
+    }
+    if MAPS && is_set(frame.difference_scale, in.position.x) {
+        color = difference_color(in.shade.w).rgb;
+    }
+    return color;
 }
 
 // What is no triangle: each way to draw is taken once, for a driver without a GPU takes all of them for every pixel.
@@ -200,8 +265,37 @@ fn line_color(in: Fill, kind: u32) -> vec4<f32> {
     let is_inner = kind == INNER;
     let room = select(1.0, smoothstep(ROOM.x, ROOM.y, 0.7 * in.size.x) * frame.fill_opacity, is_inner);
     let color = select(vec4(own, 1.0), vec4(0.0, 0.0, 0.0, 1.6 * LINES), is_inner);
+    if DIMENSIONS == 2u && kind == OUTLINE && in.share.x > 0.0 {
+        return arc_color(in, own);
+    }
     let line = stroke_color(Stroke(in.position, in.line, color, in.size.xy));
     return vec4(line.rgb, line.a * room);
+}
+
+// How far what fills an arc lies over what is filled beside it, whose sides are darker [px].
+const LAP: f32 = 1.5;
+
+// A side of an outline that is an arc, and what is covered between it and the straight line.
+fn arc_color(in: Fill, rim: vec3<f32>) -> vec4<f32> {
+    let half = 0.5 * in.size.x;
+    let high = in.share.x;
+    let outward = vec2(-in.line.w, in.line.z);
+    let at = in.position.xy - in.line.xy;
+    // From the middle of the straight line: along it, and away from what is covered.
+    let place = vec2(dot(at, in.line.zw) - half, dot(at, outward));
+    let radius = 0.5 * (half * half / high + high);
+    let spoke = place + vec2(0.0, radius - high);
+    let far = max(length(spoke), 1e-6);
+    let is_beside = abs(spoke.x) * (radius - high) <= spoke.y * half;
+    let end = vec2(sign(place.x) * half, 0.0);
+    // Never 0, as of a stroke.
+    let off = select(place - end, spoke / far * (far - radius), is_beside) + vec2(0.0, 1e-5);
+    let line = coverage(in.line.zw * off.x + outward * off.y, in.size.y);
+    let lap = select(0.0, LAP, frame.fill_opacity >= 1.0);
+    let is_filled = place.y >= -lap && abs(place.x) <= half;
+    let filled = select(0.0, clamp(0.5 - (far - radius), 0.0, 1.0) * frame.fill_opacity, is_filled);
+    let opacity = line + filled * (1.0 - line);
+    return vec4(mix(flesh_color(in), rim, line / max(opacity, 1e-6)), opacity);
 }
 
 @fragment
@@ -209,15 +303,13 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
     let steps = max(fwidth(in.share), vec3(1e-6));
     let kind = u32(in.size.z + 0.5);
     // In space triangles are drawn by themselves: they alone write their depth.
-    if PART != 1u && kind != FILL && kind != UNDER {
+    if PART != 1u && kind != FILL && kind != UNDER && kind != CELL {
         return line_color(in, kind);
     }
-    var color = mix(frame.ground.rgb, in.color.rgb, 0.8);
-    if MAPS && is_set(frame.strain_scale, in.position.x) {
-        color = strain_color(in.shade.w).rgb;
-    }
-    if MAPS && is_set(frame.difference_scale, in.position.x) {
-        color = difference_color(in.shade.w).rgb;
+    var color = flesh_color(in);
+    if DIMENSIONS == 2u && kind == CELL {
+        let is_map = (frame.strain_scale > 0.0) | (frame.difference_scale > 0.0);
+        return vec4(color, frame.fill_opacity * select(CELL_OPACITY.x, CELL_OPACITY.y, is_map));
     }
     if DIMENSIONS == 3u {
         let length = length(in.shade.xyz);

@@ -10,8 +10,9 @@ use image::{Delay, Frame, ImageFormat, RgbaImage};
 
 use super::replay::say_notes;
 use super::{progress, values};
+use crate::app::distances;
+use crate::app::opening::{self, Followed};
 use crate::app::player::driven;
-use crate::app::{distances, opening};
 use crate::history::{Companion, Do, Entry, Replay, Start, chunk, distances};
 use crate::output;
 use crate::picture::{Skin, Tint};
@@ -107,7 +108,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let worlds = (1 + scene.beside.len(), arguments.size);
     let tiles = opening::tiles(&alone, &View::of(run.world()), worlds, ([0.0; 2], 0.0));
     let mut own = opening::camera(scene, &View::of(run.world()), tiles.pane(arguments.size));
-    let mut camera = tiles.whole(&own, arguments.size);
+    let followed = opening::followed(scene, &View::of(run.world()), tiles.pane(arguments.size));
     let difference_full = distances::full_distance(&alone) as f32;
     let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, .. } = *arguments;
     let overlay = arguments.overlay(scene);
@@ -132,10 +133,10 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     for index in 0..count {
         let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
         run.advance(commands, time)?;
-        if commands.iter().any(|entry| entry.at <= time && matches!(entry.act, Do::Key { down: true, .. })) {
-            follow(&mut own, run.world());
-            camera = tiles.whole(&own, arguments.size);
-        }
+        let is_driven =
+            commands.iter().any(|entry| entry.at <= time && matches!(entry.act, Do::Key { down: true, .. }));
+        follow(&mut own, run.world(), &followed, is_driven);
+        let camera = tiles.whole(&own, arguments.size);
         beside.reach(commands, time);
         let skins = run.skins();
         let main = Moment::of(run.world(), (&skins, run.tints()), time, &mut trails);
@@ -193,14 +194,19 @@ impl Arguments {
     }
 }
 
-/// The camera goes along with what keys drive, as that of the window does once one was pressed.
-fn follow(camera: &mut Camera, world: &dyn Dynamics) {
-    let (positions, driven) = (world.positions(), driven(world));
+/// The camera goes along with what it follows from the start, else with what keys drive, as that of the window does once one was pressed.
+fn follow(camera: &mut Camera, world: &dyn Dynamics, followed: &Followed, is_driven: bool) {
+    if world.dimensions() != 2 {
+        return;
+    }
+    let points = match &followed.points[..] {
+        [] if is_driven => driven(world),
+        points => points.iter().copied().map(PointId).collect(),
+    };
+    let positions = world.positions();
     let place =
         |point: PointId| DVec3::new(positions.get(2 * point.index()), positions.get(2 * point.index() + 1), 0.0);
-    if world.dimensions() == 2 && !driven.is_empty() {
-        opening::follow(camera, driven.into_iter().map(place));
-    }
+    followed.lead(camera, points.into_iter().map(place));
 }
 
 /// How long trails of points last `[s of wall time]`.

@@ -549,7 +549,15 @@ fn surfaces_method_times_and_view() {
             ("\"samples\": [1,0.5]", "samples[1]: 0.5 comes after 1.0: sort the times upwards"),
             (
                 "\"view\": { \"target\": [0,0] }",
-                "view.target: is no key of a view in the plane: its keys are `center` or `height`",
+                "view.target: is no key of a view in the plane: its keys are `center`, `height` or `follow`",
+            ),
+            (
+                "\"view\": { \"center\": [0,0], \"height\": 1, \"follow\": [] }",
+                "view.follow: has no point: name one, or leave it out",
+            ),
+            (
+                "\"view\": { \"center\": [0,0], \"height\": 1, \"follow\": [0,9] }",
+                "view.follow[1]: point 9 does not exist: there are 2 points, so use 0 to 1",
             ),
             ("\"view\": { \"center\": [0,0] }", "view: a view in the plane needs `height`: add it"),
             ("\"view\": { \"center\": [0,0], \"height\": 0 }", "view.height: is 0.0: give a number above 0"),

@@ -165,6 +165,23 @@ mod tests {
     }
 
     #[test]
+    fn what_makes_way_for_a_panel_does_not_go_below_what_is_in_the_corner() {
+        let text = r#"{"wobble": 1, "points": {"position": [[-3, 0], [-3, 3], [3, 0], [3, 3]]},
+            "view": {"center": [0, 1.2], "height": 4.8}}"#;
+        let scene = Scene::parse(text, "x.json").unwrap();
+        let world = scene.world(None).unwrap();
+        let view = View::of(&*world);
+        let (before, free) = (camera(&scene, &view, [640, 720]), [[70.0, 90.0], [630.0, 440.0]]);
+        let plots = [0.0, 440.0, 640.0, 720.0];
+        for (corner, is_clear) in [(None, false), (Some([490.0, 210.0]), true)] {
+            let after = beside_panels(before, &view, (free, Over { corner, column: None }), &[plots]);
+            let at = [3.0, 0.0].map(|y| after.screen_from_world(DVec3::new(3.0, y, 0.0)).unwrap());
+            assert_eq!(at[0][1] > 210.0, is_clear, "{at:?}");
+            assert!(at[0][0] > 490.0 && at[0][0] < 630.0 && at[1][1] < 440.0, "{at:?}");
+        }
+    }
+
+    #[test]
     fn points_do_not_lie_below_what_belongs_to_a_tool_nor_at_an_edge() {
         let text = |x: f64| format!(r#"{{"wobble": 1, "points": {{"position": [[-4, -3], [{x}, -3]]}}}}"#);
         let (size, free) = ([1000, 600], [[80.0, 60.0], [990.0, 570.0]]);

@@ -1,6 +1,7 @@
 //! How a scene opens: its camera.
 
 mod beside;
+mod roaming;
 
 use glam::{DVec2, DVec3};
 
@@ -8,6 +9,7 @@ use crate::render::{Camera, Pose, Tiles, View};
 use crate::scene::{Scene, Vector, ViewKeys};
 
 pub use beside::{Over, beside_all, beside_panels};
+pub use roaming::{Followed, followed};
 
 /// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
 const MADE_FOR: f64 = 16.0 / 9.0;
@@ -29,6 +31,9 @@ const SLIMMEST: f64 = 0.75;
 pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
     let [width, tall] = size.map(f64::from);
     let height = |height: f64, center: DVec2| height_for(height, width / tall, center.x, seen);
+    if roaming::roams(scene, seen, size) {
+        return roaming::camera(scene, seen, size);
+    }
     let camera = look(scene.view.as_ref(), height, seen, size);
     let Pose::Orbit { .. } = camera.pose else { return camera };
     // In space what a narrower picture cuts off is seen from further away.
@@ -311,10 +316,13 @@ pub fn fit_in(view: &View<'_>, free: Free, size: [u32; 2]) -> Camera {
 /// Share of the view about its middle in which what is driven stays.
 const STAY: f64 = 0.4;
 
-/// The camera goes along with what is driven, as far as it leaves the middle of the view; in the plane. Returns whether it moved.
-pub fn follow(camera: &mut Camera, driven: impl ExactSizeIterator<Item = DVec3>) -> bool {
-    let (Pose::Plane { .. }, count) = (camera.pose, driven.len()) else { return false };
-    let middle = driven.sum::<DVec3>() / count as f64;
+/// The camera goes along with the middle of places, those that are none apart, as far as it leaves the middle of the view; in the plane.
+/// Returns whether it moved.
+pub fn follow(camera: &mut Camera, places: impl Iterator<Item = DVec3>) -> bool {
+    let Pose::Plane { .. } = camera.pose else { return false };
+    let there = places.filter(|place| place.is_finite());
+    let (sum, count) = there.fold((DVec3::ZERO, 0), |(sum, count), place| (sum + place, count + 1));
+    let middle = sum / f64::from(count);
     let Some(at) = camera.screen_from_world(middle).filter(|at| at.iter().all(|x| x.is_finite())) else {
         return false;
     };
@@ -522,6 +530,31 @@ mod tests {
         let [x, y] = camera.screen_from_world(DVec3::new(6.0, 0.0, 0.0)).unwrap();
         assert!((x - 700.0).abs() < 1e-9 && (y - 250.0).abs() < 1e-9, "{x} {y} px");
         assert!(!follow(&mut camera, [].into_iter()) && !follow(&mut camera, at(f64::NAN)));
+        let of_two = [f64::NAN, 7.0].map(|x| DVec3::new(x, 0.0, 0.0));
+        assert!(follow(&mut camera, of_two.into_iter()), "one of them is gone");
+    }
+
+    #[test]
+    fn what_crawls_stays_in_a_view_that_follows_it() {
+        let scene = crate::scene::gallery().iter().find(|entry| entry.name == "snake").unwrap().scene().unwrap();
+        let mut world = scene.world(None).unwrap();
+        let mut own = camera(&scene, &View::of(&*world), USUAL);
+        let opened = own;
+        let is_whole = |camera: &Camera, world: &dyn crate::sim::Dynamics| {
+            let [low, high] = on_screen(camera, &View::of(world));
+            (0..2).all(|axis| low[axis] > 0.0 && high[axis] < f64::from(USUAL[axis]))
+        };
+        while world.time() < 16.0 {
+            let place = |point: &u32| [0, 1].map(|axis| world.positions().get(2 * *point as usize + axis));
+            let places = followed(&scene, &View::of(&*world), USUAL);
+            let places = places.points.iter().map(place).map(|[x, y]| DVec3::new(x, y, 0.0));
+            let has_moved = follow(&mut own, places);
+            assert!(!has_moved || world.time() > 2.0, "what the view shows at first stays a while");
+            assert!(is_whole(&own, &*world), "after {} s", world.time());
+            world.step();
+        }
+        assert!(!is_whole(&opened, &*world), "it is far from where it began");
+        assert_eq!(own.height(), opened.height());
     }
 
     #[test]

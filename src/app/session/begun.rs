@@ -9,7 +9,7 @@ use super::{Framing, LEAST_PIN, Leaving, Lost, Session, Shelf};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::keys::{Down, Held};
 use crate::app::meter::Meter;
-use crate::app::opening::Over;
+use crate::app::opening::{Followed, Over};
 use crate::app::panels::{PanelState, listen, theme};
 use crate::app::player::{Figures, Player};
 use crate::app::pointer::Pointer;
@@ -70,6 +70,7 @@ impl Session {
             down: Down::default(),
             driving: Vec::new(),
             follows: false,
+            followed: Followed::default(),
             rewinds: false,
             gone_by: None,
             pushes: false,

@@ -136,7 +136,7 @@ impl Session {
         self.plot_anew();
         self.frame_as(Framing::Opening);
         if let Some(camera) = self.looks_again.take() {
-            (self.camera, self.framing) = (camera, Framing::Free);
+            (self.camera, self.framing, self.follows) = (camera, Framing::Free, false);
             self.camera.resize(self.area);
         }
         self.take_base();

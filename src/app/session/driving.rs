@@ -1,12 +1,10 @@
 //! The keys that drives of the scene have, and the camera that follows what they drive.
 
-use glam::DVec3;
 use winit::event::{ElementState, KeyEvent};
 use winit::keyboard::{Key as Pressed, NamedKey};
 
 use super::{Framing, Session};
 use crate::app::keys::taken;
-use crate::app::opening;
 use crate::history::Do;
 use crate::sim::Key;
 
@@ -75,17 +73,26 @@ impl Session {
         self.shown().scenery.keys.iter().map(|key| (*key, is_held(key))).collect()
     }
 
-    /// The camera goes along with what keys drive, once one was pressed and as long as nobody leads it elsewhere.
+    /// The camera goes along with what the scene says, or with what keys drive once one was pressed, as long as nobody leads it elsewhere.
     pub(super) fn follow_driven(&mut self) {
-        let driven = &self.shown().scenery.driven;
-        if driven.is_empty() || !self.follows || self.pointer.is_dragging() {
+        if !self.follows || self.pointer.is_dragging() {
             return;
         }
-        let places: Vec<DVec3> = driven.iter().map(|point| self.shown().place(point.index()).into()).collect();
+        // What is in hand would run away from a view that goes along with it.
+        let (shown, followed) = (self.shown(), &self.followed);
+        let is_by_keys = followed.points.is_empty();
+        if !is_by_keys && self.hand.is_busy() {
+            return;
+        }
+        let points: Vec<usize> = match is_by_keys {
+            true => shown.scenery.driven.iter().map(|point| point.index()).collect(),
+            false => followed.points.iter().map(|&point| point as usize).collect(),
+        };
         let mut own = self.tiles.own(&self.camera, self.area);
-        if opening::follow(&mut own, places.into_iter()) {
-            self.camera = self.tiles.whole(&own, self.area);
-            self.framing = Framing::Free;
+        if followed.lead(&mut own, points.into_iter().map(|point| shown.place(point).into())) {
+            // Where it does so from the start, the view is as it opens still, for a window of another size.
+            let framing = if is_by_keys { Framing::Free } else { self.framing };
+            (self.camera, self.framing) = (self.tiles.whole(&own, self.area), framing);
             self.dirty = true;
         }
     }

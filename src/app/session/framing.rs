@@ -5,7 +5,7 @@ use egui::Rect;
 use super::Session;
 use crate::app::action::Tool;
 use crate::app::framing::{Beside, Framing, Open, Turn, Undocked};
-use crate::app::opening::{self, Over};
+use crate::app::opening::{self, Followed, Over};
 use crate::app::panels::Laid;
 use crate::render::Overlay;
 
@@ -39,6 +39,12 @@ impl Session {
                 own
             }
         };
+        if self.framing == Framing::Opening {
+            let is_saved = self.player.start().recording().view.is_some();
+            let followed = opening::followed(&self.scene, &view, pane);
+            self.followed = if is_saved && !followed.is_said() { Followed::default() } else { followed };
+            self.follows = !self.followed.points.is_empty() || !self.driving.is_empty();
+        }
         self.camera = self.tiles.whole(&own, self.area);
     }
 
@@ -84,8 +90,7 @@ impl Session {
         if !self.ways.wait_for(open, tool) || taken == self.ways.taken {
             return;
         }
-        let over = Over { corner: None, ..self.over };
-        let (view, free) = (self.player.shown().view(), (self.free, over));
+        let (view, free) = (self.player.shown().view(), (self.free, self.over));
         let look = |before| opening::beside_panels(before, &view, free, &taken);
         let (beside, camera) = Beside::of(self.ways.beside, self.camera, look);
         (self.ways.beside, self.ways.taken, self.camera) = (Some(beside), taken, camera);

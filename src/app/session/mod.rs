@@ -46,7 +46,7 @@ use super::leftovers::{Leftover, look};
 use super::loading::Loading;
 use super::matter::{Bearings, Matter, Overload};
 use super::meter::Meter;
-use super::opening::{Free, Over};
+use super::opening::{Followed, Free, Over};
 use super::panels::{At, Misfits, PanelState, theme};
 use super::player::{Figures, Order, Player, Shown};
 use super::pointer::Pointer;
@@ -132,6 +132,8 @@ pub(super) struct Session {
     driving: Vec<(PhysicalKey, Key)>,
     /// The camera goes along with what they drive.
     follows: bool,
+    /// What the view goes along with as the scene opens.
+    followed: Followed,
     /// Time runs back.
     rewinds: bool,
     /// The order by which the world goes to another time, until it is there.

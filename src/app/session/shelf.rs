@@ -197,7 +197,7 @@ impl Session {
         if !self.player.is_open() {
             self.looks_again = Some(camera);
         }
-        (self.camera, self.framing) = (camera, Framing::Free);
+        (self.camera, self.framing, self.follows) = (camera, Framing::Free, false);
         self.camera.resize(self.area);
         last
     }

@@ -1,5 +1,7 @@
 //! Bodies as they are filled: their triangles, and a colour each.
 
+use super::MOST_INNER;
+use super::cells::cells;
 use crate::picture::{HUES, Picture, Skin, Tint, hue};
 use crate::render::forms::{form, is_rope, ropes};
 use crate::render::look::{Color, Look};
@@ -38,9 +40,12 @@ pub fn color_of(body: u32) -> [u8; 3] {
     PALETTE[hue(body) as usize]
 }
 
-/// Bodies in the order of their numbers: with the triangles that no skin is drawn on, then with those that one is.
-pub(super) fn bodies(view: &View<'_>) -> [Vec<Filled>; 2] {
-    let split = split(view);
+/// Bodies in the order of their numbers: with the triangles that no skin is drawn on, then with those that one is, and last with the cells
+/// of nets, which the plane alone has.
+pub(super) fn bodies(view: &View<'_>) -> [Vec<Filled>; 3] {
+    let [bare, worn] = split(view);
+    let has_cells = view.dimensions == 2 && view.bonds.len() <= MOST_INNER;
+    let cells = if has_cells { cells(view.bonds, &outside_of_triangles(view)) } else { Vec::new() };
     let hangs_on = if view.tints.is_empty() { Some(hanging(view)) } else { None };
     let body_of = |corners: &[u32; 3]| match &hangs_on {
         Some(bodies) => (bodies[corners[0] as usize], None),
@@ -52,7 +57,7 @@ pub(super) fn bodies(view: &View<'_>) -> [Vec<Filled>; 2] {
         color: same[0].0.1.unwrap_or_else(|| color_of(same[0].0.0)),
         triangles: same.iter().map(|entry| entry.1).collect(),
     };
-    split.map(|triangles| {
+    [bare, worn, cells].map(|triangles| {
         let mut listed: Vec<(Key, [u32; 3])> = triangles.iter().map(|corners| (body_of(corners), *corners)).collect();
         listed.sort_by_key(|entry| entry.0);
         listed.chunk_by(|p, q| p.0 == q.0).map(filled).collect()
@@ -128,6 +133,17 @@ fn split(view: &View<'_>) -> [Vec<[u32; 3]>; 2] {
     [bare, worn]
 }
 
+/// Which points are of no triangle and of no skin, whole or torn.
+fn outside_of_triangles(view: &View<'_>) -> Vec<bool> {
+    let mut is_outside = vec![true; view.current.len() / view.dimensions.max(1)];
+    let corners = view.triangles.iter().flatten().map(|corner| corner.index());
+    let worn = view.skins.iter().flat_map(|skin| skin.first as usize..skin.first as usize + skin.texture.len());
+    for point in corners.chain(worn) {
+        is_outside.get_mut(point).into_iter().for_each(|is| *is = false);
+    }
+    is_outside
+}
+
 /// The number of the body of each point, where what bonds and triangles hold together is one.
 fn hanging(view: &View<'_>) -> Vec<u32> {
     let bonds = view.bonds.iter().map(|bond| [bond.a.0, bond.b.0]);
@@ -146,6 +162,26 @@ mod tests {
             if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
         };
         0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2])
+    }
+
+    #[test]
+    fn a_net_beside_a_body_has_cells_of_its_own_colour_and_the_body_has_none() {
+        use crate::sim::{Bond, Positions};
+        let ends = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 4]];
+        let bonds: Bonds = ends.iter().map(|&[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).collect();
+        let places = [0.0; 21];
+        let at = |count: usize| Positions::F64(&places[..count]);
+        let triangles = [[4, 5, 6].map(PointId)];
+        let view = View { previous: at(14), current: at(14), triangles: &triangles, ..View::empty(&bonds, 2) };
+        let [bare, worn, cells] = bodies(&view);
+        assert_eq!(
+            bare.iter().map(|body| (body.body, body.triangles.clone())).collect::<Vec<_>>(),
+            [(1, vec![[4, 5, 6]])]
+        );
+        let net = Filled { body: 0, is_own: false, color: color_of(0), triangles: vec![[0, 1, 2], [0, 2, 3]] };
+        assert!(worn.is_empty() && cells == [net], "{cells:?}");
+        let in_space = View { previous: at(21), current: at(21), ..View::empty(&bonds, 3) };
+        assert!(bodies(&in_space).iter().all(Vec::is_empty), "of the plane alone");
     }
 
     #[test]

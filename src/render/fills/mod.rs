@@ -1,15 +1,18 @@
 //! Bodies without a picture: what they cover, filled in a colour of their own, with an outline and in the plane a soft shadow about
-//! it, body by body, so that overlaps read.
+//! it, body by body, so that overlaps read. What nets enclose in the plane, the cells between their bonds, is filled below all of that, and
+//! seen through.
 //!
 //! Bodies with a picture are filled only where strain is shown in place of it.
 //!
-//! A list of primitives of seven kinds, drawn in order by one pass, is uploaded when the topology changes. Points have a row to shade
+//! A list of primitives of eight kinds, drawn in order by one pass, is uploaded when the topology changes. Points have a row to shade
 //! by, uploaded when they moved, where that is shown: a normal in space, a strain where strain is.
 
 mod bodies;
+mod cells;
 mod limbs;
 mod outline;
 mod pieces;
+mod round;
 mod shade;
 
 use std::ops::Range;
@@ -28,14 +31,16 @@ use bodies::{Filled, SKIN_COLOR, bodies};
 pub use bodies::{body_color, color_of};
 use limbs::{Cone, Part, Role, figure};
 use outline::{Side, outline};
+use round::may_be_round;
 use shade::{Shade, shades};
 
 /// A primitive as the shader reads it: `Primitive` in fill.wgsl.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 struct Primitive {
-    /// Of a fill the corners of two triangles, of a side its ends with those before and after, then nothing; of a bond the second
-    /// and the third are its ends. Of a limb two points for each end, then the bits of its larger radius `[m]` and what [`packed`] makes.
+    /// Of a fill the corners of two triangles, of a side its ends with those before and after, then whether it may be an arc, 0 or 1, and
+    /// nothing; of a bond the second and the third are its ends. Of a limb two points for each end, then the bits of its larger radius
+    /// `[m]` and what [`packed`] makes.
     points: [u32; 6],
     /// The kind in the upper eight bits, then red, green, blue.
     ink: u32,
@@ -43,8 +48,8 @@ struct Primitive {
 
 const _: () = assert!(size_of::<Primitive>() == 28);
 
-/// Kinds of primitives: `FILL`, `OUTLINE`, `SHADOW`, `INNER`, `FLESH`, `SKIN`, `UNDER` in fill.wgsl. Flesh and skin are limbs and their rims,
-/// and under them is what they stand for, which is seen where bonds are shown through fills.
+/// Kinds of primitives: `FILL`, `OUTLINE`, `SHADOW`, `INNER`, `FLESH`, `SKIN`, `UNDER`, `CELL` in fill.wgsl. Flesh and skin are limbs and their
+/// rims, under them is what they stand for, which is seen where bonds are shown through fills, and cells are those of nets.
 const FILL: u32 = 0;
 const OUTLINE: u32 = 1;
 const SHADOW: u32 = 2;
@@ -52,6 +57,7 @@ const INNER: u32 = 3;
 const FLESH: u32 = 4;
 const SKIN: u32 = 5;
 const UNDER: u32 = 6;
+const CELL: u32 = 7;
 
 /// Vertices of a primitive.
 const QUAD: u32 = 6;
@@ -60,7 +66,7 @@ const MOST: usize = 1 << 18;
 /// Sides of outlines from which on there are no shadows: so many bodies are small.
 const MOST_SHADOWS: usize = 6_000;
 
-/// Bonds from which on those within bodies are not drawn on them: they are too short to be told apart.
+/// Bonds from which on those within bodies are not drawn on them, and nets have no cells: they are too short to be told apart.
 const MOST_INNER: usize = 20_000;
 
 /// The fills of a world on the GPU.
@@ -68,11 +74,13 @@ pub(super) struct Fills {
     layout: wgpu::BindGroupLayout,
     primitives: GrowingBuffer,
     shades: GrowingBuffer,
-    /// Of bodies without a picture, then of those with one: primitives that fill, and in space those of outlines behind them; in the
-    /// plane all are in the first.
+    /// Of bodies without a picture, cells of nets before them, then of those with one: primitives that fill, and in space those of outlines
+    /// behind them; in the plane all are in the first.
     parts: [[Range<u32>; 2]; 2],
-    /// What is filled of each of both.
+    /// What is filled of each of both, but for cells.
     triangles: [Vec<[u32; 3]>; 2],
+    /// Triangles that cells are filled with.
+    cell_triangles: usize,
     bindings: Option<[wgpu::BindGroup; 2]>,
     topology: Option<u64>,
     /// The motion that the rows are of, and whether they have strains.
@@ -102,6 +110,7 @@ impl Fills {
             shades: storage("shades"),
             parts: Default::default(),
             triangles: Default::default(),
+            cell_triangles: 0,
             bindings: None,
             topology: None,
             shaded: None,
@@ -137,15 +146,19 @@ impl Fills {
             return Ok(());
         }
         (self.topology, self.shaded) = (None, None);
-        let bodies = if view.triangles.len() > MOST { Default::default() } else { bodies(view) };
-        let mut list = Vec::new();
-        for (place, bodies) in bodies.iter().enumerate() {
+        let [bare, worn, nets] = if view.triangles.len() > MOST { Default::default() } else { bodies(view) };
+        let mut list: Vec<Primitive> = nets.iter().flat_map(|net| filling(CELL, net)).collect();
+        self.cell_triangles = nets.iter().map(|net| net.triangles.len()).sum();
+        let mut first = 0;
+        for (place, bodies) in [bare, worn].iter().enumerate() {
             self.triangles[place] = bodies.iter().flat_map(|body| body.triangles.iter().copied()).collect();
-            let first = list.len() as u32;
+            let start = list.len() as u32;
             let lines = Lines { inner: inner(view, bodies), limbs: limbs(view, bodies) };
             let (primitives, split) = primitives(bodies, &lines, view.dimensions);
             list.extend(primitives);
-            self.parts[place] = [first..first + split, first + split..list.len() as u32];
+            let split = start + split;
+            self.parts[place] = [first..split, split..list.len() as u32];
+            first = list.len() as u32;
         }
         self.primitives.write(gpu, bytemuck::cast_slice(&list), counters)?;
         self.topology = Some(view.topology);
@@ -163,7 +176,7 @@ impl Fills {
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
         let wanted = Some((view.motion, shows_strain));
-        let is_any = self.triangles.iter().any(|triangles| !triangles.is_empty());
+        let is_any = self.cell_triangles > 0 || self.triangles.iter().any(|triangles| !triangles.is_empty());
         if !is_any || !(shows_strain || view.dimensions == 3) || self.shaded == wanted {
             return Ok(());
         }
@@ -212,6 +225,7 @@ impl Fills {
             }
             counters.triangles_drawn += triangles.len() as u64;
         }
+        counters.triangles_drawn += self.cell_triangles as u64;
     }
 }
 
@@ -306,8 +320,9 @@ fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> (Vec<Primi
     let has_shadows = sides.iter().map(Vec::len).sum::<usize>() <= MOST_SHADOWS;
     let (mut list, mut outlines) = (Vec::new(), Vec::new());
     for (number, (body, sides)) in bodies.iter().zip(&sides).enumerate() {
+        let is_round = dimensions == 2 && may_be_round(&body.triangles, sides);
         let side = |kind, side: &Side| Primitive {
-            points: [side.before, side.a, side.b, side.after, 0, 0],
+            points: [side.before, side.a, side.b, side.after, u32::from(is_round), 0],
             ink: ink(kind, body.color),
         };
         let limbs = lines.limbs.get(number).unwrap_or(&Limbs::None);
@@ -323,12 +338,7 @@ fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> (Vec<Primi
             }
         }
         let kind = if is_doll { UNDER } else { FILL };
-        list.extend(body.triangles.chunks(2).map(|pair| {
-            let [a, b, c] = pair[0];
-            // A triangle without another beside it has one of no area.
-            let [d, e, f] = pair.get(1).copied().unwrap_or([a; 3]);
-            Primitive { points: [a, b, c, d, e, f], ink: ink(kind, body.color) }
-        }));
+        list.extend(filling(kind, body));
         list.extend(
             lines
                 .inner
@@ -344,6 +354,16 @@ fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> (Vec<Primi
     let split = list.len() as u32;
     list.append(&mut outlines);
     (list, split)
+}
+
+/// The triangles of a body, two in a primitive.
+fn filling(kind: u32, body: &Filled) -> impl Iterator<Item = Primitive> {
+    body.triangles.chunks(2).map(move |pair| {
+        let [a, b, c] = pair[0];
+        // A triangle without another beside it has one of no area.
+        let [d, e, f] = pair.get(1).copied().unwrap_or([a; 3]);
+        Primitive { points: [a, b, c, d, e, f], ink: ink(kind, body.color) }
+    })
 }
 
 fn limb(kind: u32, cone: &Cone, color: [u8; 3]) -> Primitive {

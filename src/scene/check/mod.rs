@@ -41,7 +41,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     check_times(scene)?;
     super::parameter::check(scene, dimensions)?;
     match &scene.view {
-        Some(view) => check_view(view, dimensions).at("view"),
+        Some(view) => check_view(view, count, dimensions).at("view"),
         None => Ok(()),
     }
 }
@@ -163,8 +163,8 @@ fn check_times(scene: &Scene) -> Result<(), Fault> {
     Ok(())
 }
 
-fn check_view(view: &ViewKeys, dimensions: usize) -> Result<(), Fault> {
-    let (plane, space) = (["center", "height"], ["target", "distance", "yaw", "pitch"]);
+fn check_view(view: &ViewKeys, count: u32, dimensions: usize) -> Result<(), Fault> {
+    let (plane, space) = (["center", "height", "follow"], ["target", "distance", "yaw", "pitch"]);
     let (what, allowed): (_, &[&str]) = if dimensions == 2 { ("the plane", &plane) } else { ("space", &space) };
     if let Some(key) = view.given().find(|key| !allowed.contains(key)) {
         let keys = super::nearest::list(allowed);
@@ -175,6 +175,12 @@ fn check_view(view: &ViewKeys, dimensions: usize) -> Result<(), Fault> {
     if let Some(key) = needed.iter().find(|key| !view.given().any(|k| k == **key)) {
         let message = format!("a view in {what} needs `{key}`: add it");
         return Err(Fault::invalid(message));
+    }
+    if view.follow.as_ref().is_some_and(Vec::is_empty) {
+        return Err(Fault::invalid("has no point: name one, or leave it out").at("follow"));
+    }
+    for (i, &point) in view.follow.iter().flatten().enumerate() {
+        number::index(point, count).item(i).at("follow")?;
     }
     for (key, vector) in [("center", &view.center), ("target", &view.target)] {
         if let Some(vector) = vector {
