@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use crate::sim::vector::span_in_box;
+
 /// How far from an edge beyond the width of a rim pixels may be other than beside none `[px]`: `BEYOND` in obstacles.wgsl.
 const BEYOND: f64 = 2.2;
 /// Most pixels about edges, beside all that obstacles may cover: where there are more, those are looked at without them `[1]`.
@@ -12,19 +14,8 @@ const MOST: f64 = 0.6;
 /// The part of an edge in a square about 0, half of whose side is `reach`; `None`: it lies beside it.
 pub(super) fn within([a, b]: [DVec2; 2], reach: f64) -> Option<[DVec2; 2]> {
     let way = b - a;
-    let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    for axis in 0..2 {
-        if way[axis] == 0.0 {
-            if a[axis].abs() > reach {
-                return None;
-            }
-            continue;
-        }
-        let ends = [-reach, reach].map(|end| (end - a[axis]) / way[axis]);
-        from = from.max(ends[0].min(ends[1]));
-        to = to.min(ends[0].max(ends[1]));
-    }
-    (from <= to).then(|| [from, to].map(|share| a + share * way))
+    let span = span_in_box([a, way].map(|of| of.to_array()), [[-reach; 2], [reach; 2]], 1.0)?;
+    Some(span.map(|share| a + share * way))
 }
 
 /// The part in that square of the line along which `normal` . x is `depth`.
