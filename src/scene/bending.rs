@@ -1,6 +1,7 @@
 //! The angles of a body: what `bending` of its material makes of it, along its chains of bonds and around what it covers, and its joints.
 
 use crate::body::{Body, Joint};
+use crate::sim::triangles;
 use crate::sim::vector::{length, sub};
 
 /// An angle of a body, counted within it.
@@ -66,22 +67,9 @@ struct Arm {
 
 /// All arms, by the points that they begin at.
 fn arms(body: &Body) -> Vec<Arm> {
-    let mut sides: Vec<[u32; 2]> = body
-        .triangles
-        .iter()
-        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
-        .map(|[a, b]| [a.min(b), a.max(b)])
-        .collect();
-    sides.sort_unstable();
-    let mut is_covered = vec![false; body.positions.len()];
-    sides.iter().flatten().for_each(|&corner| is_covered[corner as usize] = true);
-    let alone = sides.chunk_by(|a, b| a == b).filter(|same| same.len() == 1).map(|same| (same[0], true));
-    let is_open = |[a, b]: &[u32; 2]| !(is_covered[*a as usize] && is_covered[*b as usize]);
-    let mut open: Vec<[u32; 2]> =
-        body.links.iter().map(|link| [link.a.min(link.b), link.a.max(link.b)]).filter(is_open).collect();
-    open.sort_unstable();
-    open.dedup();
-    let edges = alone.chain(open.into_iter().map(|ends| (ends, false)));
+    let skin = triangles::skin(&body.triangles, body.links.iter().map(|link| [link.a, link.b]));
+    let closed = skin.closed.into_iter().map(|ends| (ends, true));
+    let edges = closed.chain(skin.open.into_iter().map(|ends| (ends, false)));
     let mut list: Vec<Arm> =
         edges.flat_map(|([a, b], is_skin)| [Arm { at: a, to: b, is_skin }, Arm { at: b, to: a, is_skin }]).collect();
     list.sort_unstable();

@@ -133,6 +133,40 @@ pub(crate) fn holds<const D: usize>([a, b, c]: [[f64; D]; 3], x: [f64; D]) -> bo
     turns.iter().all(|&turn| turn > 0.0) || turns.iter().all(|&turn| turn < 0.0)
 }
 
+/// A side of a triangle.
+///
+/// Ordered by its ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Side {
+    /// The lower one first.
+    pub(crate) ends: [u32; 2],
+    /// From which to which, as the corners of its triangle follow each other: anticlockwise ones have their inside on its left.
+    pub(crate) way: [u32; 2],
+}
+
+/// All sides of triangles, one for each triangle that has it, ascending.
+pub(crate) fn sides(triangles: impl IntoIterator<Item = [u32; 3]>) -> Vec<Side> {
+    let of = |[a, b, c]: [u32; 3]| {
+        [[a, b], [b, c], [c, a]].map(|way: [u32; 2]| Side { ends: [way[0].min(way[1]), way[0].max(way[1])], way })
+    };
+    let mut list: Vec<Side> = triangles.into_iter().flat_map(of).collect();
+    list.sort_unstable();
+    list
+}
+
+/// The sides that one triangle has alone, of all of them, in their order.
+pub(crate) fn alone(sides: &[Side]) -> impl Iterator<Item = Side> {
+    sides.chunk_by(|a, b| a.ends == b.ends).filter(|same| same.len() == 1).map(|same| same[0])
+}
+
+/// The sides that one of some triangles has alone, ascending: where what they cover ends.
+///
+/// Valid range: any corners, turned either way. A side of three triangles is none of one alone, nor are those of a triangle that is said
+/// twice; of a triangle with a corner twice, a, a and b, the side from a to a is alone.
+pub(crate) fn outer_sides(triangles: impl IntoIterator<Item = [u32; 3]>) -> Vec<Side> {
+    alone(&sides(triangles)).collect()
+}
+
 /// The edges of the skins of bodies.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Edges {
@@ -142,23 +176,17 @@ pub(crate) struct Edges {
     pub(crate) open: Vec<[u32; 2]>,
 }
 
-/// The skins of what these triangles cover and these bonds hold, by their ends.
+/// The skins of what these triangles cover and these bonds hold, by their ends. Both lists ascend by the lower end, then by the other.
 pub(crate) fn skin(triangles: &[[u32; 3]], bonds: impl Iterator<Item = [u32; 2]>) -> Edges {
-    let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
-    let mut sides: Vec<([u32; 2], [u32; 2])> = Vec::with_capacity(3 * triangles.len());
-    for &[a, b, c] in triangles {
-        sides.extend([[a, b], [b, c], [c, a]].map(|[from, to]| (sorted([from, to]), [to, from])));
-    }
-    sides.sort_unstable();
-    let alone = sides.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() == 1);
     let mut covered: Vec<u32> = triangles.iter().flatten().copied().collect();
     covered.sort_unstable();
     covered.dedup();
     let is_bare = |ends: &[u32; 2]| ends.iter().any(|end| covered.binary_search(end).is_err());
-    let mut open: Vec<[u32; 2]> = bonds.map(sorted).filter(is_bare).collect();
+    let mut open: Vec<[u32; 2]> = bonds.map(|[a, b]| [a.min(b), a.max(b)]).filter(is_bare).collect();
     open.sort_unstable();
     open.dedup();
-    Edges { closed: alone.map(|group| group[0].1).collect(), open }
+    let closed = outer_sides(triangles.iter().copied()).into_iter().map(|Side { way: [from, to], .. }| [to, from]);
+    Edges { closed: closed.collect(), open }
 }
 
 #[cfg(test)]
@@ -201,6 +229,21 @@ mod tests {
         assert_eq!(left(&[], &[[2, 4], [0, 7]]), None, "no side");
         assert_eq!(left(&[], &[[2, 0]]).as_deref(), Some(&all[2..]), "both that share it");
         assert_eq!(left(&[1, 9], &[[6, 4]]).as_deref(), Some(&all[1..2]));
+    }
+
+    #[test]
+    fn sides_of_one_triangle_alone_ascend_by_their_ends_and_go_as_it_does() {
+        let found = |list: &[[u32; 3]]| -> Vec<[u32; 2]> {
+            let sides = outer_sides(list.iter().copied());
+            assert!(sides.is_sorted() && sides.iter().all(|side| side.ends.is_sorted()));
+            sides.into_iter().map(|side| side.way).collect()
+        };
+        // A square; the same with its second triangle turned.
+        assert_eq!(found(&[[0, 2, 3], [0, 1, 2]]), [[0, 1], [3, 0], [1, 2], [2, 3]]);
+        assert_eq!(found(&[[0, 3, 2], [0, 1, 2]]), [[0, 1], [0, 3], [1, 2], [3, 2]]);
+        assert!(found(&[]).is_empty() && found(&[[0, 1, 2], [2, 1, 0]]).is_empty(), "said twice");
+        assert_eq!(found(&[[0, 1, 2], [1, 0, 3], [0, 1, 4]]).len(), 6, "a side of three is of none alone");
+        assert_eq!(found(&[[5, 5, 7]]), [[5, 5]], "a corner twice");
     }
 
     #[test]

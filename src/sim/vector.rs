@@ -95,6 +95,32 @@ pub fn embed<const D: usize>(a: [f64; D]) -> [f64; 3] {
     std::array::from_fn(|k| if k < D { a[k] } else { 0.0 })
 }
 
+/// From which share of a way on to which one it lies in a box along the axes, of all shares from 0 to `most`; `None`: nowhere.
+///
+/// Shapes: where the way begins and how it leads on from there; the lower and the upper corner of the box, in the same unit.
+/// Valid range: the faces of a box are not in it, so a way along a face, or to one, is not; one of no length lies in it from 0 to
+/// `most`, or nowhere. `most` may be infinite.
+#[inline(always)]
+pub(crate) fn span_in_box<const D: usize>(
+    [from, way]: [[f64; D]; 2],
+    [low, high]: [[f64; D]; 2],
+    most: f64,
+) -> Option<[f64; 2]> {
+    let [mut enters, mut leaves] = [0.0, most];
+    for k in 0..D {
+        if way[k] == 0.0 {
+            if from[k] <= low[k] || from[k] >= high[k] {
+                return None;
+            }
+            continue;
+        }
+        let ends = [(low[k] - from[k]) / way[k], (high[k] - from[k]) / way[k]];
+        enters = f64::max(enters, ends[0].min(ends[1]));
+        leaves = f64::min(leaves, ends[0].max(ends[1]));
+    }
+    (enters < leaves).then_some([enters, leaves])
+}
+
 /// sum += increment, with what rounding took from earlier sums paid back first (Kahan).
 ///
 /// Source: W. Kahan, Comm. ACM 8, 40 (1965).
@@ -111,6 +137,28 @@ pub(crate) fn accumulate<S: Real, const D: usize>(sum: &mut [S; D], lost: &mut [
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_way_is_in_a_box_from_where_it_enters_to_where_it_leaves() {
+        let corners = [[1.0, 1.0], [2.0, 3.0]];
+        for (way, span) in [
+            ([[0.0, 2.0], [4.0, 0.0]], Some([0.25, 0.5])),
+            ([[4.0, 2.0], [-4.0, 0.0]], Some([0.5, 0.75])),
+            ([[1.5, 2.0], [8.0, 8.0]], Some([0.0, 0.0625])),
+            ([[1.5, 2.0], [0.125, 0.0]], Some([0.0, 1.0])),
+            ([[1.5, 2.0], [0.0, 0.0]], Some([0.0, 1.0])),
+            ([[0.0, 2.0], [0.0, 0.0]], None),
+            ([[0.0, 2.0], [0.5, 0.0]], None),
+            ([[0.0, 2.0], [1.0, 0.0]], None),
+            ([[0.0, 2.0], [2.0, 2.0]], None),
+            ([[1.0, 0.0], [0.0, 4.0]], None),
+            ([[2.0, 0.0], [0.0, 4.0]], None),
+        ] {
+            assert_eq!(span_in_box(way, corners, 1.0), span, "{way:?}");
+        }
+        assert_eq!(span_in_box([[0.0, 2.0], [0.5, 0.0]], corners, f64::INFINITY), Some([2.0, 4.0]), "a ray");
+        assert_eq!(span_in_box([[0.0; 3], [1.0; 3]], [[0.25, 0.0, 0.0], [2.0, 0.5, 1.0]], 1.0), Some([0.25, 0.5]));
+    }
 
     #[test]
     fn a_million_small_increments_add_up() {

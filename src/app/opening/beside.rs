@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::{BESIDE, Free, clear, whole};
 use crate::render::{Camera, Pose, View};
+use crate::sim::vector::{span_in_box, sub};
 
 /// What lies over the free part of a picture where it may: bodies make way for it if it hides them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -91,21 +92,9 @@ fn is_hidden(camera: &Camera, seen: &View<'_>, parts: &[Part]) -> bool {
     bonds.any(crosses_one)
 }
 
-/// Whether a piece of a straight line lies in a part of a picture: the shares of its length between both pairs of edges have some in common.
-fn crosses([left, top, right, bottom]: &Part, [a, b]: [[f64; 2]; 2]) -> bool {
-    let mut shared = [0.0_f64, 1.0];
-    for (axis, [low, high]) in [[*left, *right], [*top, *bottom]].into_iter().enumerate() {
-        let way = b[axis] - a[axis];
-        if way == 0.0 {
-            if !(low..high).contains(&a[axis]) {
-                return false;
-            }
-            continue;
-        }
-        let [one, other] = [low, high].map(|edge| (edge - a[axis]) / way);
-        shared = [shared[0].max(one.min(other)), shared[1].min(one.max(other))];
-    }
-    shared[0] < shared[1]
+/// Whether a piece of a straight line lies in a part of a picture, its edges apart.
+fn crosses(&[left, top, right, bottom]: &Part, [a, b]: [[f64; 2]; 2]) -> bool {
+    span_in_box([a, sub(b, a)], [[left, top], [right, bottom]], 1.0).is_some()
 }
 
 #[cfg(test)]
@@ -213,6 +202,8 @@ mod tests {
             ([[150.0, 310.0], [150.0, 400.0]], false),
             ([[250.0, 150.0], [250.0, 250.0]], false),
             ([[200.0, 150.0], [200.0, 150.0]], false),
+            ([[100.0, 150.0], [100.0, 150.0]], false),
+            ([[100.0, 50.0], [100.0, 400.0]], false),
         ] {
             assert_eq!(crosses(&part, ends), is_in, "{ends:?}");
             assert_eq!(crosses(&part, [ends[1], ends[0]]), is_in, "{ends:?} the other way");

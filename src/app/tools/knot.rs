@@ -10,6 +10,7 @@ use super::room::here;
 use super::skin;
 use crate::history::{DeleteKeys, Do};
 use crate::scene::{AddKeys, BondKeys, KindName, LimitName, Shape};
+use crate::sim::triangles::outer_sides;
 use crate::sim::{Bond, BondKind, Limit, PointId};
 
 /// Between an end that is dragged and the skin that it is tied to there is no more than this `[logical px]`.
@@ -90,7 +91,8 @@ pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, (way, held): (DVec2, Optio
     let places: Vec<DVec2> = places.into_iter().map(|at| DVec2::from(at) + way).collect();
     let at = |point: u32| places.get(point as usize).copied().unwrap_or(DVec2::NAN);
     let covers = |place: DVec2| triangles.iter().any(|corners| is_in(corners.map(at), place));
-    let sides = skin::lone(triangles.iter().copied());
+    let sides = outer_sides(triangles.iter().copied()).into_iter();
+    let sides: Vec<[u32; 2]> = sides.map(|side| side.ends).collect();
     let mut rim: Vec<u32> = sides.iter().flatten().copied().collect();
     rim.sort_unstable();
     rim.dedup();

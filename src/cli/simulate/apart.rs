@@ -3,7 +3,7 @@
 use anyhow::bail;
 
 use crate::scene::{BudgetKeys, Meeting, Scene, SolverName};
-use crate::sim::Why;
+use crate::sim::{Counters, Dynamics, Why};
 
 /// Counted work of a frame that no scene has `[ms]`: nothing is handed over for being dear.
 const ANY_WORK: f64 = 1e12;
@@ -54,17 +54,73 @@ pub(super) fn split(scene: &mut Scene, times: &[f64]) -> anyhow::Result<Option<A
     (together.method.tolerance, together.method.budget) = (None, Some(BudgetKeys::Ms(ANY_WORK)));
     let end = times.last().copied().unwrap_or(0.0);
     let mut world = together.world(Some(end))?;
-    let meets = loop {
-        let own = world.moved_by();
-        let met = own.iter().filter(|moved| moved.why == Why::Contact).map(|moved| moved.since);
-        if let Some(since) = met.min_by(f64::total_cmp) {
-            break Some(since);
-        }
-        if world.time() >= end {
-            break None;
-        }
-        world.step();
-    };
+    let meets = meeting(&mut *world, end);
     scene.contact = None;
     Ok(meets.map(|meets| Apart { times: times.iter().copied().filter(|&t| t < meets).collect(), meets }))
+}
+
+/// Since when bodies of a world may meet `[s]`; `None`: they do not until `end` `[s]`.
+///
+/// Who moves what is asked only where that may have changed since it was asked last: to ask goes through all points.
+fn meeting(world: &mut dyn Dynamics, end: f64) -> Option<f64> {
+    let mut asked = None;
+    loop {
+        let now = Some(changes(world.counters()));
+        if asked != now {
+            asked = now;
+            let own = world.moved_by();
+            let met = own.iter().filter(|moved| moved.why == Why::Contact).map(|moved| moved.since);
+            if let Some(since) = met.min_by(f64::total_cmp) {
+                return Some(since);
+            }
+        }
+        if world.time() >= end {
+            return None;
+        }
+        world.step();
+    }
+}
+
+/// How often steps changed who moves what: where islands are handed over, go back, lose a bond or stand still, and nowhere else.
+fn changes(counters: &Counters) -> u64 {
+    counters.hand_overs + counters.returns + counters.bonds_torn + counters.frozen
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+
+    /// Two discs in free fall, the upper one thrown down or left behind.
+    fn world(velocity: f64) -> Box<dyn Dynamics> {
+        let disc = |y: f64, v: f64| {
+            format!(
+                r#"{{"make": "disc", "radius": 0.2, "spacing": 0.1, "origin": [0, {y}], "velocity": [0, {v}],
+                    "material": {{"kind": "rigid"}}}}"#
+            )
+        };
+        let text = format!(
+            r#"{{"wobble": 1, "gravity": [0, -9.81], "contact": true, "method": {{"budget": {ANY_WORK}}},
+                "bodies": [{}, {}]}}"#,
+            disc(0.0, 0.0),
+            disc(1.4, velocity)
+        );
+        Scene::parse(&text, "test").unwrap().world(Some(1.0)).unwrap()
+    }
+
+    #[test]
+    fn bodies_meet_when_asking_after_every_step_says_so() {
+        for (velocity, meets) in [(-4.0, true), (4.0, false)] {
+            let mut asked = world(velocity);
+            let found = meeting(&mut *asked, 0.5);
+            let mut every = world(velocity);
+            let is_met = |world: &dyn Dynamics| world.moved_by().iter().any(|moved| moved.why == Why::Contact);
+            while every.time() < 0.5 && !is_met(&*every) {
+                every.step();
+            }
+            assert_eq!(found.is_some(), meets, "{velocity}");
+            assert_eq!((asked.time(), is_met(&*asked)), (every.time(), meets), "{velocity}");
+            assert!(meets || changes(every.counters()) == 0, "nothing else asks");
+        }
+    }
 }

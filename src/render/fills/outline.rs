@@ -1,5 +1,7 @@
 //! The outline of what triangles cover: its sides in order, each with the corners before and after it.
 
+use crate::sim::triangles::outer_sides;
+
 /// A side of the outline, from `a` to `b` with what is covered at its left, and where the outline comes from and goes on to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Side {
@@ -9,17 +11,12 @@ pub(super) struct Side {
     pub(super) after: u32,
 }
 
-/// The sides that one triangle has alone.
+/// The sides that one triangle has alone, ascending by their lower ends.
 ///
 /// Valid range: where outlines meet in a point any of them goes on; a side that nothing goes on from ends in itself.
 pub(super) fn outline(triangles: &[[u32; 3]]) -> Vec<Side> {
-    let mut sides: Vec<([u32; 2], [u32; 2])> = Vec::with_capacity(3 * triangles.len());
-    for &[a, b, c] in triangles {
-        sides.extend([[a, b], [b, c], [c, a]].map(|side| ([side[0].min(side[1]), side[0].max(side[1])], side)));
-    }
-    sides.sort_unstable();
-    let alone = sides.chunk_by(|p, q| p.0 == q.0).filter(|same| same.len() == 1);
-    let alone: Vec<[u32; 2]> = alone.map(|same| same[0].1).collect();
+    let alone = outer_sides(triangles.iter().copied());
+    let alone: Vec<[u32; 2]> = alone.into_iter().map(|side| side.way).collect();
     let by_start = sorted(alone.iter().copied());
     let by_end = sorted(alone.iter().map(|&[a, b]| [b, a]));
     let beside = |list: &[[u32; 2]], end: u32, none: u32| {

@@ -4,10 +4,11 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::edges::{Room, join, line, outer_sides, within};
+use super::edges::{Room, join, line, within};
 use crate::picture::Filling;
 use crate::render::camera::Camera;
 use crate::render::sight::{Extent, Sight};
+use crate::sim::triangles::outer_sides;
 
 /// What a plane or a polygon has among the corners of all triangles, and among the ends of all edges.
 struct Piece {
@@ -166,8 +167,8 @@ impl Cut {
                 self.add_convex(&self.within(ear.to_vec()));
             }
         }
-        for side in outer_sides(&filling.triangles) {
-            self.add_edge(within(side.map(relative), self.reach));
+        for side in outer_sides(filling.triangles.iter().copied()) {
+            self.add_edge(within(side.ends.map(relative), self.reach));
         }
     }
 

@@ -4,35 +4,18 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use crate::sim::vector::span_in_box;
+
 /// How far from an edge beyond the width of a rim pixels may be other than beside none `[px]`: `BEYOND` in obstacles.wgsl.
 const BEYOND: f64 = 2.2;
 /// Most pixels about edges, beside all that obstacles may cover: where there are more, those are looked at without them `[1]`.
 const MOST: f64 = 0.6;
 
-/// Sides of triangles that no other triangle has, by the numbers of their points: where what they fill ends.
-pub(super) fn outer_sides(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
-    let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let mut sides: Vec<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    sides.sort_unstable();
-    sides.chunk_by(|a, b| a == b).filter(|same| same.len() == 1).map(|same| same[0]).collect()
-}
-
 /// The part of an edge in a square about 0, half of whose side is `reach`; `None`: it lies beside it.
 pub(super) fn within([a, b]: [DVec2; 2], reach: f64) -> Option<[DVec2; 2]> {
     let way = b - a;
-    let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    for axis in 0..2 {
-        if way[axis] == 0.0 {
-            if a[axis].abs() > reach {
-                return None;
-            }
-            continue;
-        }
-        let ends = [-reach, reach].map(|end| (end - a[axis]) / way[axis]);
-        from = from.max(ends[0].min(ends[1]));
-        to = to.min(ends[0].max(ends[1]));
-    }
-    (from <= to).then(|| [from, to].map(|share| a + share * way))
+    let span = span_in_box([a, way].map(|of| of.to_array()), [[-reach; 2], [reach; 2]], 1.0)?;
+    Some(span.map(|share| a + share * way))
 }
 
 /// The part in that square of the line along which `normal` . x is `depth`.
@@ -88,6 +71,7 @@ pub(super) fn join(runs: &mut Vec<Range<u32>>, next: Range<u32>) {
 mod tests {
     use super::*;
     use crate::picture::fill_outline;
+    use crate::sim::triangles::outer_sides;
 
     #[test]
     fn the_shader_looks_as_far_from_an_edge() {
@@ -99,9 +83,8 @@ mod tests {
         let square = |low: f64, high: f64| vec![[low, low], [high, low], [high, high], [low, high]];
         let filling = fill_outline(&[square(0.0, 9.0), square(3.0, 6.0)]);
         assert!(filling.triangles.len() > 6);
-        let sides = outer_sides(&filling.triangles);
+        let sides: Vec<[u32; 2]> = outer_sides(filling.triangles).into_iter().map(|side| side.ends).collect();
         assert_eq!(sides, [[0, 1], [0, 3], [1, 2], [2, 3], [4, 5], [4, 7], [5, 6], [6, 7]], "the hole's too");
-        assert!(outer_sides(&[]).is_empty());
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Which sides of triangles are bonds, and which are free.
 
 use crate::render::view::View;
+use crate::sim::triangles;
 
 /// The bonds of a world by their ends, to be looked up.
 pub(super) struct Sides {
@@ -39,12 +40,10 @@ impl Sides {
     /// The sides that belong to one of the `whole` triangles only, then bonds that belong to none between points that `are_meant`:
     /// strands, but not what braces two of `all` triangles that share a side.
     pub(super) fn edges(&self, all: &[[u32; 3]], whole: &[[u32; 3]], are_meant: impl Fn(u32) -> bool) -> Vec<[u32; 2]> {
-        let mut of_whole: Vec<[u32; 2]> = whole.iter().flat_map(|&corners| sides(corners)).map(ordered).collect();
-        of_whole.sort_unstable();
-        let mut edges: Vec<[u32; 2]> =
-            of_whole.chunk_by(|a, b| a == b).filter(|same| same.len() == 1).map(|same| same[0]).collect();
-        let is_loose =
-            |bond: &&[u32; 2]| bond.iter().all(|&end| are_meant(end)) && of_whole.binary_search(bond).is_err();
+        let of_whole = triangles::sides(whole.iter().copied());
+        let mut edges: Vec<[u32; 2]> = triangles::alone(&of_whole).map(|side| side.ends).collect();
+        let is_side = |bond: &[u32; 2]| of_whole.binary_search_by_key(bond, |side| side.ends).is_ok();
+        let is_loose = |bond: &&[u32; 2]| bond.iter().all(|&end| are_meant(end)) && !is_side(bond);
         let mut loose: Vec<[u32; 2]> = self.bonds.iter().filter(is_loose).copied().collect();
         if !loose.is_empty() {
             let braces = braces(all);

@@ -1,6 +1,6 @@
 //! Balls and boxes in space that points cannot enter.
 
-use crate::sim::vector::{add, cross3, dot, length, scale, sub};
+use crate::sim::vector::{add, cross3, dot, length, scale, span_in_box, sub};
 
 /// A ball or a box, in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -130,20 +130,8 @@ impl Figure {
         };
         let from = frame.within(origin);
         let way = frame.axes.map(|axis| dot(axis, direction));
-        let [mut enters, mut leaves] = [0.0, f64::INFINITY];
-        for k in 0..3 {
-            let half = frame.half[k] - slack;
-            if way[k] == 0.0 {
-                if from[k].abs() >= half {
-                    return None;
-                }
-                continue;
-            }
-            let ends = [(-half - from[k]) / way[k], (half - from[k]) / way[k]];
-            enters = f64::max(enters, ends[0].min(ends[1]));
-            leaves = f64::min(leaves, ends[0].max(ends[1]));
-        }
-        (enters < leaves).then_some(enters)
+        let half = frame.half.map(|half| half - slack);
+        span_in_box([from, way], [half.map(|half| -half), half], f64::INFINITY).map(|[enters, _]| enters)
     }
 
     /// The same scaled about its middle by a factor, turned about an axis, and put with its middle at a place.

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::sides::crossings;
 use crate::scene::{BondList, MakerName, Scene, SceneError};
 use crate::sim::Bonds;
+use crate::sim::triangles::outer_sides;
 
 /// The triangles of a scene in the plane, and their outlines.
 #[derive(Clone, Debug, Default)]
@@ -132,11 +133,7 @@ fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
 }
 
 fn outline(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
-    let mut count: BTreeMap<[u32; 2], u32> = BTreeMap::new();
-    for side in triangles.iter().flat_map(|&corners| sides(corners)) {
-        *count.entry(side).or_default() += 1;
-    }
-    count.into_iter().filter(|(_, count)| *count == 1).map(|(side, _)| side).collect()
+    outer_sides(triangles.iter().copied()).into_iter().map(|side| side.ends).collect()
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::pieces::Pieces;
 use super::sides::crossings;
+use crate::sim::triangles;
 use crate::sim::{Dynamics, PointId};
 
 /// The bodies of a world whose bodies meet, and which of them crossed at the start.
@@ -50,22 +51,12 @@ impl Skins {
     }
 }
 
-/// The skins of a world: sides that one triangle has alone, and bonds at points of no triangle.
+/// The skins of a world: sides that one triangle has alone, and bonds at points of no triangle; the lower ends first.
 fn sides(world: &dyn Dynamics) -> Vec<[u32; 2]> {
-    let sorted = |a: PointId, b: PointId| [a.0.min(b.0), a.0.max(b.0)];
-    let triangles = world.triangles();
-    let mut sides: Vec<[u32; 2]> =
-        triangles.iter().flat_map(|&[a, b, c]| [sorted(a, b), sorted(b, c), sorted(c, a)]).collect();
-    sides.sort_unstable();
-    let mut skin: Vec<[u32; 2]> = sides.chunk_by(|a, b| a == b).filter(|same| same.len() == 1).map(|s| s[0]).collect();
-    let mut is_covered = vec![false; world.point_count()];
-    triangles.iter().flatten().for_each(|corner| is_covered[corner.index()] = true);
-    let is_open = |[a, b]: &[u32; 2]| !(is_covered[*a as usize] && is_covered[*b as usize]);
-    let mut open: Vec<[u32; 2]> = world.bonds().iter().map(|bond| sorted(bond.a, bond.b)).filter(is_open).collect();
-    open.sort_unstable();
-    open.dedup();
-    skin.extend(open);
-    skin
+    let triangles: Vec<[u32; 3]> = world.triangles().iter().map(|corners| corners.map(|corner| corner.0)).collect();
+    let skin = triangles::skin(&triangles, world.bonds().iter().map(|bond| [bond.a.0, bond.b.0]));
+    let closed = skin.closed.into_iter().map(|[a, b]| [a.min(b), a.max(b)]);
+    closed.chain(skin.open).collect()
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use crate::body::{Body, Maker, Ragdoll};
+use crate::sim::triangles::outer_sides;
 
 /// A figure that stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,10 +58,6 @@ impl Figure {
         let (body, reach) = usual();
         let (hip, scale) = (self.hip(), self.scale(reach));
         let at = |point: u32| hip + scale * DVec2::from_slice(&body.positions[point as usize][..2]);
-        let sides = body.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-        let mut sides: Vec<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-        sides.sort_unstable();
-        let lone = sides.chunk_by(|a, b| a == b).filter(|equal| equal.len() == 1);
-        lone.flatten().map(|side| side.map(at)).collect()
+        outer_sides(body.triangles).into_iter().map(|side| side.ends.map(at)).collect()
     }
 }
