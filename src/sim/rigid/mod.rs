@@ -21,6 +21,7 @@ mod joined;
 pub(crate) mod joints;
 mod law;
 mod linkage;
+mod merge;
 pub(crate) mod motion;
 mod pieces;
 pub(crate) mod place;
