@@ -7,7 +7,8 @@
 //! anew       only what shares a point with those that were put is looked at anew
 //! ```
 //!
-//! A point goes into another piece only where that is as large at least: near linear in points and bonds, however many pieces meet.
+//! A point goes into another piece only where that is as large at least: near linear in points and bonds, and in the couples of pieces that share
+//! a point.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -35,6 +36,8 @@ pub(super) fn merge(pieces: Vec<Piece>, net: &Net<'_>, covered: &mut [bool]) -> 
 #[derive(Clone, Debug, Default)]
 struct Growing {
     places: BTreeMap<u32, [f64; 2]>,
+    /// Whether points of others were put into it.
+    has_others: bool,
     /// From those places to where its points are in the end; `None`: they are there.
     frame: Option<Shift>,
     /// Before those of higher rank.
@@ -54,11 +57,16 @@ impl Growing {
     }
 
     /// Puts the points of another piece into it, and what two bonds hold to both. Returns the points that are new in it.
+    ///
+    /// All of it is gone through the first time, when all is there: what is hardly beside one end of a bond may be well beside the other.
     fn put(&mut self, gone: &Growing, shift: &Shift, net: &Net<'_>) -> Vec<u32> {
+        let all: Vec<u32> = if self.has_others { Vec::new() } else { self.places.keys().copied().collect() };
         let new: Vec<u32> = gone.places.keys().filter(|point| !self.places.contains_key(point)).copied().collect();
         self.places.extend(new.iter().map(|&point| (point, shift.of(gone.place(point)))));
-        let border = self.border(&new, net);
-        net.grow([&border[..], &new].concat(), &mut self.places).split_off(border.len())
+        let start = if self.has_others { self.border(&new, net) } else { all };
+        self.has_others = true;
+        let before = start.len();
+        net.grow([start, new].concat(), &mut self.places).split_off(before)
     }
 
     /// The points before some `new` ones that bonds join to what has no place and a bond to a new one: from them on something may be laid out
