@@ -2,13 +2,14 @@
 //!
 //! ```text
 //! which      the first piece that shares two points with another, and the first of those: they are one, and that comes last from then on
-//! into       the points of the smaller one are put into the larger one, and with them what two bonds hold to both
+//! into       the points of the second one are put into the first one, and with them what two bonds hold to both; those of the first one into
+//!            the second one where that is larger and has others' points already
 //! frame      where the points lie is said as the first of both says it, in the end
 //! anew       only what shares a point with those that were put is looked at anew
 //! ```
 //!
-//! A point goes into another piece only where that is as large at least: near linear in points and bonds, and in the couples of pieces that share
-//! a point.
+//! But for once, a point goes into another piece only where that is as large at least: near linear in points and bonds, and in the couples of
+//! pieces that share a point.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -169,30 +170,31 @@ impl<'a> Merging<'a> {
         Some([one, other])
     }
 
-    /// Makes one of two pieces, which is where the first one says. Returns how many points were put into the larger one; `None`: the two
+    /// Makes one of two pieces, which is where the first one says. Returns how many points were put into the other one; `None`: the two
     /// contradict each other.
     fn unite(&mut self, [one, other]: [u32; 2]) -> Option<usize> {
         for number in [one, other] {
             self.due.remove(&(self.pieces[number as usize].rank, number));
         }
-        let is_first_larger = self.pieces[one as usize].places.len() >= self.pieces[other as usize].places.len();
-        let (large, small) = if is_first_larger { (one, other) } else { (other, one) };
-        let gone = self.leave(small);
-        let kept = &mut self.pieces[large as usize];
+        let [first, second] = [one, other].map(|number| &self.pieces[number as usize]);
+        let stays = !second.has_others || first.places.len() >= second.places.len();
+        let (into, from) = if stays { (one, other) } else { (other, one) };
+        let gone = self.leave(from);
+        let kept = &mut self.pieces[into as usize];
         let mut shared = gone.places.keys().copied().filter(|point| kept.places.contains_key(point));
         let ends = [shared.next()?, shared.next_back()?];
-        let (from, to) = (ends.map(|end| gone.place(end)), ends.map(|end| kept.place(end)));
-        let shift = Shift::between(from, to)?;
-        if !is_first_larger {
-            let back = Shift::between(to, from)?;
+        let (there, here) = (ends.map(|end| gone.place(end)), ends.map(|end| kept.place(end)));
+        let shift = Shift::between(there, here)?;
+        if !stays {
+            let back = Shift::between(here, there)?;
             kept.frame = Some(gone.frame.map_or(back, |frame| frame.after(&back)));
         }
         kept.rank = self.rank;
         self.rank += 1;
         let new = kept.put(&gone, &shift, self.net);
         kept.hold(&new, self.net, self.covered)?;
-        self.take_in(large, &new);
-        self.note(large);
+        self.take_in(into, &new);
+        self.note(into);
         Some(gone.places.len())
     }
 
@@ -343,8 +345,8 @@ mod tests {
         assert_eq!((single.len(), merged.len()), (334, 1));
         assert_eq!(merged[0].points.len(), strip.now.len());
         assert!(strip.off(&merged[0]) < 1e-9, "{}", strip.off(&merged[0]));
-        // Whatever the order, a point gets into a piece twice as large each time: 334 < 2^9.
-        assert!(put <= 9 * strip.now.len(), "{put} of {}", strip.now.len());
+        // But for once, a point gets into a piece twice as large each time: 334 < 2^9.
+        assert!(put <= 10 * strip.now.len(), "{put} of {}", strip.now.len());
     }
 
     #[test]
