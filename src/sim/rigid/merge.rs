@@ -381,8 +381,8 @@ mod tests {
         let mut list: Vec<Vec<u32>> = single.iter().map(|piece| piece.points.clone()).collect();
         let shares = |a: &[u32], b: &[u32]| a.iter().filter(|point| b.contains(point)).count() > 1;
         loop {
-            let couples = (0..list.len()).flat_map(|a| (a + 1..list.len()).map(move |b| [a, b]));
-            let Some([a, b]) = couples.into_iter().find(|&[a, b]| shares(&list[a], &list[b])) else { return list };
+            let mut couples = (0..list.len()).flat_map(|a| (a + 1..list.len()).map(move |b| [a, b]));
+            let Some([a, b]) = couples.find(|&[a, b]| shares(&list[a], &list[b])) else { return list };
             let moved = list.remove(b);
             let mut points = [list.remove(a), moved].concat();
             points.sort_unstable();
