@@ -20,6 +20,7 @@ pub(crate) mod inertia;
 mod joined;
 pub(crate) mod joints;
 mod linkage;
+mod merge;
 pub(crate) mod motion;
 mod pieces;
 pub(crate) mod place;

@@ -1,14 +1,11 @@
 //! Which rigid bonds make rigid pieces, and what is left beside them.
 //!
-//! A piece grows from a bond by points that two bonds hold to it; pieces that share two points are one. Linear in the bonds, where few
-//! bonds are in no piece.
+//! A piece grows from a bond by points that two bonds hold to it; pieces that share two points are one (`merge.rs`). Linear in the bonds,
+//! where few bonds are in no piece.
 
+use super::merge::merge;
 use super::shape::{Held, Net, fits};
 use crate::sim::sizes::MOST_PIECES;
-use crate::sim::vector::{add, cross, dot, scale, sub};
-
-/// Share of their distance by which two shared points may be apart in one of two pieces.
-const FITS: f64 = 1e-6;
 
 /// Points that rigid bonds hold in their places.
 #[derive(Clone, Debug)]
@@ -29,12 +26,17 @@ pub(super) struct Found {
 /// The pieces among points; `None`: lengths contradict each other, or too much is loose.
 pub(super) fn find(held: &Held<'_>) -> Option<Found> {
     let net = Net::new(held);
-    let mut search = Search {
-        net: &net,
-        places: vec![None; held.now.len()],
-        covered: vec![false; held.bonds.len()],
-        pieces: Vec::new(),
-    };
+    let (pieces, mut covered) = apart(held, &net, MOST_PIECES)?;
+    let pieces = merge(pieces, &net, &mut covered)?;
+    let rods = (0..held.bonds.len() as u32).filter(|&k| !covered[k as usize]).collect();
+    Some(Found { pieces, rods })
+}
+
+/// The pieces that grow from single bonds, and which bonds are in one; `None`: lengths contradict each other, or there are more than `most`,
+/// loose bonds among them.
+pub(super) fn apart(held: &Held<'_>, net: &Net<'_>, most: usize) -> Option<(Vec<Piece>, Vec<bool>)> {
+    let mut search =
+        Search { net, places: vec![None; held.now.len()], covered: vec![false; held.bonds.len()], pieces: Vec::new() };
     let mut loose = 0;
     for (k, &([a, b], rest)) in held.bonds.iter().enumerate() {
         if search.covered[k] {
@@ -42,14 +44,11 @@ pub(super) fn find(held: &Held<'_>) -> Option<Found> {
         }
         let start = Net::placed(&(a, b, rest, k as u32), &mut search.places);
         loose += usize::from(!search.take(start)?);
-        if loose + search.pieces.len() > MOST_PIECES {
+        if loose + search.pieces.len() > most {
             return None;
         }
     }
-    while search.merge()? {}
-    let Search { covered, pieces, .. } = search;
-    let rods = (0..held.bonds.len() as u32).filter(|&k| !covered[k as usize]).collect();
-    Some(Found { pieces, rods })
+    Some((search.pieces, search.covered))
 }
 
 struct Search<'a> {
@@ -87,60 +86,12 @@ impl Search<'_> {
         }
         Some(is_piece)
     }
-
-    /// Makes one of two pieces that share two points. Returns whether there were such; `None`: they contradict each other.
-    fn merge(&mut self) -> Option<bool> {
-        let mut at: Vec<(u32, u32)> = Vec::new();
-        for (k, piece) in self.pieces.iter().enumerate() {
-            at.extend(piece.points.iter().map(|&point| (point, k as u32)));
-        }
-        at.sort_unstable();
-        let mut pairs: Vec<[u32; 2]> = Vec::new();
-        for of_one in at.chunk_by(|a, b| a.0 == b.0) {
-            for (i, &(_, k)) in of_one.iter().enumerate() {
-                pairs.extend(of_one[..i].iter().map(|&(_, other)| [other, k]));
-            }
-        }
-        pairs.sort_unstable();
-        let Some(pair) = pairs.windows(2).find(|pair| pair[0] == pair[1]) else { return Some(false) };
-        let [one, other] = pair[0].map(|k| k as usize);
-        let moved = self.pieces.remove(other);
-        let kept = self.pieces.remove(one);
-        let mut points = kept.points.clone();
-        kept.points.iter().zip(&kept.places).for_each(|(&point, &x)| self.places[point as usize] = Some(x));
-        let shared: Vec<usize> =
-            (0..moved.points.len()).filter(|&k| self.places[moved.points[k] as usize].is_some()).collect();
-        let [first, .., last] = shared[..] else { return None };
-        let into = carried(
-            [first, last].map(|k| moved.places[k]),
-            [first, last].map(|k| self.places[moved.points[k] as usize].unwrap_or_default()),
-        )?;
-        for (&point, &x) in moved.points.iter().zip(&moved.places) {
-            if self.places[point as usize].is_none() {
-                self.places[point as usize] = Some(into(x));
-                points.push(point);
-            }
-        }
-        self.take(points)?;
-        Some(true)
-    }
-}
-
-/// Carries places from one frame into another, by where two of them are in both; `None`: they are as far apart in neither, or nowhere.
-fn carried([a, b]: [[f64; 2]; 2], [p, q]: [[f64; 2]; 2]) -> Option<impl Fn([f64; 2]) -> [f64; 2]> {
-    let (d, e) = (sub(b, a), sub(q, p));
-    let (length, other) = (dot(d, d).sqrt(), dot(e, e).sqrt());
-    let is_same = length > 0.0 && (length - other).abs() <= FITS * length;
-    let turn = scale([dot(d, e), cross(d, e)], 1.0 / (length * other));
-    is_same.then_some(move |x: [f64; 2]| {
-        let r = sub(x, a);
-        add(p, [turn[0] * r[0] - turn[1] * r[1], turn[1] * r[0] + turn[0] * r[1]])
-    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sim::vector::{dot, sub};
 
     fn found(now: &[[f64; 2]], ends: &[[u32; 2]]) -> Option<Found> {
         let length = |[a, b]: [u32; 2]| {
@@ -162,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn pieces_that_share_two_points_are_one_and_go_on_growing() {
+    fn a_piece_grows_over_what_two_points_of_it_hold() {
         // Two braced squares that share their lower corners 1 and 4 over a gap, and a point that hangs on one bond of each.
         let now = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [2.0, 0.1], [1.0, 1.5], [2.0, 1.2], [0.9, 3.0]];
         let left = [[0, 1], [1, 2], [2, 0], [0, 4], [2, 4]];

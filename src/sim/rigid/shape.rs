@@ -1,5 +1,7 @@
 //! The shape in which rigid bonds hold a body.
 
+use std::collections::BTreeMap;
+
 use crate::sim::vector::{add, cross, dot, scale, sub};
 
 /// Least share of the length of a bond by which a point that two bonds hold must be off the line through their other ends.
@@ -92,6 +94,32 @@ pub(super) fn fits(&([a, b], rest): &([u32; 2], f64), place: impl Fn(u32) -> [f6
 /// A bond as one of its ends sees it: that, the other one, its length `[m]` and its number.
 type Spoke = (u32, u32, f64, u32);
 
+/// Where points are that are laid out.
+pub(super) trait Places {
+    fn at(&self, point: u32) -> Option<[f64; 2]>;
+    fn put(&mut self, point: u32, place: [f64; 2]);
+}
+
+impl Places for Vec<Option<[f64; 2]>> {
+    fn at(&self, point: u32) -> Option<[f64; 2]> {
+        self[point as usize]
+    }
+
+    fn put(&mut self, point: u32, place: [f64; 2]) {
+        self[point as usize] = Some(place);
+    }
+}
+
+impl Places for BTreeMap<u32, [f64; 2]> {
+    fn at(&self, point: u32) -> Option<[f64; 2]> {
+        self.get(&point).copied()
+    }
+
+    fn put(&mut self, point: u32, place: [f64; 2]) {
+        self.insert(point, place);
+    }
+}
+
 /// Bonds by the points that they are at.
 pub(super) struct Net<'a> {
     now: &'a [[f64; 2]],
@@ -110,6 +138,11 @@ impl<'a> Net<'a> {
         Net { now: &held.now, spokes, starts }
     }
 
+    /// How many points there are.
+    pub(super) fn count(&self) -> usize {
+        self.now.len()
+    }
+
     /// The bonds at a point.
     pub(super) fn of(&self, point: u32) -> &[Spoke] {
         &self.spokes[self.starts[point as usize]..self.starts[point as usize + 1]]
@@ -121,26 +154,26 @@ impl<'a> Net<'a> {
         vec![a, b]
     }
 
-    /// Lays points out from these on, as far as two bonds each hold them. Returns all that have a place.
-    pub(super) fn grow(&self, mut list: Vec<u32>, places: &mut [Option<[f64; 2]>]) -> Vec<u32> {
-        let at = |i: u32| self.now[i as usize];
+    /// Lays points out from these on, as far as two bonds each hold them. Returns these and then all that got a place.
+    pub(super) fn grow(&self, mut list: Vec<u32>, places: &mut impl Places) -> Vec<u32> {
+        let now = |i: u32| self.now[i as usize];
         let mut next = 0;
         while let Some(&point) = list.get(next) {
             next += 1;
-            let Some(from) = places[point as usize] else { continue };
+            let Some(from) = places.at(point) else { continue };
             for &(_, q, to, _) in self.of(point) {
-                if places[q as usize].is_some() {
+                if places.at(q).is_some() {
                     continue;
                 }
                 let other = self.of(q).iter().filter(|spoke| spoke.1 != point);
-                let found = other
-                    .filter_map(|&(_, other, rest, _)| Some((other, places[other as usize]?, rest)))
-                    .find_map(|(other, place, rest)| {
-                        let side = cross(sub(at(other), at(point)), sub(at(q), at(point)));
+                let found = other.filter_map(|&(_, other, rest, _)| Some((other, places.at(other)?, rest))).find_map(
+                    |(other, place, rest)| {
+                        let side = cross(sub(now(other), now(point)), sub(now(q), now(point)));
                         third((from, to), (place, rest), side)
-                    });
-                if found.is_some() {
-                    places[q as usize] = found;
+                    },
+                );
+                if let Some(place) = found {
+                    places.put(q, place);
                     list.push(q);
                 }
             }
