@@ -16,7 +16,9 @@ use crate::sim::vector::{convert, dot, widen};
 
 /// What the points of an angle may give to it within a substep, over what it gives itself, where one by one is as good: k h^2 + c h times the
 /// sum of w |g|^2.
-const SOFT: f64 = 0.1;
+const SOFT: f64 = 0.05;
+/// Share by which what an angle and its points give may have changed since the matrix was factored: a body that only turns keeps its matrix.
+const STALE: f64 = 0.1;
 /// Most multiplications of a factorisation for each angle: what is meshed more closely is bent one by one.
 const MOST_FILL: usize = 60;
 
@@ -29,6 +31,8 @@ pub(super) struct Bends {
     shared: Vec<(u32, [u32; 2], [u8; 2])>,
     entries: usize,
     ldl: Ldl<f64>,
+    /// The diagonal of the matrix that was factored; empty: none was.
+    factored: Vec<f64>,
     /// The multipliers so far in this substep, in the order of elimination `[kg m^2]`.
     pressed: Vec<f64>,
     /// All give so much more than their points in this step that they are bent one by one.
@@ -84,6 +88,7 @@ impl Bends {
             shared,
             entries: lower.iter().map(Vec::len).sum(),
             ldl,
+            factored: Vec::new(),
             pressed: vec![0.0; hinges.len()],
             is_soft: false,
             is_stiff: false,
@@ -101,9 +106,17 @@ impl Bends {
         self.is_soft = hinges.iter().all(|hinge| give(hinge).is_none_or(|give| give < SOFT));
     }
 
-    /// Counted work of bending once.
-    fn work(&self) -> u64 {
-        (80 * self.order.len() + 4 * self.shared.len() + self.ldl.multiplications()) as u64
+    /// Factors the matrix of these angles. Returns the counted work.
+    fn factor(&mut self, bent: &[Bent], diagonal: Vec<f64>) -> u64 {
+        let mut lower = vec![0.0; self.entries];
+        for &(entry, pair, corners) in &self.shared {
+            let [a, b] = pair.map(|k| &bent[k as usize]);
+            let [i, j] = corners.map(usize::from);
+            lower[entry as usize] += a.w[i] * dot(a.slopes[i], b.slopes[j]);
+        }
+        self.ldl.factor(&diagonal, &lower, 0.0);
+        self.factored = diagonal;
+        (4 * self.shared.len() + self.ldl.multiplications()) as u64
     }
 
     /// Bends all, in a substep of `h` `[s]`, of a body whose points begin at `base`.
@@ -126,14 +139,12 @@ impl Bends {
             |bent: &Bent| bent.give + (0..3).map(|i| bent.w[i] * dot(bent.slopes[i], bent.slopes[i])).sum::<f64>();
         let diagonal: Vec<f64> = bent.iter().map(own).collect();
         self.is_stiff = bent.iter().zip(&diagonal).any(|(bent, diagonal)| *diagonal > 2.0 * bent.give);
-        let mut lower = vec![0.0; self.entries];
-        for &(entry, pair, corners) in &self.shared {
-            let [a, b] = pair.map(|k| &bent[k as usize]);
-            let [i, j] = corners.map(usize::from);
-            lower[entry as usize] += a.w[i] * dot(a.slopes[i], b.slopes[j]);
+        state.counts.work += (80 * self.order.len() + 2 * self.ldl.fill()) as u64;
+        let keeps = |(now, before): (&f64, &f64)| (now - before).abs() <= STALE * before;
+        if self.factored.is_empty() || !diagonal.iter().zip(&self.factored).all(keeps) {
+            state.counts.work += self.factor(&bent, diagonal);
         }
         let mut multipliers = asked.clone();
-        self.ldl.factor(&diagonal, &lower, 0.0);
         self.ldl.solve_one(&mut multipliers);
         // What they turn by is what was asked for less what they give.
         let turns = asked.iter().zip(&multipliers).zip(&bent).map(|((asked, l), bent)| (asked - l * bent.give).abs());
@@ -180,7 +191,6 @@ fn go_on<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let mut bends = std::mem::take(&mut state.bends);
     for (own, (body, base)) in bends.iter_mut().zip(state.members(common)) {
         if let Some(own) = own.as_mut().filter(|own| own.is_stiff) {
-            state.counts.work += own.work();
             own.bend(state, common.hinges(body), (base as u32, h));
         }
     }
