@@ -54,13 +54,16 @@ fn what_is_strained_beyond_its_limit_makes_no_body() {
 
 /// How far points that bonds hold are from where one body is at this time `[m]`.
 fn apart(how: [f64; 2], t: f64) -> f64 {
-    let one = run(&mut *world(&thrown(&SQUARE, &sides(), how)), t);
+    let finely = |bonds: &[([usize; 2], Value)]| {
+        let mut scene = thrown(&SQUARE, bonds, how);
+        scene["method"]["substep"] = json!(2e-4);
+        scene
+    };
+    let one = run(&mut *world(&finely(&sides())), t);
     let mut bonds = sides();
     // Without a diagonal it is no body.
     bonds[4].1 = json!({"break_strain": 1});
-    let mut scene = thrown(&SQUARE, &bonds, how);
-    scene["method"]["substep"] = json!(2e-4);
-    let mut by_bonds = world(&scene);
+    let mut by_bonds = world(&finely(&bonds));
     assert!(by_bonds.moved_by().iter().all(|moved| moved.method != Solver::Rigid));
     while by_bonds.time() + by_bonds.substep() <= t + 1e-9 {
         by_bonds.step();
