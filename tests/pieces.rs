@@ -295,6 +295,20 @@ fn a_thrown_disc_among_polygons_costs_little_whatever_its_speed() {
 }
 
 #[test]
+fn what_hangs_on_a_spring_from_a_pin_alone_swings_on_it() {
+    let (stiffness, mass, g) = (300.0_f64, 3.0, 9.81);
+    let scene = json!({"wobble": 1, "gravity": [0, -g], "points": {"position": [[0, 0], [-0.5, -0.8], [0.5, -0.8], [0, 1]],
+        "mass": [1, 1, 1, 1], "pinned": [3]}, "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 0},
+        {"a": 0, "b": 3, "kind": "spring", "stiffness": stiffness, "rest": 1}]});
+    let mut world = world(&scene);
+    for t in [0.1, 0.5, 2.0] {
+        let expected = mass * g / stiffness * ((stiffness / mass).sqrt() * t).cos() - mass * g / stiffness;
+        let found = run(&mut *world, t).position[0][1];
+        assert!((found - expected).abs() < 1e-4, "{t}: {found} {expected}");
+    }
+}
+
+#[test]
 fn what_the_mouse_gives_is_in_the_ledger() {
     let scene = json!({"wobble": 1, "gravity": [0, -9.81], "method": {"ledger": true},
         "mouse": {"strength": 300, "radius": 1, "track": [[0, -2, 0.2], [1, 2, 0.2]]},

@@ -257,11 +257,13 @@ impl<S: Real, const D: usize> Pull<S, D> {
     }
 }
 
-/// Times that friction is found anew from what presses with it.
+/// Times that friction is found anew from what presses with it, and by what share each time has to change less than the one before.
 const MOST_ROUNDS: u32 = 60;
+const SETTLES: f64 = 0.7;
 
 /// Adds friction, and what rigid bonds answer to it, to accelerations to which they have answered: what presses is found together with what
-/// rubs, for bonds make one of the other.
+/// rubs, for bonds make one of the other. Where that does not settle, as where friction holds more than it is pressed by, it is friction by
+/// what presses without it.
 fn rub_through<S: Real, const D: usize>(
     rigid: &mut Direct<S, D>,
     contacts: &mut Contacts<S, D>,
@@ -272,17 +274,20 @@ fn rub_through<S: Real, const D: usize>(
         return;
     }
     rigid.multiply(v, a, contacts);
+    let once = (a.to_vec(), contacts.pressing().collect::<Vec<_>>());
     let mut last = S::INFINITY;
     for _ in 0..MOST_ROUNDS {
         let change = contacts.rub_again(v, a);
         if change == S::ZERO {
             return;
         }
-        rigid.multiply(v, a, contacts);
-        // Where that does not settle, as where friction lifts what presses, no more is looked for.
-        if change > last {
+        // A comparison that is false for NaN would hide it.
+        if !(change <= last * S::from_f64(SETTLES)) {
+            a.copy_from_slice(&once.0);
+            contacts.press_again(&once.1);
             return;
         }
+        rigid.multiply(v, a, contacts);
         last = change;
     }
 }

@@ -313,23 +313,31 @@ pub fn fit_in(view: &View<'_>, free: Free, size: [u32; 2]) -> Camera {
     camera
 }
 
-/// Share of the view about its middle in which what is driven stays.
+/// Share of the view about its middle in which the middle of what is driven stays, and in which all of it does where it can.
 const STAY: f64 = 0.4;
+const SEEN: f64 = 0.75;
 
-/// The camera goes along with the middle of places, those that are none apart, as far as it leaves the middle of the view; in the plane.
-/// Returns whether it moved.
+/// The camera goes along with places, those that are none apart, as far as their middle leaves the middle of the view: the less it may the
+/// more of the view they take, so that all are seen; in the plane. Returns whether it moved.
 pub fn follow(camera: &mut Camera, places: impl Iterator<Item = DVec3>) -> bool {
     let Pose::Plane { .. } = camera.pose else { return false };
-    let there = places.filter(|place| place.is_finite());
-    let (sum, count) = there.fold((DVec3::ZERO, 0), |(sum, count), place| (sum + place, count + 1));
-    let middle = sum / f64::from(count);
-    let Some(at) = camera.screen_from_world(middle).filter(|at| at.iter().all(|x| x.is_finite())) else {
+    let seen = places.filter_map(|place| camera.screen_from_world(place)).filter(|at| at.iter().all(|x| x.is_finite()));
+    let (mut sum, mut count, mut low, mut high) = ([0.0; 2], 0.0, [f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for at in seen {
+        count += 1.0;
+        for axis in 0..2 {
+            sum[axis] += at[axis];
+            (low[axis], high[axis]) = (low[axis].min(at[axis]), high[axis].max(at[axis]));
+        }
+    }
+    if count == 0.0 {
         return false;
-    };
+    }
     let size = camera.viewport().map(f64::from);
     let beyond = |axis: usize| {
-        let half = 0.5 * STAY * size[axis];
-        let off = at[axis] - 0.5 * size[axis];
+        let room = 0.5 * STAY * size[axis];
+        let half = room.min((0.5 * (SEEN * size[axis] - (high[axis] - low[axis]))).max(0.0));
+        let off = sum[axis] / count - 0.5 * size[axis];
         off - off.clamp(-half, half)
     };
     let by = [beyond(0), beyond(1)];

@@ -189,6 +189,16 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         any
     }
 
+    /// What presses on each resting point `[m/s^2]`, before friction and surfaces took their part.
+    pub(crate) fn pressing(&self) -> impl Iterator<Item = [S; D]> + '_ {
+        self.rests.iter().map(|rest| rest.pressing)
+    }
+
+    /// The same as it was.
+    pub(crate) fn press_again(&mut self, pressing: &[[S; D]]) {
+        self.rests.iter_mut().zip(pressing).for_each(|(rest, pressing)| rest.pressing = *pressing);
+    }
+
     /// Makes friction that was added, and that bonds have answered to since, as large as what presses now allows. Returns the largest change
     /// `[m/s^2]`, 0 where all of it is rounding.
     pub(crate) fn rub_again(&mut self, v: &[[S; D]], a: &mut [[S; D]]) -> S {

@@ -33,9 +33,9 @@ pub(crate) struct Pieces {
 }
 
 impl Pieces {
-    /// Whether it is one body that nothing joins to anything.
+    /// Whether all of its points are of one body.
     pub(crate) fn is_one(&self) -> bool {
-        self.plan.bodies.len() == 1 && self.plan.links.is_empty()
+        self.plan.bodies.len() == 1 && self.plan.seats.is_empty()
     }
 
     /// Whether two points are on one body.
