@@ -1,5 +1,5 @@
 //! What a view goes along with, and pictures higher than wide: there a wide room would be a strip in the middle, so where what is in it
-//! takes less than half of its width, the view shows that, as large as the height lets it, and goes along with it from wall to wall.
+//! takes less than a quarter of its width, the view shows that, as large as the height lets it, and goes along with it from wall to wall.
 
 use glam::{DVec2, DVec3};
 
@@ -8,7 +8,7 @@ use crate::render::{Camera, Pose, View};
 use crate::scene::Scene;
 
 /// Width of all points from which on the whole room is shown, as a share of the room's `[1]`.
-const ROAMING: f64 = 0.5;
+const ROAMING: f64 = 0.25;
 /// How much wider than all points a picture is at least that goes along with them `[1]`: room to move before the view does.
 const ABOUT: f64 = 1.6;
 /// Points from which on none is followed but those that a scene names: their middle is worked out in every frame.

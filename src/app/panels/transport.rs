@@ -29,7 +29,8 @@ pub(super) fn show(ui: &mut egui::Ui, left: &mut Option<At>, facts: &Facts, wish
             ui.monospace(format!("{:7.2} s", facts.figures.time));
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 // Always of one width, so that the line stays where it is while it is pressed on.
-                let width = STATE.min(0.45 * ui.available_width());
+                let room = ui.available_width();
+                let width = STATE.min(if room < NARROW { 0.2 } else { 0.45 } * room);
                 let size = vec2(width, ui.spacing().interact_size.y);
                 ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
                     ui.set_min_width(width);
@@ -51,6 +52,8 @@ pub(super) fn show(ui: &mut egui::Ui, left: &mut Option<At>, facts: &Facts, wish
 
 /// Width of the words on how it stands `[points]`.
 const STATE: f32 = 290.0;
+/// Room for these words, for notes and for the line of time below which the words make way `[points]`.
+const NARROW: f32 = 560.0;
 /// Work that slows a scene down takes most of a frame at least `[s]`.
 const LEAST_CAUSE: f64 = 0.75 / 60.0;
 
@@ -186,14 +189,41 @@ fn slow_motion(facts: &Facts) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use super::super::theme;
     use super::*;
-    use crate::app::player::Figures;
+    use crate::app::player::{Figures, Moved, Movers};
+    use crate::sim::Why;
 
     #[test]
     fn the_end_of_a_duration_is_said() {
         let figures = Figures { time: 31.415_926, ended: true, playing: false, ..Figures::default() };
         let facts = Facts { figures, ..Facts::default() };
         assert_eq!(state(&facts).0, "the end of its 31.4159 s: R plays it again");
+    }
+
+    #[test]
+    fn the_line_of_time_has_room_in_a_narrow_window_beside_notes() {
+        let moved = Moved { why: Why::Contact, islands: 2, since: [0.0; 2] };
+        let movers = Arc::new(Movers { moved: vec![moved], islands: 2, can_be_exact: false });
+        let facts = Facts {
+            figures: Figures { time: 4.0, end: 4.0, playing: true, movers, ..Figures::default() },
+            ..Facts::default()
+        };
+        for width in [720.0, 1280.0] {
+            let context = egui::Context::default();
+            theme::apply(&context, Default::default());
+            let screen = Rect::from_min_size(egui::Pos2::ZERO, vec2(width, 720.0));
+            let mut line = None;
+            for _ in 0..3 {
+                let input = egui::RawInput { screen_rect: Some(screen), ..egui::RawInput::default() };
+                let mut output = context.run_ui(input, |ui| line = show(ui, &mut None, &facts, &mut Vec::new()));
+                output.textures_delta.clear();
+            }
+            let line = line.map_or(0.0, |line| line.width());
+            assert!(line > 90.0, "{width}: {line}");
+        }
     }
 
     #[test]
