@@ -154,10 +154,9 @@ impl<S: Real, const D: usize> Pull<S, D> {
                 let fall: [S; D] = convert(gravity);
                 let mut all: Vec<[S; D]> = a.iter().map(|a| add(*a, fall)).collect();
                 rigid.answer(x, v, &mut all, contacts);
-                rub_through(rigid, contacts, v, &mut all);
-                contacts.hold_kick(gravity, v, a, true);
+                contacts.hold_kick(gravity, v, a, Some(&all));
             }
-            _ => contacts.hold_kick(gravity, v, a, false),
+            _ => contacts.hold_kick(gravity, v, a, None),
         }
     }
 

@@ -156,14 +156,14 @@ impl<S: Real, const D: usize> Contacts<S, D> {
         self.place.fill(0);
     }
 
-    /// Makes accelerations `a`, to which a kick adds `gravity`, such that the sum is what resting points can follow. `is_pressed`: what
-    /// presses on them was found before, where bonds pass something on.
-    pub(crate) fn hold_kick(&self, gravity: [f64; D], v: &[[S; D]], a: &mut [[S; D]], is_pressed: bool) {
+    /// Makes accelerations `a`, to which a kick adds `gravity`, such that the sum is what resting points can follow. `pressing`: all that
+    /// presses on points, where bonds pass something on.
+    pub(crate) fn hold_kick(&self, gravity: [f64; D], v: &[[S; D]], a: &mut [[S; D]], pressing: Option<&[[S; D]]>) {
         let gravity: [S; D] = super::vector::convert(gravity);
         for rest in &self.rests {
             let i = rest.point as usize;
             let total = add(a[i], gravity);
-            let pressed = if is_pressed { rest.pressing } else { total };
+            let pressed = pressing.map_or(total, |pressing| pressing[i]);
             let total = rest.free(add(total, self.friction(rest, v[i], pressed)));
             a[i] = sub(total, gravity);
         }

@@ -162,7 +162,8 @@ impl<S: Real, const D: usize> Group<S, D> {
         late.retain(|(point, _)| is_loose && self.pull.contacts.of(*point).is_none());
         self.leave(event);
         self.add_gravity(around, &late, -taken);
-        self.bounce(around, (t + taken, if is_located { SHORTEST_FLIGHT * h } else { 4.0 * h }), &hits, counters);
+        let shortest = if is_located { SHORTEST_FLIGHT * h } else { 4.0 * h };
+        self.bounce(around, (t + taken, shortest), (&hits, is_located), counters);
         self.add_gravity(around, &late, taken);
         if !is_located
             && let Some(rigid) = &mut self.pull.rigid
@@ -183,7 +184,13 @@ impl<S: Real, const D: usize> Group<S, D> {
 
     /// Points that hit surfaces get their velocities off them; those whose flight would be shorter than `shortest` `[s]`
     /// come to rest.
-    fn bounce(&mut self, around: &Environment<D>, (t, shortest): (f64, f64), hits: &[Hit], counters: &mut Counters) {
+    fn bounce(
+        &mut self,
+        around: &Environment<D>,
+        (t, shortest): (f64, f64),
+        hits: (&[Hit], bool),
+        counters: &mut Counters,
+    ) {
         self.accelerations(around, t, counters);
         let (accelerations, surfaces) =
             (std::mem::take(&mut self.acceleration), Arc::clone(&self.pull.contacts.obstacles.surfaces));

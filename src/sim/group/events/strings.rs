@@ -113,7 +113,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Strings answer velocities that changed at once: those that would have to push are let go.
     pub(in crate::sim::group) fn jerk(&mut self) {
         let rigid = self.pull.rigid.as_mut();
-        impact::strike(&mut self.points, &mut self.pull.contacts, rigid, &[], |_, _| false, None);
+        impact::strike(&mut self.points, &mut self.pull.contacts, rigid, (&[], true), |_, _| false, None);
         self.note_strings();
         self.watch_taut();
         self.engine.refresh();

@@ -81,7 +81,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             hits = self.hits(true);
         }
         let rigid = self.pull.rigid.as_mut();
-        impact::strike(&mut self.points, &mut self.pull.contacts, rigid, &hits, |_, _| false, None);
+        impact::strike(&mut self.points, &mut self.pull.contacts, rigid, (&hits, false), |_, _| false, None);
         for hit in hits {
             let off = dot(self.points.velocity[hit.point], self.pull.contacts.obstacles.surfaces[hit.surface].normal);
             if off == S::ZERO {

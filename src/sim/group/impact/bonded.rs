@@ -17,12 +17,12 @@ const MOST_CONTACTS: usize = 3 * MOST_LOCATED_RODS / 2;
 const HELD: f64 = 4e5;
 const ROUNDING: f64 = 4e6;
 
-/// With rigid bonds, strings among them, of which events decide which act: by Coulomb's law where something is rough, in the plane.
+/// With rigid bonds, strings among them, of which events decide which act: by Coulomb's law where something is rough, in the plane. Not where
+/// points are put out of surfaces at the end of a step: both ends of a bond would be held there at a wrong length.
 pub(super) fn strike_bonded<S: Real, const D: usize>(
-    points: &mut Points<S, D>,
-    contacts: &mut Contacts<S, D>,
+    (points, contacts): (&mut Points<S, D>, &mut Contacts<S, D>),
     rigid: &mut Direct<S, D>,
-    targets: &mut Vec<Target<S>>,
+    (targets, is_located): (&mut Vec<Target<S>>, bool),
     pressed: &mut Option<f64>,
 ) {
     for point in contacts.rests.iter().map(|rest| rest.point as usize).collect::<Vec<_>>() {
@@ -30,7 +30,7 @@ pub(super) fn strike_bonded<S: Real, const D: usize>(
     }
     contacts.clear();
     let is_rough = targets.iter().any(|target| contacts.obstacles.surfaces[target.hit.surface].friction > S::ZERO);
-    if is_rough && D == 2 && targets.len() <= MOST_CONTACTS && !rigid.chooses_itself() {
+    if is_located && is_rough && D == 2 && targets.len() <= MOST_CONTACTS && !rigid.chooses_itself() {
         strike_rough(points, contacts, rigid, targets, pressed);
     } else {
         strike_smooth(points, contacts, rigid, targets, pressed);

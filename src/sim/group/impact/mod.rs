@@ -21,14 +21,15 @@ pub(crate) struct Hit {
 ///
 /// Model: the impulse of least energy that keeps the bonds, gives every hit point its velocity off the surface, and
 /// never pulls. Friction takes at most `friction` times the change across the surface from the velocity along it; of points in
-/// bonds it is found together with what presses. Points that rest already take part: they are not pushed into their surface.
+/// bonds it is found together with what presses, where hits are located in time. Points that rest already take part: they are not pushed
+/// into their surface.
 /// What the impact and its friction take is written into `book`, if there is one.
 /// `gentle(hit, speed)` tells which hits are too slow to bounce: those points come to rest.
 pub(crate) fn strike<S: Real, const D: usize>(
     points: &mut Points<S, D>,
     contacts: &mut Contacts<S, D>,
     rigid: Option<&mut Direct<S, D>>,
-    hits: &[Hit],
+    (hits, is_located): (&[Hit], bool),
     gentle: impl Fn(Hit, S) -> bool,
     book: Option<&mut Book>,
 ) {
@@ -46,7 +47,7 @@ pub(crate) fn strike<S: Real, const D: usize>(
         }
     }
     match rigid {
-        Some(rigid) => bonded::strike_bonded(points, contacts, rigid, &mut targets, &mut pressed),
+        Some(rigid) => bonded::strike_bonded((points, contacts), rigid, (&mut targets, is_located), &mut pressed),
         None => strike_loose(points, contacts, &mut targets, &mut pressed),
     }
     if let (Some(book), Some(start), Some(pressed)) = (book, start, pressed) {
