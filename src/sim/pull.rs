@@ -280,8 +280,9 @@ fn rub_through<S: Real, const D: usize>(
         if change == S::ZERO {
             return;
         }
-        // A comparison that is false for NaN would hide it.
-        if !(change <= last * S::from_f64(SETTLES)) {
+        // What is no number does not.
+        let settles = change <= last * S::from_f64(SETTLES);
+        if !settles {
             a.copy_from_slice(&once.0);
             contacts.press_again(&once.1);
             return;
