@@ -315,7 +315,7 @@ pub fn fit_in(view: &View<'_>, free: Free, size: [u32; 2]) -> Camera {
 
 /// Share of the view about its middle in which the middle of what is driven stays, and in which all of it does where it can.
 const STAY: f64 = 0.4;
-const SEEN: f64 = 0.75;
+const SEEN: f64 = 0.9;
 
 /// The camera goes along with places, those that are none apart, as far as their middle leaves the middle of the view: the less it may the
 /// more of the view they take, so that all are seen; in the plane. Returns whether it moved.
