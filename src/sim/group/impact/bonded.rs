@@ -13,9 +13,16 @@ use crate::sim::vector::{add, dot, scale, zero};
 
 /// Most contacts of an impact whose friction goes through bonds: a point and a half for each bond that may be located.
 const MOST_CONTACTS: usize = 3 * MOST_LOCATED_RODS / 2;
-/// Share of what a point alone would give below which its bonds hold it there, and share of an energy that is rounding, in roundings.
-const HELD: f64 = 4e5;
-const ROUNDING: f64 = 4e6;
+/// Share of what a point alone would give below which its bonds hold it there, and share of an energy that is rounding; no less than so many
+/// roundings.
+const HELD: f64 = 1e-10;
+const ROUNDING: f64 = 1e-9;
+const ROUNDINGS: f64 = 64.0;
+
+/// A share that may be rounding.
+fn rounded<S: Real>(share: f64) -> f64 {
+    share.max(ROUNDINGS * S::EPSILON.to_f64())
+}
 
 /// With rigid bonds, strings among them, of which events decide which act: by Coulomb's law where something is rough, in the plane. Not where
 /// points are put out of surfaces at the end of a step: both ends of a bond would be held there at a wrong length.
@@ -115,7 +122,7 @@ fn strike_rough<S: Real, const D: usize>(
         rigid.set_taut(string, false);
     };
     let fastest = found.motion.speeds.iter().flatten().fold(0.0, |most: f64, speed| most.max(speed.abs()));
-    let slow = fastest * S::EPSILON.to_f64() * HELD;
+    let slow = fastest * rounded::<S>(HELD);
     let mut results = found.motion.speeds.iter().zip(&found.impulses);
     targets.retain(|target| {
         results.next().is_some_and(|(speed, impulse)| !target.rests || impulse[0] > 0.0 || speed[0] <= slow)
@@ -183,12 +190,12 @@ fn coupled<S: Real, const D: usize>(
             rigid.project_ahead(&mut column, contacts);
             rigid.project_ahead(&mut column, contacts);
             let mut all = speeds(&column, targets, ways);
-            if all[k][axis] <= alone.to_f64() * S::EPSILON.to_f64() * HELD {
+            if all[k][axis] <= alone.to_f64() * rounded::<S>(HELD) {
                 all.fill([0.0; 2]);
             }
             gives.push(all);
         }
     }
     let mass = points.inverse_mass.iter().filter(|w| **w > S::ZERO).map(|w| 1.0 / w.to_f64()).sum();
-    Coupled { gives, mass, rounding: S::EPSILON.to_f64() * ROUNDING }
+    Coupled { gives, mass, rounding: rounded::<S>(ROUNDING) }
 }
