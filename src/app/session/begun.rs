@@ -50,6 +50,7 @@ impl Session {
             ways: Default::default(),
             over: Over::default(),
             covered: Vec::new(),
+            laid_anew: 0,
             trails: Trails::new(TrailSettings::default().length),
             trailing: Trailing::default(),
             look: Look { scale_factor: window.scale_factor() as f32, least_pin: LEAST_PIN, ..Look::default() },

@@ -24,6 +24,8 @@ const MOST_MARKED: usize = 100_000;
 const MOST_SEEN: usize = 2_000;
 /// Of those that are selected so many.
 const MOST_MARKS: usize = 16;
+/// Panels that lie elsewhere than the time before are laid out so often once more in a row at most.
+const MOST_LAID_ANEW: u8 = 3;
 /// Size of words over the world `[points]`.
 const WORDS: f32 = 13.0;
 /// Room between them and an edge `[points]`.
@@ -78,11 +80,15 @@ impl Session {
         let has_plots = !self.panels.plots_at.is_dragged();
         let read = panels::read_at(&context, (output.pixels_per_point, has_plots));
         self.give_world(&laid, output.pixels_per_point, read);
-        self.covered = panels::covered(&context, output.pixels_per_point);
+        let covered = panels::covered(&context, output.pixels_per_point);
+        // What is placed by its size knows that only when it was shown: it is laid out once more, but not for ever.
+        self.laid_anew = if covered == self.covered { 0 } else { self.laid_anew.saturating_add(1) };
+        self.covered = covered;
         self.egui.handle_platform_output(&self.window, output.platform_output);
         let delay = output.viewport_output.values().map(|viewport| viewport.repaint_delay).min();
         match delay {
             Some(Duration::ZERO) => self.panels_dirty = true,
+            _ if (1..=MOST_LAID_ANEW).contains(&self.laid_anew) => self.panels_dirty = true,
             Some(delay) => self.panels_due = Instant::now().checked_add(delay),
             None => {}
         }

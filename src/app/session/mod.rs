@@ -122,6 +122,8 @@ pub(super) struct Session {
     /// What lies over that at the right.
     over: Over,
     covered: Vec<[f32; 4]>,
+    /// How often in a row panels were laid out and lay elsewhere than the time before.
+    laid_anew: u8,
     pub(super) pointer: Pointer,
     hand: Hand,
     /// Which keys are held down beside others.
