@@ -199,10 +199,7 @@ fn follow(camera: &mut Camera, world: &dyn Dynamics, followed: &Followed, is_dri
     if world.dimensions() != 2 {
         return;
     }
-    let points = match &followed.points[..] {
-        [] if is_driven => driven(world),
-        points => points.iter().copied().map(PointId).collect(),
-    };
+    let points = followed.or_driven(|| if is_driven { driven(world) } else { Vec::new() });
     let positions = world.positions();
     let place =
         |point: PointId| DVec3::new(positions.get(2 * point.index()), positions.get(2 * point.index() + 1), 0.0);

@@ -124,8 +124,9 @@ impl<'a, const D: usize> Trials<'a, D> {
         let method = Method { solver, substep: Some(substep), tolerance: None, budget: None, ..self.model.method };
         let model = Model { method, ..self.model.clone() };
         let mut world = build(&model)?;
-        let unit: f64 = world.parts().iter().map(|part| part.work).sum();
-        let is_rigid = world.parts().iter().any(|part| part.solver == Solver::Rigid);
+        let parts = world.parts();
+        let unit: f64 = parts.iter().map(|part| part.work).sum();
+        let is_rigid = parts.iter().any(|part| part.solver == Solver::Rigid);
         let rate = if is_rigid { OF_A_RIGID } else { 1.0 };
         let limit = limit.min(MOST_WORK - self.spent);
         let mut positions = Vec::with_capacity(self.times.len());

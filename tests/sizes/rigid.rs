@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use wobble::sim::{BondKind, Model, PointId, sizes};
 
-use super::across::{Across, beside, fine, floor, keys, precision, thrown, tipped};
+use super::across::{Across, beside, fine, floor, keys, precision, thrown, tipped, with};
 use crate::large::models::{bonded, hub, hung, rope, to_strain, tree};
 
 /// So many rigid triangles in a row, each jointed to the next at a corner, the first pinned.
@@ -76,6 +76,16 @@ fn rods_that_meet_surfaces_go_over_from_bodies_to_points() {
     let fine = fine(ORDER_2, 512);
     Across { size: "MOST_RODS", below, above, fine, seconds: 0.5, points: 9 }
         .check_methods(["rigid 13 rigid bodies in joints", ORDER_2]);
+}
+
+#[test]
+fn friction_through_bonds_goes_over_to_that_of_each_point() {
+    // All of the row far off lie on the floor when the rope gets there, and the last of that.
+    let lying = sizes::MOST_STRUCK as u32 - 2;
+    let named = with(json!({ "method": { "solver": "rk4" } }), &floor(-0.5));
+    let [below, above] = [lying, lying + 1].map(|more| keys(&tipped(&rope(9), more, BondKind::Rigid), &named));
+    let fine = fine("rk4", 64);
+    Across { size: "MOST_STRUCK", below, above, fine, seconds: 1.0, points: 9 }.check_methods(["rk4", "rk4"]);
 }
 
 #[test]

@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 use super::{OUTER, SLIMMEST, follow, look, points, surroundings};
 use crate::render::{Camera, Pose, View};
 use crate::scene::Scene;
+use crate::sim::PointId;
 
 /// Width of all points from which on the whole room is shown, as a share of the room's `[1]`.
 const ROAMING: f64 = 0.25;
@@ -27,6 +28,11 @@ impl Followed {
     /// Whether the scene names them.
     pub fn is_said(&self) -> bool {
         self.walls.is_none() && !self.points.is_empty()
+    }
+
+    /// The points that the view goes along with: those of the scene, else what its keys drive.
+    pub fn or_driven(&self, driven: impl FnOnce() -> Vec<PointId>) -> Vec<PointId> {
+        if self.points.is_empty() { driven() } else { self.points.iter().copied().map(PointId).collect() }
     }
 
     /// The camera goes along with the places of the points. Returns whether it moved.

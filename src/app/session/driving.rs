@@ -84,12 +84,9 @@ impl Session {
         if !is_by_keys && self.hand.is_busy() {
             return;
         }
-        let points: Vec<usize> = match is_by_keys {
-            true => shown.scenery.driven.iter().map(|point| point.index()).collect(),
-            false => followed.points.iter().map(|&point| point as usize).collect(),
-        };
+        let points = followed.or_driven(|| shown.scenery.driven.to_vec());
         let mut own = self.tiles.own(&self.camera, self.area);
-        if followed.lead(&mut own, points.into_iter().map(|point| shown.place(point).into())) {
+        if followed.lead(&mut own, points.into_iter().map(|point| shown.place(point.index()).into())) {
             // Where it does so from the start, the view is as it opens still, for a window of another size.
             let framing = if is_by_keys { Framing::Free } else { self.framing };
             (self.camera, self.framing) = (self.tiles.whole(&own, self.area), framing);

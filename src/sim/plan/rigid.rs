@@ -15,14 +15,11 @@ use crate::sim::real::Real;
 use crate::sim::rigid::Rigid;
 use crate::sim::rigid::blueprint::{Blueprint, BodyPlan};
 use crate::sim::rigid::joints::End;
-use crate::sim::rigid::shape::{Held, Shape};
+use crate::sim::rigid::shape::{FITS, Held, Shape};
 use crate::sim::rigid::ties::Ties;
 use crate::sim::sizes::{MOST_RODS, MOST_SOUGHT};
 use crate::sim::solver::Solver;
 use crate::sim::vector::{flat, length, sub, widen};
-
-/// Strain by which a bond that is within a body may be off the length that the body gives it.
-const FITS: f64 = 1e-6;
 
 /// What an island is as rigid bodies.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,23 +37,31 @@ impl Pieces {
 
     /// Whether two points are on one body.
     fn share(&self, points: [PointId; 2]) -> bool {
-        let places = points.map(|point| self.points.binary_search(&point.0).map_or(u32::MAX, |place| place as u32));
-        let are_on = |body: &BodyPlan| places.iter().all(|place| body.points.binary_search(place).is_ok());
+        let places = self.places(points);
         // A point of two bodies has its seat on one of them, which need not be that of the other point.
         let on_seat = |place: &u32| match self.plan.seats.get(*place as usize) {
-            Some(&End::On { body, .. }) => are_on(&self.plan.bodies[body as usize]),
+            Some(&End::On { body, .. }) => has_all(&self.plan.bodies[body as usize], &places),
             _ => false,
         };
-        if self.is_one() { self.plan.bodies.iter().all(are_on) } else { places.iter().any(on_seat) }
+        if self.is_one() { has_all(&self.plan.bodies[0], &places) } else { places.iter().any(on_seat) }
     }
 
     /// Whether points stay as far from each other as they are: on one body, or standing still.
     fn keep(&self, points: [PointId; 3]) -> bool {
-        let places = points.map(|point| self.points.binary_search(&point.0).map_or(u32::MAX, |place| place as u32));
-        let is_on = |body: &BodyPlan| places.iter().all(|place| body.points.binary_search(place).is_ok());
+        let places = self.places(points);
         let is_fixed = |&place: &u32| matches!(self.plan.seats.get(place as usize), Some(End::Fixed(_)));
-        self.plan.bodies.iter().any(is_on) || places.iter().all(is_fixed)
+        self.plan.bodies.iter().any(|body| has_all(body, &places)) || places.iter().all(is_fixed)
     }
+
+    /// Where points stand in the plan.
+    fn places<const N: usize>(&self, points: [PointId; N]) -> [u32; N] {
+        points.map(|point| self.points.binary_search(&point.0).map_or(u32::MAX, |place| place as u32))
+    }
+}
+
+/// Whether all of these points are on a body.
+fn has_all(body: &BodyPlan, places: &[u32]) -> bool {
+    places.iter().all(|place| body.points.binary_search(place).is_ok())
 }
 
 /// Marks the islands that move as rigid bodies where the rules choose.

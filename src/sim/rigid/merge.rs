@@ -14,11 +14,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::pieces::Piece;
-use super::shape::{Net, fits};
+use super::shape::{FITS, Net, fits};
 use crate::sim::vector::{add, cross, dot, scale, sub};
-
-/// Share of their distance by which two shared points may be apart in one of two pieces.
-const FITS: f64 = 1e-6;
 
 /// Makes one of those pieces that share two points, as long as there are such; bonds that get into one are `covered`. `None`: they contradict
 /// each other.

@@ -7,7 +7,7 @@ use crate::sim::vector::{add, cross, dot, scale, sub};
 /// Least share of the length of a bond by which a point that two bonds hold must be off the line through their other ends.
 const LEAST_HEIGHT: f64 = 1e-2;
 /// Share of its length by which a bond may differ from what the others say.
-const FITS: f64 = 1e-6;
+pub(crate) const FITS: f64 = 1e-6;
 
 /// What a rigid body is by itself.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,6 +3,7 @@
 use super::body::{Body, lift};
 use super::inertia::Contact;
 use super::motion::Motion;
+use super::place::Place;
 use crate::sim::contact::coulomb::Rub;
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::real::Real;
@@ -77,6 +78,16 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
         self.obstacles.surfaces[touch.surface].gap_of(self.at(motion, touch.point))
     }
 
+    /// Points of the hull that may be no more than so far off a plane `[m]`, and no others that are clearly further off: the normal is turned
+    /// into the shape once instead of each place out of it.
+    fn low(&self, motion: &Motion, surface: usize, most: f64) -> impl Iterator<Item = Touch> {
+        let (plane, Place { middle, turn: [c, s], .. }) = (&self.obstacles.surfaces[surface], motion.place);
+        let [x, y] = flat(widen(plane.normal));
+        let (normal, room) = ([c * x + s * y, c * y - s * x], most + self.touch - plane.gap_of(middle));
+        let is_low = move |&&point: &&u32| dot(normal, self.body.shape.places[point as usize]) <= room;
+        self.body.hull.iter().filter(is_low).map(move |&point| Touch { point, surface })
+    }
+
     /// A point on a surface, as the law has it.
     pub(super) fn contact(&self, motion: &Motion, touch: Touch) -> Contact {
         let surface = &self.obstacles.surfaces[touch.surface];
@@ -109,7 +120,7 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
     pub(super) fn touching(&self, motion: &Motion, near: &Near) -> Vec<Touch> {
         let mut list: Vec<Touch> = Vec::new();
         for &surface in &near.planes {
-            let touches = self.body.hull.iter().map(|&point| Touch { point, surface });
+            let touches = self.low(motion, surface, self.touch);
             list.extend(touches.filter(|&touch| self.is_free(touch.point) && self.gap(motion, touch) <= self.touch));
         }
         if near.has_walls {
@@ -143,7 +154,7 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
     ) -> Option<f64> {
         let mut candidates: Vec<Touch> = Vec::new();
         for &surface in &near.planes {
-            candidates.extend(self.body.hull.iter().map(|&point| Touch { point, surface }));
+            candidates.extend(self.low(end, surface, -self.touch));
         }
         if near.has_walls {
             for point in self.points() {
@@ -209,8 +220,7 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
     pub(super) fn behind(&self, motion: &Motion, near: &Near) -> Vec<Touch> {
         let mut list = Vec::new();
         for &surface in &near.planes {
-            let touches = self.body.hull.iter().map(|&point| Touch { point, surface });
-            list.extend(touches.filter(|&touch| self.is_free(touch.point)));
+            list.extend(self.low(motion, surface, -self.touch).filter(|touch| self.is_free(touch.point)));
         }
         if near.has_walls {
             for point in self.points().filter(|&point| self.is_free(point)) {

@@ -8,11 +8,9 @@ use crate::sim::contact::coulomb::coupled::{Coupled, Speeds};
 use crate::sim::contact::coulomb::{Pressed, Rub, strike};
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::sizes::MOST_LOCATED_RODS;
+use crate::sim::sizes::MOST_STRUCK;
 use crate::sim::vector::{add, dot, scale, zero};
 
-/// Most contacts of an impact whose friction goes through bonds: a point and a half for each bond that may be located.
-const MOST_CONTACTS: usize = 3 * MOST_LOCATED_RODS / 2;
 /// Share of what a point alone would give below which its bonds hold it there, and share of an energy that is rounding; no less than so many
 /// roundings.
 const HELD: f64 = 1e-10;
@@ -37,7 +35,7 @@ pub(super) fn strike_bonded<S: Real, const D: usize>(
     }
     contacts.clear();
     let is_rough = targets.iter().any(|target| contacts.obstacles.surfaces[target.hit.surface].friction > S::ZERO);
-    if is_located && is_rough && D == 2 && targets.len() <= MOST_CONTACTS && !rigid.chooses_itself() {
+    if is_located && is_rough && D == 2 && targets.len() <= MOST_STRUCK && !rigid.chooses_itself() {
         strike_rough(points, contacts, rigid, targets, pressed);
     } else {
         strike_smooth(points, contacts, rigid, targets, pressed);
