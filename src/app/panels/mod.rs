@@ -251,6 +251,9 @@ pub(super) struct Facts {
     /// What is seen, and what to try: of scenes of the gallery.
     pub(super) caption: Option<[&'static str; 2]>,
     pub(super) figures: Figures,
+    /// What undo would take back and redo would bring again, in words; `None`: nothing.
+    pub(super) undoes: Option<String>,
+    pub(super) redoes: Option<String>,
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     pub(super) pace: f64,
     /// Greatest strain of bonds that keep their length `[1]`; `None` where there are none.

@@ -276,6 +276,10 @@ pub struct Figures {
     pub substeps: u64,
     /// The branches that can be gone to; empty where there never was more than one.
     pub branches: Arc<[BranchView]>,
+    /// What undo would take back is called, as it was when figures were last taken; `None`: there is nothing to undo.
+    pub undoes: Option<String>,
+    /// What redo would bring again, likewise.
+    pub redoes: Option<String>,
 }
 
 /// A moment of a world, as it is drawn.

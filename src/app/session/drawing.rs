@@ -135,6 +135,8 @@ impl Session {
                 .filter(|_| !self.player.start().is_replayed())
                 .map(|entry| [entry.description, entry.to_try]),
             figures,
+            undoes: self.undoes(),
+            redoes: self.redoes(),
             pace: if self.player.is_open() { self.pace() } else { 1.0 },
             stretch: self.shown().stretch(),
             frame: self.frame_meter.value(),
