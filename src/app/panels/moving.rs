@@ -120,7 +120,7 @@ fn in_short(figures: &Figures, notes: usize) -> (String, Tone) {
         () => (None, Tone::Weak),
     };
     let notes = if notes == 1 { "1 note".to_owned() } else { format!("{notes} notes") };
-    (word.map_or_else(|| notes.clone(), |word| format!("{word}, {notes}")), color)
+    (word.map_or_else(|| format!("physics: {notes}"), |word| format!("physics: {word}, {notes}")), color)
 }
 
 fn lines(figures: &Figures) -> Vec<Line> {
@@ -289,15 +289,15 @@ mod tests {
             Figures { movers: Arc::new(movers), ..Figures::default() }
         };
         let short = |figures: &Figures| in_short(figures, lines(figures).len()).0;
-        assert_eq!(short(&with(vec![moved(Why::Contact, 1)])), "with collisions, 1 note");
-        assert_eq!(short(&with(vec![moved(Why::Contact, 1), moved(Why::Budget, 1)])), "quick, 2 notes");
+        assert_eq!(short(&with(vec![moved(Why::Contact, 1)])), "physics: with collisions, 1 note");
+        assert_eq!(short(&with(vec![moved(Why::Contact, 1), moved(Why::Budget, 1)])), "physics: quick, 2 notes");
         let yielded = Some(Yielded { rung: Rung::Live, since: 1.0, work: None });
         let both = Figures { yielded, ..with(vec![moved(Why::Budget, 1)]) };
-        assert_eq!(short(&both), "rougher, to keep up, 2 notes");
+        assert_eq!(short(&both), "physics: rougher, to keep up, 2 notes");
         let frozen = Figures { yielded, ..with(vec![moved(Why::Budget, 1), moved(Why::NotFinite, 1)]) };
-        assert_eq!(short(&frozen), "frozen, 3 notes");
+        assert_eq!(short(&frozen), "physics: frozen, 3 notes");
         let acts = Acts { settles: true, ..Acts::default() };
-        assert_eq!(short(&Figures { acts, ..Figures::default() }), "1 note");
+        assert_eq!(short(&Figures { acts, ..Figures::default() }), "physics: 1 note");
     }
 
     #[test]
@@ -310,7 +310,7 @@ mod tests {
         });
         harness.run();
         for is_open in [true, false] {
-            harness.get_by_label("1 note").click();
+            harness.get_by_label("physics: 1 note").click();
             harness.run();
             // While the pointer rests on it all is read anyway.
             harness.remove_cursor();
@@ -333,7 +333,7 @@ mod tests {
             harness.query_by_label("Bodies that lie on each other are brought to rest. Nothing to do.").is_some()
         };
         let open = |harness: &mut Harness<'_>| {
-            harness.get_by_label("1 note").click();
+            harness.get_by_label("physics: 1 note").click();
             harness.run_steps(2);
             harness.remove_cursor();
             harness.run_steps(4);
