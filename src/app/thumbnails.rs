@@ -1,7 +1,7 @@
 //! Pictures of the gallery's scenes, drawn beside the window by the renderer that draws in it.
 
 use std::collections::BTreeMap;
-use std::sync::mpsc::{Receiver, channel};
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -26,6 +26,8 @@ const FINE: f32 = 2.0;
 pub(super) struct Thumbnails {
     drawn: Receiver<(&'static str, RgbaImage)>,
     ready: Vec<(&'static str, RgbaImage)>,
+    /// All were drawn that can be.
+    is_done: bool,
     /// The names of those that are looked at: they come first.
     wanted: Arc<Mutex<Vec<&'static str>>>,
 }
@@ -46,17 +48,21 @@ impl Thumbnails {
             let mut captures: [Option<Capture>; 2] = [None, None];
             let size = THUMBNAIL.map(|side| (FINE * side) as u32);
             let mut left: Vec<&Entry> = gallery().iter().chain([&EMPTY]).collect();
-            loop {
+            let next = |left: &mut Vec<&'static Entry>| {
                 let wanted = looked_at.lock().unwrap_or_else(PoisonError::into_inner).clone();
-                let Some(entry) = next(&mut left, &wanted) else { return };
+                next(left, &wanted)
+            };
+            while let Some(entry) = next(&mut left) {
                 let Some(picture) = thumbnail(entry, &gpu, (size, palette), &mut captures) else { continue };
                 if sender.send((entry.name, picture)).is_err() {
                     return;
                 }
                 wake();
             }
+            drop(sender);
+            wake();
         });
-        Thumbnails { drawn, ready: Vec::new(), wanted }
+        Thumbnails { drawn, ready: Vec::new(), is_done: false, wanted }
     }
 
     /// These are looked at from now on.
@@ -66,8 +72,20 @@ impl Thumbnails {
 
     /// Takes what was drawn. Returns whether there is something new.
     pub(super) fn poll(&mut self) -> bool {
-        self.ready.extend(self.drawn.try_iter());
-        !self.ready.is_empty()
+        loop {
+            match self.drawn.try_recv() {
+                Ok(picture) => self.ready.push(picture),
+                Err(TryRecvError::Empty) => return !self.ready.is_empty(),
+                Err(TryRecvError::Disconnected) => {
+                    return !std::mem::replace(&mut self.is_done, true) || !self.ready.is_empty();
+                }
+            }
+        }
+    }
+
+    /// Whether there are still some to come.
+    pub(super) fn are_drawn(&self) -> bool {
+        !self.is_done
     }
 
     /// Gives what was drawn to the panels.

@@ -241,6 +241,10 @@ pub(super) struct PanelState {
     pub(super) notes: Notes,
     /// Thumbnails by the names of scenes.
     pub(super) thumbnails: BTreeMap<&'static str, egui::TextureHandle>,
+    /// Those that are not there yet will be.
+    pub(super) is_drawing_thumbnails: bool,
+    /// The names of scenes that are in view in the gallery.
+    pub(super) in_view: Vec<&'static str>,
 }
 
 /// What the panels show.

@@ -50,8 +50,10 @@ impl Session {
         let context = self.egui.egui_ctx().clone();
         if let Some(thumbnails) = &mut self.thumbnails {
             thumbnails.load(&context, &mut self.panels.thumbnails);
+            self.panels.is_drawing_thumbnails = thumbnails.are_drawn();
             if self.panels.sheet == Some(panels::Sheet::Gallery) {
-                thumbnails.want(panels::found_scenes(&self.panels.search));
+                let found = panels::found_scenes(&self.panels.search);
+                thumbnails.want(self.panels.in_view.iter().copied().chain(found).collect());
             }
         }
         let mut wishes = Vec::new();
