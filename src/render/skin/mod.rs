@@ -4,7 +4,7 @@
 //! free, and along bonds that are no triangle's, goes a stroke in the picture's colours: triangles alone have ragged edges. In the plane, where
 //! the picture ends beside a side, it is drawn on up to its own edge instead (`rind.rs`).
 //! Where a picture is half transparent it is seen through, without such a stroke: it ends where it is clear.
-//! A body with a colour of its own is seen as through glass of that colour: the picture's are multiplied by it.
+//! A body with a colour of its own has its picture in shades of it: what is light stays light beside what is dark.
 
 mod ink;
 mod rind;
@@ -32,7 +32,7 @@ struct Corner {
     point: u32,
     u: f32,
     v: f32,
-    /// What the picture is multiplied by there: red, green, blue from the lowest bits on, and [`THROUGH`].
+    /// The colour that the picture is seen in there: red, green, blue from the lowest bits on, and [`THROUGH`].
     tint: u32,
 }
 
