@@ -1,5 +1,5 @@
 // Fills: bodies without a picture. Primitives of eight kinds in the order that they are drawn in: cells of nets, a soft shadow about what is
-// covered, that, bonds within it that are no side of a triangle, and its outline; of figures of limbs rim and flesh of round strokes in place
+// covered, that, bonds within it that cross it or are no side of a triangle, and its outline; of figures of limbs rim and flesh of round strokes in place
 // of outlines, and below them what is covered, seen only where bonds are shown through it.
 
 struct Primitive {
