@@ -7,11 +7,13 @@ struct Primitive {
     // be an arc. Of a limb two points
     // for each end, then the bits of its larger radius [m], and ten each: shares of the ways between those, lesser radius by the larger.
     points: array<u32, 6>,
-    // The kind in the upper eight bits, then red, green, blue.
+    // The kind in the upper eight bits, with the mark PAINTED where points may have colours of their own, then red, green, blue.
     ink: u32,
 }
 
 @group(0) @binding(3) var<storage, read> primitives: array<Primitive>;
+// Of each point red, green and blue of its own from the lowest byte on, then whether it has them.
+@group(0) @binding(5) var<storage, read> own: array<vec2<u32>>;
 // A row a point: its normal in space, the mean strain of its bonds. Not there where neither is shown.
 @group(1) @binding(0) var<storage, read> shades: array<vec4<f32>>;
 
@@ -23,11 +25,13 @@ const FLESH: u32 = 4u;
 const SKIN: u32 = 5u;
 const UNDER: u32 = 6u;
 const CELL: u32 = 7u;
+const PAINTED: u32 = 0x80u;
 
 struct Fill {
     @builtin(position) position: vec4<f32>,
     @location(0) @interpolate(flat) line: vec4<f32>,
-    @location(1) @interpolate(flat) color: vec4<f32>,
+    // What is painted in part goes from one colour to the other along a triangle.
+    @location(1) color: vec4<f32>,
     // As of a stroke, then the kind.
     @location(2) @interpolate(flat) size: vec3<f32>,
     // In a triangle: shares of its corners. In a shadow the first is its strength, in an outline how far its arc bulges out [px].
@@ -40,17 +44,27 @@ fn color_of(ink: u32) -> vec3<f32> {
     return vec3(f32((ink >> 16u) & 255u), f32((ink >> 8u) & 255u), f32(ink & 255u)) / 255.0;
 }
 
+// The colour of a primitive at a point.
+fn color_at(ink: u32, point: u32) -> vec3<f32> {
+    if ((ink >> 24u) & PAINTED) == 0u {
+        return color_of(ink);
+    }
+    let painted = unpack4x8unorm(own[point].x);
+    return select(color_of(ink), painted.rgb, painted.a > 0.5);
+}
+
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     let primitive = primitives[index / 6u];
     let corner = index % 6u;
-    let kind = primitive.ink >> 24u;
+    let kind = (primitive.ink >> 24u) & ~PAINTED;
     var out: Fill;
     out.color = vec4(color_of(primitive.ink), 1.0);
     out.size.z = f32(kind);
     if kind == FILL || kind == UNDER || kind == CELL {
         let point = primitive.points[corner];
         let place = position_of(point);
+        out.color = vec4(color_at(primitive.ink, point), 1.0);
         let is_hidden = kind == UNDER && !(frame.fill_opacity < 1.0);
         out.position = select(frame.clip_from_world * vec4(place, 1.0), nowhere(), is_hidden);
         out.share = select(vec3(0.0), vec3(1.0), vec3<bool>(corner % 3u == 0u, corner % 3u == 1u, corner % 3u == 2u));
@@ -68,6 +82,8 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     let a = position_of(primitive.points[1]);
     let b = position_of(primitive.points[2]);
     if kind == OUTLINE || kind == INNER {
+        let end = primitive.points[select(1u, 2u, corner_of(corner).x > 0.0)];
+        out.color = vec4(color_at(primitive.ink, end), 1.0);
         let width = select(frame.fill_outline, max(0.8 * frame.outline_width, 1.0), kind == INNER);
         var high = 0.0;
         if DIMENSIONS == 2u && kind == OUTLINE && primitive.points[4] == 1u {
@@ -79,10 +95,10 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         out.size = vec3(side.size.x, 0.5 * width, f32(kind));
         out.share = vec3(high, 0.0, 0.0);
         if MAPS && is_set(frame.strain_scale, a.x) {
-            out.shade = shades[primitive.points[select(1u, 2u, corner_of(corner).x > 0.0)]];
+            out.shade = shades[end];
         }
         if MAPS && is_set(frame.difference_scale, a.x) {
-            out.shade.w = values[primitive.points[select(1u, 2u, corner_of(corner).x > 0.0)]];
+            out.shade.w = values[end];
         }
         return out;
     }
