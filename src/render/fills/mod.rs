@@ -455,7 +455,7 @@ mod tests {
         let view = View { previous: at, current: at, ..View::empty(&bonds, 2) };
         let list = inner(&view, std::slice::from_ref(&body));
         assert_eq!(list, [vec![[1, 3], [0, 2]]]);
-        let kinds = primitives(&[body], &Lines { inner: list, ..Lines::default() }, 2).0;
+        let kinds = primitives(&[body.clone()], &Lines { inner: list, ..Lines::default() }, 2).0;
         let drawn: Vec<[u32; 6]> = kinds.iter().filter(|one| one.ink >> 24 == INNER).map(|one| one.points).collect();
         assert_eq!(drawn, [[1, 1, 3, 3, 0, 0], [0, 0, 2, 2, 0, 0]]);
         let one: Bonds = ends[..5].iter().map(|&[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).collect();

@@ -60,7 +60,7 @@ impl Stage {
             self.relaxed.look(&self.history);
             self.acts = self.deeds.look(world.counters(), Instant::now());
             self.yielded = self.rungs.yielded(&self.history);
-            self.look_for_ways();
+            self.ways = [self.history.undoes(), self.history.redoes()];
             self.figures_at = Some(Instant::now());
             if self.has_gone {
                 self.branches = self.history.branches().into();
