@@ -1,4 +1,4 @@
-// Fills: bodies without a picture. Primitives of eight kinds in the order that they are drawn in: cells of nets, a soft shadow about what is
+// Fills: bodies without a picture. Primitives of nine kinds in the order that they are drawn in: cells of nets, threads that tore, a soft shadow about what is
 // covered, that, bonds within it that cross it or are no side of a triangle, and its outline; of figures of limbs rim and flesh of round strokes in place
 // of outlines, and below them what is covered, seen only where bonds are shown through it.
 
@@ -25,7 +25,10 @@ const FLESH: u32 = 4u;
 const SKIN: u32 = 5u;
 const UNDER: u32 = 6u;
 const CELL: u32 = 7u;
+const THREAD: u32 = 8u;
 const PAINTED: u32 = 0x80u;
+// Marks corners of cells that these fade towards.
+const FRAYED: u32 = 0x80000000u;
 
 struct Fill {
     @builtin(position) position: vec4<f32>,
@@ -62,7 +65,8 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     out.color = vec4(color_of(primitive.ink), 1.0);
     out.size.z = f32(kind);
     if kind == FILL || kind == UNDER || kind == CELL {
-        let point = primitive.points[corner];
+        let marked = primitive.points[corner];
+        let point = select(marked, marked & ~FRAYED, kind == CELL);
         let place = position_of(point);
         out.color = vec4(color_at(primitive.ink, point), 1.0);
         let is_hidden = kind == UNDER && !(frame.fill_opacity < 1.0);
@@ -74,7 +78,14 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         if MAPS && is_set(frame.difference_scale, place.x) {
             out.shade.w = values[point];
         }
+        if kind == CELL {
+            // Of the plane, which has no normals.
+            out.shade.x = select(1.0, FADED, marked != point);
+        }
         return out;
+    }
+    if kind == THREAD {
+        return thread(out, corner, primitive);
     }
     if kind == FLESH || kind == SKIN {
         return limb(out, corner, primitive, kind);
@@ -171,6 +182,30 @@ fn limb(plain: Fill, corner: u32, primitive: Primitive, kind: u32) -> Fill {
     out.line = side.line;
     out.size = vec3(side.size, f32(kind));
     out.share = vec3(radii, 0.0);
+    return out;
+}
+
+// How long what is left of a thread is, beside its length at rest and how far apart its ends are now [1]; how opaque a cell is beside one that
+// tore, beside others.
+const LEFT: vec2<f32> = vec2(0.45, 0.4);
+const FADED: f32 = 0.2;
+
+// What is left of a thread that tore at one of its ends: it points to the other.
+fn thread(plain: Fill, corner: u32, primitive: Primitive) -> Fill {
+    let a = position_of(primitive.points[0]);
+    let way = position_of(primitive.points[1]) - a;
+    let far = length(way);
+    let long = min(LEFT.x * bitcast<f32>(primitive.points[2]), LEFT.y * far);
+    let side = stroke(corner, a, a + way * (long / max(far, 1e-6)), plain.color, frame.bond_width);
+    var out = plain;
+    // The other end may be gone.
+    out.position = select(nowhere(), side.position, far > 0.0 && far < 1e30);
+    // Of the colour that bonds have there.
+    let own_color = color_at(primitive.ink, primitive.points[0]);
+    let is_own = any(own_color != color_of(primitive.ink));
+    out.color = vec4(select(frame.bond_color.rgb, own_color, is_own), frame.bond_color.a);
+    out.line = side.line;
+    out.size = vec3(side.size.x, 0.5 * frame.bond_width, f32(THREAD));
     return out;
 }
 
@@ -280,7 +315,8 @@ fn line_color(in: Fill, kind: u32) -> vec4<f32> {
     // Bonds within are as dark as the sides of triangles, and seen where those are.
     let is_inner = kind == INNER;
     let room = select(1.0, smoothstep(ROOM.x, ROOM.y, 0.7 * in.size.x) * frame.fill_opacity, is_inner);
-    let color = select(vec4(own, 1.0), vec4(0.0, 0.0, 0.0, 1.6 * LINES), is_inner);
+    let outline = select(vec4(own, 1.0), in.color, kind == THREAD);
+    let color = select(outline, vec4(0.0, 0.0, 0.0, 1.6 * LINES), is_inner);
     if DIMENSIONS == 2u && kind == OUTLINE && in.share.x > 0.0 {
         return arc_color(in, own);
     }
@@ -325,7 +361,7 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
     var color = flesh_color(in);
     if DIMENSIONS == 2u && kind == CELL {
         let is_map = (frame.strain_scale > 0.0) | (frame.difference_scale > 0.0);
-        return vec4(color, frame.fill_opacity * select(CELL_OPACITY.x, CELL_OPACITY.y, is_map));
+        return vec4(color, frame.fill_opacity * in.shade.x * select(CELL_OPACITY.x, CELL_OPACITY.y, is_map));
     }
     if DIMENSIONS == 3u {
         let length = length(in.shade.xyz);

@@ -395,7 +395,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     } else if has_settings {
         settings::show(&context, places.beside(settings::WIDTH), state, facts, &mut wishes);
     }
-    let (mut plotted, mut strip, mut column) = (None, None, None);
+    let (mut plotted, mut strip, mut column, mut column_low) = (None, None, None, None);
     if let Some(plots) = state.plots.as_mut().filter(|_| has_panels && !are_stacked) {
         if stands_upright {
             places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes).top();
@@ -414,6 +414,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     if has_panels {
         let rooms = places.of_tools(plotted, all_edge);
         column = palette::show(&context, &rooms, state, facts, &mut wishes);
+        column_low = rooms.half.filter(|_| column.is_some());
     }
     held::show(&context, places.low(), facts);
     state.notes.show(&context, &places, facts, &mut wishes);
@@ -442,7 +443,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     });
     let is_shared = !facts.neighbors.is_empty() && has_panels;
     let size = places.size(all_edge, is_shared, strip);
-    (wishes, Laid { size, corner: places.corner(&context), column, titles: beside::row(facts), free })
+    (wishes, Laid { size, corner: places.corner(&context), column, column_low, titles: beside::row(facts), free })
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.

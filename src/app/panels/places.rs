@@ -41,6 +41,8 @@ pub(in crate::app) struct Laid {
     pub(in crate::app) corner: Option<egui::Pos2>,
     /// Where what belongs to a tool begins and ends, beside the tools or at the right edge `[points]`.
     pub(in crate::app) column: Option<[f32; 2]>,
+    /// How low that reaches at most, in windows higher than wide; `None`: as low as there is room `[points]`.
+    pub(in crate::app) column_low: Option<f32>,
     /// Height of what stands above each of several worlds `[points]`.
     pub(in crate::app) titles: f32,
     /// Where nothing lies over it for long `[points]`; `None`: a sheet lies over all of it for now.
@@ -121,7 +123,10 @@ impl Places {
         let right = right.with_max_x(end).with_min_y(top.min(right.bottom() - 160.0));
         let lies_below = plots.filter(|plots| plots.left() < self.room.left() + TOOLS);
         let lowest = lies_below.map_or(low, |plots| low.min(plots.top() - APART));
-        ToolRooms { tools: self.room.with_max_y(low), lowest, left, right }
+        // Bodies have the lower half for themselves.
+        let half = self.is_upright().then_some(self.room.center().y).filter(|half| right.top() + 160.0 < *half);
+        let right = half.map_or(right, |half| right.with_max_y(right.bottom().min(half)));
+        ToolRooms { tools: self.room.with_max_y(low), lowest, left, right, half }
     }
 
     /// The same, left of what takes so much of the right edge.
@@ -253,6 +258,8 @@ pub(super) struct ToolRooms {
     pub(super) lowest: f32,
     pub(super) left: Rect,
     pub(super) right: Rect,
+    /// Where that at the right ends in windows higher than wide, if there is room in the upper half.
+    pub(super) half: Option<f32>,
 }
 
 /// The part of a room above, below or beside what lies in it that a picture of usual shape is largest in.

@@ -4,7 +4,7 @@
 //!
 //! Bodies with a picture are filled only where strain is shown in place of it.
 //!
-//! A list of primitives of eight kinds, drawn in order by one pass, is uploaded when the topology changes. Points have a row to shade
+//! A list of primitives of nine kinds, drawn in order by one pass, is uploaded when the topology changes. Points have a row to shade
 //! by, uploaded when they moved, where that is shown: a normal in space, a strain where strain is.
 
 mod bodies;
@@ -26,7 +26,7 @@ use super::gpu::Gpu;
 use super::gpu_bond::GpuBond;
 use super::growing::GrowingBuffer;
 use super::view::View;
-use crate::sim::PointId;
+use crate::sim::{Bond, PointId};
 use bodies::{Filled, SKIN_COLOR, bodies};
 pub use bodies::{body_color, color_of};
 use limbs::{Cone, Part, Role, figure};
@@ -39,7 +39,8 @@ use shade::{Shade, shades};
 #[repr(C)]
 struct Primitive {
     /// Of a fill the corners of two triangles, of a side its ends with those before and after, then whether it may be an arc, 0 or 1, and
-    /// nothing; of a bond the second and the third are its ends. Of a limb two points for each end, then the bits of its larger radius
+    /// nothing; of a bond the second and the third are its ends. Of a thread that tore the end that it hangs from, the other one, and the bits of
+    /// its length at rest `[m]`. Of a limb two points for each end, then the bits of its larger radius
     /// `[m]` and what [`packed`] makes.
     points: [u32; 6],
     /// The kind in the upper eight bits, with [`PAINTED`] or without, then red, green, blue.
@@ -48,7 +49,7 @@ struct Primitive {
 
 const _: () = assert!(size_of::<Primitive>() == 28);
 
-/// Kinds of primitives: `FILL`, `OUTLINE`, `SHADOW`, `INNER`, `FLESH`, `SKIN`, `UNDER`, `CELL` in fill.wgsl. Flesh and skin are limbs and their
+/// Kinds of primitives: `FILL`, `OUTLINE`, `SHADOW`, `INNER`, `FLESH`, `SKIN`, `UNDER`, `CELL`, `THREAD` in fill.wgsl. Flesh and skin are limbs and their
 /// rims, under them is what they stand for, which is seen where bonds are shown through fills, and cells are those of nets.
 const FILL: u32 = 0;
 const OUTLINE: u32 = 1;
@@ -58,6 +59,10 @@ const FLESH: u32 = 4;
 const SKIN: u32 = 5;
 const UNDER: u32 = 6;
 const CELL: u32 = 7;
+/// What is left of a thread that tore.
+const THREAD: u32 = 8;
+/// With a corner of a cell: the cell fades towards it, `FRAYED` in fill.wgsl.
+const FRAYED: u32 = 1 << 31;
 /// With a kind: points may have colours of their own there, `PAINTED` in fill.wgsl.
 const PAINTED: u32 = 0x80;
 
@@ -148,9 +153,8 @@ impl Fills {
             return Ok(());
         }
         (self.topology, self.shaded) = (None, None);
-        let [bare, worn, nets] = if view.triangles.len() > MOST { Default::default() } else { bodies(view) };
-        let of_net = |net: &Run<'_>| filling(CELL | net.mark, net.color, &net.triangles).collect::<Vec<_>>();
-        let mut list: Vec<Primitive> = runs(&nets).iter().flat_map(of_net).collect();
+        let ([bare, worn, nets], open) = if view.triangles.len() > MOST { Default::default() } else { bodies(view) };
+        let mut list = nets_of(&runs(&nets), &open);
         self.cell_triangles = nets.iter().map(|net| net.triangles.len()).sum();
         let mut first = 0;
         for (place, bodies) in [bare, worn].iter().enumerate() {
@@ -381,6 +385,30 @@ fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> (Vec<Primi
     (list, split)
 }
 
+/// The cells of nets, and what hangs loose where they are torn: they fade towards it.
+fn nets_of(nets: &[Run<'_>], open: &[&Bond]) -> Vec<Primitive> {
+    let ends = open.iter().flat_map(|bond| [(bond.a.0, (bond.b.0, bond)), (bond.b.0, (bond.a.0, bond))]);
+    let mut loose: Vec<(u32, (u32, &&Bond))> = ends.collect();
+    loose.sort_by_key(|(end, _)| *end);
+    let is_loose = |point: u32| loose.binary_search_by_key(&point, |(end, _)| *end).is_ok();
+    let mut list = Vec::new();
+    for net in nets {
+        let fading = |corner: u32| if is_loose(corner) { corner | FRAYED } else { corner };
+        let cells: Vec<[u32; 3]> = net.triangles.iter().map(|corners| corners.map(fading)).collect();
+        list.extend(filling(CELL | net.mark, net.color, &cells));
+    }
+    for net in nets {
+        let mut corners: Vec<u32> = net.triangles.iter().flatten().copied().collect();
+        corners.sort_unstable();
+        let own = loose.iter().filter(|(end, _)| corners.binary_search(end).is_ok());
+        list.extend(own.map(|&(end, (to, bond))| Primitive {
+            points: [end, to, (bond.rest_length as f32).to_bits(), 0, 0, 0],
+            ink: ink(THREAD | net.mark, net.color),
+        }));
+    }
+    list
+}
+
 /// Triangles in a colour, two in a primitive.
 fn filling(kind: u32, color: [u8; 3], triangles: &[[u32; 3]]) -> impl Iterator<Item = Primitive> {
     triangles.chunks(2).map(move |pair| {
@@ -519,6 +547,17 @@ mod tests {
         assert_eq!(kinds(2), ([one.clone(), one].concat(), 14));
         assert_eq!(kinds(3), ([[FILL; 2].as_slice(), &[OUTLINE; 6]].concat(), 2));
         assert_eq!(primitives(&[body(0)], &Lines::default(), 3).0[0].points, [0, 1, 2, 0, 0, 0]);
+    }
+
+    #[test]
+    fn threads_hang_from_cells_where_they_tore_and_these_fade_there() {
+        use crate::sim::Bond;
+        let net = Filled { body: 0, is_own: false, color: [1, 2, 3], triangles: vec![[0, 1, 2]] };
+        let torn = Bond::new(PointId(2), PointId(9), 0.5);
+        let list = nets_of(&runs(&[net]), &[&torn]);
+        assert_eq!(list[0].points, [0, 1, 2 | FRAYED, 0, 0, 0]);
+        assert_eq!((list[1].points[..2].to_vec(), f32::from_bits(list[1].points[2])), (vec![2, 9], 0.5));
+        assert_eq!((list.len(), list[1].ink >> 24), (2, THREAD), "no cell is at the other end");
     }
 
     #[test]
