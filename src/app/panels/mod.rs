@@ -346,6 +346,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let is_covered = state.sheet.is_some() || (facts.waits && !facts.asks);
     let has_panels = !state.hides_panels && !is_covered;
     let mut places = Places::new(room, is_covered);
+    places.has_numbers = facts.look.has_grid && facts.dimensions == 2;
     if has_panels {
         places.bar = Some(top::show(&context, room, facts, &mut wishes));
     }

@@ -60,11 +60,20 @@ pub(super) struct Places {
     pub(super) below: f32,
     /// A sheet lies over all of it.
     pub(super) is_covered: bool,
+    /// Numbers of the grid stand beside the tools.
+    pub(super) has_numbers: bool,
 }
 
 impl Places {
     pub(super) fn new(room: Rect, is_covered: bool) -> Self {
-        Places { room, bar: None, right: room.top() + EDGE, below: room.bottom() - NUMBERS, is_covered }
+        Places {
+            room,
+            bar: None,
+            right: room.top() + EDGE,
+            below: room.bottom() - NUMBERS,
+            is_covered,
+            has_numbers: false,
+        }
     }
 
     /// Whether the window is higher than wide: what needs room lies at the lower edge then.
@@ -158,7 +167,9 @@ impl Places {
 
     /// Where bodies are shown, below the ends of the caption and of titles, beside panels that take so much of the right edge, below titles so high, and where plots do not lie.
     pub(super) fn free(&self, (at_right, titles): (f32, f32), (ends, plots): ([f32; 2], Option<Rect>)) -> Rect {
-        let (left, right) = (self.room.left() + TOOLS + EDGE, self.room.right() - EDGE);
+        // In a window higher than wide bodies are as wide as it: beside the numbers, not below them.
+        let tools = if self.is_upright() && self.has_numbers { BESIDE_TOOLS } else { TOOLS };
+        let (left, right) = (self.room.left() + tools + EDGE, self.room.right() - EDGE);
         let at_right = if at_right > 0.0 { at_right + EDGE } else { 0.0 };
         let right = (right - at_right).max(left + LEAST * (right - left));
         let said = if self.room.width() < NARROW { SAID_NARROW } else { SAID };
@@ -393,5 +404,9 @@ mod tests {
             assert_eq!(bottom, 700.0 - APART);
         }
         assert_eq!(places.below_buttons().bottom(), 700.0 - APART, "the next one lies above it");
+        let left = |places: &Places| places.free((0.0, 0.0), ([0.0; 2], None)).left();
+        let without = left(&places);
+        places.has_numbers = true;
+        assert!(left(&places) >= without + 40.0, "bodies do not lie on numbers of the grid");
     }
 }
