@@ -29,6 +29,8 @@ const USUAL: f32 = 1.3;
 const NARROW: f32 = 900.0;
 /// Nor do they begin lower than this share of the height `[1]`.
 const LOWEST: f32 = 0.65;
+/// From this height on, in its widths, bodies in a part of a window fill its width `[1]`.
+const HIGH: f32 = 0.6;
 /// Bodies are not shown in less than this share of the width `[1]`.
 const LEAST: f32 = 0.4;
 
@@ -167,9 +169,7 @@ impl Places {
 
     /// Where bodies are shown, below the ends of the caption and of titles, beside panels that take so much of the right edge, below titles so high, and where plots do not lie.
     pub(super) fn free(&self, (at_right, titles): (f32, f32), (ends, plots): ([f32; 2], Option<Rect>)) -> Rect {
-        // In a window higher than wide bodies are as wide as it: beside the numbers, not below them.
-        let tools = if self.is_upright() && self.has_numbers { BESIDE_TOOLS } else { TOOLS };
-        let (left, right) = (self.room.left() + tools + EDGE, self.room.right() - EDGE);
+        let (left, right) = (self.room.left() + TOOLS + EDGE, self.room.right() - EDGE);
         let at_right = if at_right > 0.0 { at_right + EDGE } else { 0.0 };
         let right = (right - at_right).max(left + LEAST * (right - left));
         let said = if self.room.width() < NARROW { SAID_NARROW } else { SAID };
@@ -178,7 +178,11 @@ impl Places {
         let caption = caption.min(self.bar_bottom() + MOST_SAID);
         let lowest = self.room.top() + LOWEST * self.room.height();
         let top = (caption.max(self.bar_bottom() + said) + titles).max(above).min(lowest);
-        let all = Rect::from_min_max(pos2(left, top), pos2(right, self.above_dock().max(top + 40.0)));
+        let bottom = self.above_dock().max(top + 40.0);
+        // In a part that is high bodies are as wide as it: beside the numbers, not below them.
+        let is_high = self.is_upright() && bottom - top > HIGH * (right - left);
+        let left = if is_high && self.has_numbers { left + BESIDE_TOOLS - TOOLS } else { left };
+        let all = Rect::from_min_max(pos2(left, top), pos2(right, bottom));
         plots.map_or(all, |plots| largest_beside(all, plots.expand(APART)))
     }
 
@@ -404,6 +408,7 @@ mod tests {
             assert_eq!(bottom, 700.0 - APART);
         }
         assert_eq!(places.below_buttons().bottom(), 700.0 - APART, "the next one lies above it");
+        places.below = 1200.0;
         let left = |places: &Places| places.free((0.0, 0.0), ([0.0; 2], None)).left();
         let without = left(&places);
         places.has_numbers = true;
