@@ -29,8 +29,8 @@ const USUAL: f32 = 1.3;
 const NARROW: f32 = 900.0;
 /// Nor do they begin lower than this share of the height `[1]`.
 const LOWEST: f32 = 0.65;
-/// From this height on, in its widths, bodies in a part of a window fill its width `[1]`.
-const HIGH: f32 = 0.6;
+/// From this height on, in its widths, bodies in a part of a window may fill its width `[1]`.
+const HIGH: f32 = 0.4;
 /// Bodies are not shown in less than this share of the width `[1]`.
 const LEAST: f32 = 0.4;
 
@@ -179,8 +179,8 @@ impl Places {
         let lowest = self.room.top() + LOWEST * self.room.height();
         let top = (caption.max(self.bar_bottom() + said) + titles).max(above).min(lowest);
         let bottom = self.above_dock().max(top + 40.0);
-        // In a part that is high bodies are as wide as it: beside the numbers, not below them.
-        let is_high = self.is_upright() && bottom - top > HIGH * (right - left);
+        // In a part that is high bodies may be as wide as it: beside the numbers, not below them.
+        let is_high = at_right == 0.0 && bottom - top > HIGH * (right - left);
         let left = if is_high && self.has_numbers { left + BESIDE_TOOLS - TOOLS } else { left };
         let all = Rect::from_min_max(pos2(left, top), pos2(right, bottom));
         plots.map_or(all, |plots| largest_beside(all, plots.expand(APART)))
