@@ -48,6 +48,9 @@ impl Tone {
     }
 }
 
+/// From this width on the bar has room for words that say what others are about `[points]`.
+pub(super) const ROOMY: f32 = 420.0;
+
 /// A button: its words, what it does, and what is asked for.
 type Offer = (&'static str, &'static str, Wish);
 
@@ -59,6 +62,8 @@ pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
         return;
     }
     let (words, tone) = in_short(&facts.figures, lines.len());
+    // What it is about, where the line of time has room beside that.
+    let words = if ui.available_width() < ROOMY { words } else { format!("physics: {words}") };
     let button = ui.add(Button::new(RichText::new(words).color(tone.color(ui))));
     let button = button.on_hover_ui(|ui| {
         ui.set_max_width(WIDTH);
@@ -120,7 +125,7 @@ fn in_short(figures: &Figures, notes: usize) -> (String, Tone) {
         () => (None, Tone::Weak),
     };
     let notes = if notes == 1 { "1 note".to_owned() } else { format!("{notes} notes") };
-    (word.map_or_else(|| format!("physics: {notes}"), |word| format!("physics: {word}, {notes}")), color)
+    (word.map_or_else(|| notes.clone(), |word| format!("{word}, {notes}")), color)
 }
 
 fn lines(figures: &Figures) -> Vec<Line> {
@@ -289,15 +294,15 @@ mod tests {
             Figures { movers: Arc::new(movers), ..Figures::default() }
         };
         let short = |figures: &Figures| in_short(figures, lines(figures).len()).0;
-        assert_eq!(short(&with(vec![moved(Why::Contact, 1)])), "physics: with collisions, 1 note");
-        assert_eq!(short(&with(vec![moved(Why::Contact, 1), moved(Why::Budget, 1)])), "physics: quick, 2 notes");
+        assert_eq!(short(&with(vec![moved(Why::Contact, 1)])), "with collisions, 1 note");
+        assert_eq!(short(&with(vec![moved(Why::Contact, 1), moved(Why::Budget, 1)])), "quick, 2 notes");
         let yielded = Some(Yielded { rung: Rung::Live, since: 1.0, work: None });
         let both = Figures { yielded, ..with(vec![moved(Why::Budget, 1)]) };
-        assert_eq!(short(&both), "physics: rougher, to keep up, 2 notes");
+        assert_eq!(short(&both), "rougher, to keep up, 2 notes");
         let frozen = Figures { yielded, ..with(vec![moved(Why::Budget, 1), moved(Why::NotFinite, 1)]) };
-        assert_eq!(short(&frozen), "physics: frozen, 3 notes");
+        assert_eq!(short(&frozen), "frozen, 3 notes");
         let acts = Acts { settles: true, ..Acts::default() };
-        assert_eq!(short(&Figures { acts, ..Figures::default() }), "physics: 1 note");
+        assert_eq!(short(&Figures { acts, ..Figures::default() }), "1 note");
     }
 
     #[test]
