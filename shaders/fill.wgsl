@@ -1,5 +1,5 @@
 // Fills: bodies without a picture. Primitives of nine kinds in the order that they are drawn in: cells of nets, threads that tore, a soft shadow about what is
-// covered, that, bonds within it that cross it or are no side of a triangle, and its outline; of figures of limbs rim and flesh of round strokes in place
+// covered, that, bonds within it that are no side of a triangle, and its outline; of figures of limbs rim and flesh of round strokes in place
 // of outlines, and below them what is covered, seen only where bonds are shown through it.
 
 struct Primitive {
@@ -95,7 +95,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     if kind == OUTLINE || kind == INNER {
         let end = primitive.points[select(1u, 2u, corner_of(corner).x > 0.0)];
         out.color = vec4(color_at(primitive.ink, end), 1.0);
-        let width = select(frame.fill_outline, max(0.8 * frame.outline_width, 1.0), kind == INNER);
+        let width = select(frame.fill_outline, INNER_WIDTH, kind == INNER);
         var high = 0.0;
         if DIMENSIONS == 2u && kind == OUTLINE && primitive.points[4] == 1u {
             high = bulge(a, b, position_of(primitive.points[0]), position_of(primitive.points[3]));
@@ -250,6 +250,10 @@ const DARKEST: f32 = 0.6;
 // Opacity of the sides of triangles, and the height of a triangle [px] from which on they are seen, and seen in full.
 const LINES: f32 = 0.13;
 const ROOM: vec2<f32> = vec2(7.0, 22.0);
+// Width of a bond within a body [px], and its room beside its length: it looks as a side of the triangles of a square does, so that two braces
+// that cross are alike.
+const INNER_WIDTH: f32 = 1.6;
+const INNER_ROOM: f32 = 0.5;
 // Where light comes from in space; how bright what faces away from it and what faces it is, and what is seen from its side.
 const LIGHT: vec3<f32> = vec3(0.34, 0.82, 0.46);
 const BRIGHT: vec2<f32> = vec2(0.36, 1.22);
@@ -312,11 +316,10 @@ fn line_color(in: Fill, kind: u32) -> vec4<f32> {
         }
         return round_color(in, select(rim, flesh, kind == FLESH));
     }
-    // Bonds within are as dark as the sides of triangles, and seen where those are.
     let is_inner = kind == INNER;
-    let room = select(1.0, smoothstep(ROOM.x, ROOM.y, 0.7 * in.size.x) * frame.fill_opacity, is_inner);
+    let room = select(1.0, smoothstep(ROOM.x, ROOM.y, INNER_ROOM * in.size.x) * frame.fill_opacity, is_inner);
     let outline = select(vec4(own, 1.0), in.color, kind == THREAD);
-    let color = select(outline, vec4(0.0, 0.0, 0.0, 1.6 * LINES), is_inner);
+    let color = select(outline, vec4(0.0, 0.0, 0.0, LINES), is_inner);
     if DIMENSIONS == 2u && kind == OUTLINE && in.share.x > 0.0 {
         return arc_color(in, own);
     }

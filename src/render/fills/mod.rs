@@ -425,39 +425,27 @@ fn limb(kind: u32, cone: &Cone, color: [u8; 3]) -> Primitive {
     Primitive { points: [a, b, c, d, radius, packed(cone)], ink: ink(kind, color) }
 }
 
-/// The bonds of each body that lie within it and are no side of a triangle, such as second diagonals, and the sides that they cross where these
-/// are bonds, as first diagonals are: in the plane, of scenes with few bonds.
+/// The bonds of each body that lie within it and are no side of a triangle, such as second diagonals: in the plane, of scenes with few bonds.
 fn inner(view: &View<'_>, bodies: &[Filled]) -> Vec<Vec<[u32; 2]>> {
     if view.dimensions != 2 || view.bonds.len() > MOST_INNER || bodies.is_empty() {
         return Vec::new();
     }
     let ordered = |a: u32, b: u32| [a.min(b), a.max(b)];
     let mut body_of = vec![u32::MAX; view.current.len() / 2];
-    // Each with the third corner of its triangle.
     let mut sides = Vec::new();
     for (number, body) in (0..).zip(bodies) {
         for &[a, b, c] in &body.triangles {
             [a, b, c].into_iter().for_each(|corner| body_of[corner as usize] = number);
-            sides.extend([(ordered(a, b), c), (ordered(b, c), a), (ordered(c, a), b)]);
+            sides.extend([ordered(a, b), ordered(b, c), ordered(c, a)]);
         }
     }
     sides.sort_unstable();
-    let is_side = |ends: &[u32; 2]| sides.binary_search_by(|(side, _)| side.cmp(ends)).is_ok();
-    let mut bonds: Vec<[u32; 2]> =
-        view.bonds.iter().filter(|bond| bond.drive.is_none()).map(|bond| ordered(bond.a.0, bond.b.0)).collect();
-    bonds.sort_unstable();
-    bonds.dedup();
-    let shared =
-        sides.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() == 2 && bonds.binary_search(&same[0].0).is_ok());
-    let mut crossed: Vec<([u32; 2], [u32; 2])> =
-        shared.map(|same| (ordered(same[0].1, same[1].1), same[0].0)).collect();
-    crossed.sort_unstable();
     let mut list = vec![Vec::new(); bodies.len()];
-    for ends in bonds.iter().filter(|ends| !is_side(ends)) {
+    for bond in view.bonds.iter().filter(|bond| bond.drive.is_none()) {
+        let ends = ordered(bond.a.0, bond.b.0);
         let [of_a, of_b] = ends.map(|end| body_of.get(end as usize).copied().unwrap_or(u32::MAX));
-        if of_a == of_b && of_a != u32::MAX {
-            let other = crossed.binary_search_by(|(thirds, _)| thirds.cmp(ends)).ok();
-            list[of_a as usize].extend([*ends].into_iter().chain(other.map(|place| crossed[place].1)));
+        if of_a == of_b && of_a != u32::MAX && sides.binary_search(&ends).is_err() {
+            list[of_a as usize].push(ends);
         }
     }
     list
@@ -472,8 +460,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn diagonals_that_cross_are_drawn_on_their_body_and_other_sides_are_not_again() {
-        use crate::sim::{Bond, Bonds, Positions};
+    fn a_second_diagonal_is_drawn_on_its_body_and_sides_are_not_again() {
+        use crate::sim::{Bonds, Positions};
         let ends = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [3, 1], [1, 4]];
         let bonds: Bonds = ends.iter().map(|&[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).collect();
         let places = [0.0; 10];
@@ -482,13 +470,10 @@ mod tests {
         let body = Filled { body: 0, is_own: false, color: [1, 2, 3], triangles: triangles.to_vec() };
         let view = View { previous: at, current: at, ..View::empty(&bonds, 2) };
         let list = inner(&view, std::slice::from_ref(&body));
-        assert_eq!(list, [vec![[1, 3], [0, 2]]]);
-        let kinds = primitives(&[body.clone()], &Lines { inner: list, ..Lines::default() }, 2).0;
+        assert_eq!(list, [vec![[1, 3]]]);
+        let kinds = primitives(&[body], &Lines { inner: list, ..Lines::default() }, 2).0;
         let drawn: Vec<[u32; 6]> = kinds.iter().filter(|one| one.ink >> 24 == INNER).map(|one| one.points).collect();
-        assert_eq!(drawn, [[1, 1, 3, 3, 0, 0], [0, 0, 2, 2, 0, 0]]);
-        let one: Bonds = ends[..5].iter().map(|&[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).collect();
-        let view = View { bonds: &one, ..view };
-        assert_eq!(inner(&view, std::slice::from_ref(&body)), [Vec::<[u32; 2]>::new()], "one diagonal is a side");
+        assert_eq!(drawn, [[1, 1, 3, 3, 0, 0]]);
     }
 
     #[test]
@@ -551,7 +536,6 @@ mod tests {
 
     #[test]
     fn threads_hang_from_cells_where_they_tore_and_these_fade_there() {
-        use crate::sim::Bond;
         let net = Filled { body: 0, is_own: false, color: [1, 2, 3], triangles: vec![[0, 1, 2]] };
         let torn = Bond::new(PointId(2), PointId(9), 0.5);
         let list = nets_of(&runs(&[net]), &[&torn]);
