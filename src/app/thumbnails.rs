@@ -1,6 +1,9 @@
 //! Pictures of the gallery's scenes, drawn beside the window by the renderer that draws in it.
 
+mod kept;
+
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -11,6 +14,7 @@ use super::opening;
 use super::panels::THUMBNAIL;
 use crate::render::{Camera, Capture, Gpu, Look, Palette, View};
 use crate::scene::{BodyKeys, EMPTY, Entry, MakerName, Scene, gallery};
+use kept::Kept;
 
 /// A scene is shown as whoever opens it sees it after so long `[s]`, or what of that is stepped in this time.
 const SHOWN_AT: f64 = 0.8;
@@ -39,21 +43,28 @@ fn next(left: &mut Vec<&'static Entry>, wanted: &[&str]) -> Option<&'static Entr
 }
 
 impl Thumbnails {
-    /// Draws all of the gallery, one after another, on a thread of its own, which calls `wake` after each: first those that are wanted.
-    pub(super) fn new(gpu: Gpu, palette: Palette, wake: impl Fn() + Send + 'static) -> Self {
+    /// Draws all of the gallery, one after another, on a thread of its own, which calls `wake` after each: first those that are wanted. Those that
+    /// were drawn at an earlier start are taken from a folder, if there is one.
+    pub(super) fn new(gpu: Gpu, palette: Palette, folder: Option<PathBuf>, wake: impl Fn() + Send + 'static) -> Self {
         let (sender, drawn) = channel();
         let wanted: Arc<Mutex<Vec<&'static str>>> = Arc::default();
         let looked_at = Arc::clone(&wanted);
         std::thread::spawn(move || {
             let mut captures: [Option<Capture>; 2] = [None, None];
             let size = THUMBNAIL.map(|side| (FINE * side) as u32);
+            let kept = Kept::in_folder(folder, palette, size);
+            let mut draw = |entry: &'static Entry| {
+                let drawn = thumbnail(entry, &gpu, (size, palette), &mut captures)?;
+                kept.write(entry.name, &drawn);
+                Some(drawn)
+            };
             let mut left: Vec<&Entry> = gallery().iter().chain([&EMPTY]).collect();
             let next = |left: &mut Vec<&'static Entry>| {
                 let wanted = looked_at.lock().unwrap_or_else(PoisonError::into_inner).clone();
                 next(left, &wanted)
             };
             while let Some(entry) = next(&mut left) {
-                let Some(picture) = thumbnail(entry, &gpu, (size, palette), &mut captures) else { continue };
+                let Some(picture) = kept.read(entry.name).or_else(|| draw(entry)) else { continue };
                 if sender.send((entry.name, picture)).is_err() {
                     return;
                 }
