@@ -94,8 +94,8 @@ fn line(start: &Start, age: Option<Duration>) -> String {
     format!("{name}, {end:.0} s long{ago}")
 }
 
-/// What a start is called in a list: by its file, else as the step of a lesson or the gallery calls its scene.
-fn title(start: &Start) -> &str {
+/// What a start is called in lists of sessions and of windows: by its file, else as the step of a lesson or the gallery calls its scene.
+pub(super) fn title(start: &Start) -> &str {
     let name = start.scene().name();
     let entry = gallery().iter().find(|entry| entry.name == name);
     let listed = heading_of(name).or(entry.map(|entry| entry.title));
