@@ -86,7 +86,7 @@ fn step(ui: &mut Ui, (sign, name, action): (Icon, &str, Action), what: Option<&s
         None => format!("nothing to {name}"),
     };
     let button = |ui: &mut Ui| icons::button(ui, sign, name, icons::SMALL, false);
-    let button = ui.add_enabled_ui(what.is_some(), button).inner;
+    let button = ui.add_enabled(what.is_some(), button);
     let said = described(&said, action);
     if button.on_hover_text(&said).on_disabled_hover_text(&said).clicked() {
         wishes.push(Wish::Act(action));
