@@ -190,6 +190,10 @@ impl Net {
         let sides = [([a, b], c), ([b, c], d), ([c, d], a), ([d, a], b)];
         let sides: Vec<(usize, u32)> =
             sides.iter().filter_map(|&([from, to], third)| Some((self.side(from, to)?, third))).collect();
+        let is_of_it = |third: &u32| [a, b, c, d].contains(third);
+        if sides.iter().all(|(place, _)| self.sides[*place].beside.iter().any(is_of_it)) {
+            return true;
+        }
         // Of a net that is torn a side with two cells already is no fault.
         let has_room = sides.iter().all(|(place, _)| self.sides[*place].beside.len() < 2);
         if has_room && self.take_sides(&sides, a) {
@@ -299,6 +303,10 @@ mod tests {
             let (cells, open) = cells((&net(&places, &left), &torn), &[true; 16]);
             assert_eq!((cells.len(), open.len()), (count, usize::from(count < 18)), "{gone:?}");
         }
+        let (places, ends) = grid(2, 2);
+        let torn: Vec<Bond> = net(&places, &[[0, 3]]).iter().collect();
+        let (alone, open) = cells((&net(&places, &ends), &torn), &[true; 4]);
+        assert_eq!((alone.len(), open.len()), (2, 0), "a mesh alone is filled once");
     }
 
     #[test]
