@@ -1,4 +1,4 @@
-// Fills: bodies without a picture. Primitives of eight kinds in the order that they are drawn in: cells of nets, a soft shadow about what is
+// Fills: bodies without a picture. Primitives of nine kinds in the order that they are drawn in: cells of nets, threads that tore, a soft shadow about what is
 // covered, that, bonds within it that are no side of a triangle, and its outline; of figures of limbs rim and flesh of round strokes in place
 // of outlines, and below them what is covered, seen only where bonds are shown through it.
 
@@ -7,11 +7,13 @@ struct Primitive {
     // be an arc. Of a limb two points
     // for each end, then the bits of its larger radius [m], and ten each: shares of the ways between those, lesser radius by the larger.
     points: array<u32, 6>,
-    // The kind in the upper eight bits, then red, green, blue.
+    // The kind in the upper eight bits, with the mark PAINTED where points may have colours of their own, then red, green, blue.
     ink: u32,
 }
 
 @group(0) @binding(3) var<storage, read> primitives: array<Primitive>;
+// Of each point red, green and blue of its own from the lowest byte on, then whether it has them.
+@group(0) @binding(5) var<storage, read> own: array<vec2<u32>>;
 // A row a point: its normal in space, the mean strain of its bonds. Not there where neither is shown.
 @group(1) @binding(0) var<storage, read> shades: array<vec4<f32>>;
 
@@ -23,11 +25,16 @@ const FLESH: u32 = 4u;
 const SKIN: u32 = 5u;
 const UNDER: u32 = 6u;
 const CELL: u32 = 7u;
+const THREAD: u32 = 8u;
+const PAINTED: u32 = 0x80u;
+// Marks corners of cells that these fade towards.
+const FRAYED: u32 = 0x80000000u;
 
 struct Fill {
     @builtin(position) position: vec4<f32>,
     @location(0) @interpolate(flat) line: vec4<f32>,
-    @location(1) @interpolate(flat) color: vec4<f32>,
+    // What is painted in part goes from one colour to the other along a triangle.
+    @location(1) color: vec4<f32>,
     // As of a stroke, then the kind.
     @location(2) @interpolate(flat) size: vec3<f32>,
     // In a triangle: shares of its corners. In a shadow the first is its strength, in an outline how far its arc bulges out [px].
@@ -40,17 +47,28 @@ fn color_of(ink: u32) -> vec3<f32> {
     return vec3(f32((ink >> 16u) & 255u), f32((ink >> 8u) & 255u), f32(ink & 255u)) / 255.0;
 }
 
+// The colour of a primitive at a point.
+fn color_at(ink: u32, point: u32) -> vec3<f32> {
+    if ((ink >> 24u) & PAINTED) == 0u {
+        return color_of(ink);
+    }
+    let painted = unpack4x8unorm(own[point].x);
+    return select(color_of(ink), painted.rgb, painted.a > 0.5);
+}
+
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     let primitive = primitives[index / 6u];
     let corner = index % 6u;
-    let kind = primitive.ink >> 24u;
+    let kind = (primitive.ink >> 24u) & ~PAINTED;
     var out: Fill;
     out.color = vec4(color_of(primitive.ink), 1.0);
     out.size.z = f32(kind);
     if kind == FILL || kind == UNDER || kind == CELL {
-        let point = primitive.points[corner];
+        let marked = primitive.points[corner];
+        let point = select(marked, marked & ~FRAYED, kind == CELL);
         let place = position_of(point);
+        out.color = vec4(color_at(primitive.ink, point), 1.0);
         let is_hidden = kind == UNDER && !(frame.fill_opacity < 1.0);
         out.position = select(frame.clip_from_world * vec4(place, 1.0), nowhere(), is_hidden);
         out.share = select(vec3(0.0), vec3(1.0), vec3<bool>(corner % 3u == 0u, corner % 3u == 1u, corner % 3u == 2u));
@@ -60,7 +78,14 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         if MAPS && is_set(frame.difference_scale, place.x) {
             out.shade.w = values[point];
         }
+        if kind == CELL {
+            // Of the plane, which has no normals.
+            out.shade.x = select(1.0, FADED, marked != point);
+        }
         return out;
+    }
+    if kind == THREAD {
+        return thread(out, corner, primitive);
     }
     if kind == FLESH || kind == SKIN {
         return limb(out, corner, primitive, kind);
@@ -68,7 +93,9 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     let a = position_of(primitive.points[1]);
     let b = position_of(primitive.points[2]);
     if kind == OUTLINE || kind == INNER {
-        let width = select(frame.fill_outline, max(0.8 * frame.outline_width, 1.0), kind == INNER);
+        let end = primitive.points[select(1u, 2u, corner_of(corner).x > 0.0)];
+        out.color = vec4(color_at(primitive.ink, end), 1.0);
+        let width = select(frame.fill_outline, INNER_WIDTH, kind == INNER);
         var high = 0.0;
         if DIMENSIONS == 2u && kind == OUTLINE && primitive.points[4] == 1u {
             high = bulge(a, b, position_of(primitive.points[0]), position_of(primitive.points[3]));
@@ -79,10 +106,10 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         out.size = vec3(side.size.x, 0.5 * width, f32(kind));
         out.share = vec3(high, 0.0, 0.0);
         if MAPS && is_set(frame.strain_scale, a.x) {
-            out.shade = shades[primitive.points[select(1u, 2u, corner_of(corner).x > 0.0)]];
+            out.shade = shades[end];
         }
         if MAPS && is_set(frame.difference_scale, a.x) {
-            out.shade.w = values[primitive.points[select(1u, 2u, corner_of(corner).x > 0.0)]];
+            out.shade.w = values[end];
         }
         return out;
     }
@@ -158,6 +185,30 @@ fn limb(plain: Fill, corner: u32, primitive: Primitive, kind: u32) -> Fill {
     return out;
 }
 
+// How long what is left of a thread is, beside its length at rest and how far apart its ends are now [1]; how opaque a cell is beside one that
+// tore, beside others.
+const LEFT: vec2<f32> = vec2(0.45, 0.4);
+const FADED: f32 = 0.2;
+
+// What is left of a thread that tore at one of its ends: it points to the other.
+fn thread(plain: Fill, corner: u32, primitive: Primitive) -> Fill {
+    let a = position_of(primitive.points[0]);
+    let way = position_of(primitive.points[1]) - a;
+    let far = length(way);
+    let long = min(LEFT.x * bitcast<f32>(primitive.points[2]), LEFT.y * far);
+    let side = stroke(corner, a, a + way * (long / max(far, 1e-6)), plain.color, frame.bond_width);
+    var out = plain;
+    // The other end may be gone.
+    out.position = select(nowhere(), side.position, far > 0.0 && far < 1e30);
+    // Of the colour that bonds have there.
+    let own_color = color_at(primitive.ink, primitive.points[0]);
+    let is_own = any(own_color != color_of(primitive.ink));
+    out.color = vec4(select(frame.bond_color.rgb, own_color, is_own), frame.bond_color.a);
+    out.line = side.line;
+    out.size = vec3(side.size.x, 0.5 * frame.bond_width, f32(THREAD));
+    return out;
+}
+
 // Reach of a shadow to both sides of its outline, and how far below the body it lies [widths of an outline].
 const SHADOW_REACH: vec2<f32> = vec2(2.0, 7.0);
 const SHADOW_FALL: f32 = 1.5;
@@ -199,6 +250,10 @@ const DARKEST: f32 = 0.6;
 // Opacity of the sides of triangles, and the height of a triangle [px] from which on they are seen, and seen in full.
 const LINES: f32 = 0.13;
 const ROOM: vec2<f32> = vec2(7.0, 22.0);
+// Width of a bond within a body [px], and its room beside its length: it looks as a side of the triangles of a square does, so that two braces
+// that cross are alike.
+const INNER_WIDTH: f32 = 1.6;
+const INNER_ROOM: f32 = 0.5;
 // Where light comes from in space; how bright what faces away from it and what faces it is, and what is seen from its side.
 const LIGHT: vec3<f32> = vec3(0.34, 0.82, 0.46);
 const BRIGHT: vec2<f32> = vec2(0.36, 1.22);
@@ -261,10 +316,10 @@ fn line_color(in: Fill, kind: u32) -> vec4<f32> {
         }
         return round_color(in, select(rim, flesh, kind == FLESH));
     }
-    // Bonds within are as dark as the sides of triangles, and seen where those are.
     let is_inner = kind == INNER;
-    let room = select(1.0, smoothstep(ROOM.x, ROOM.y, 0.7 * in.size.x) * frame.fill_opacity, is_inner);
-    let color = select(vec4(own, 1.0), vec4(0.0, 0.0, 0.0, 1.6 * LINES), is_inner);
+    let room = select(1.0, smoothstep(ROOM.x, ROOM.y, INNER_ROOM * in.size.x) * frame.fill_opacity, is_inner);
+    let outline = select(vec4(own, 1.0), in.color, kind == THREAD);
+    let color = select(outline, vec4(0.0, 0.0, 0.0, LINES), is_inner);
     if DIMENSIONS == 2u && kind == OUTLINE && in.share.x > 0.0 {
         return arc_color(in, own);
     }
@@ -309,7 +364,7 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
     var color = flesh_color(in);
     if DIMENSIONS == 2u && kind == CELL {
         let is_map = (frame.strain_scale > 0.0) | (frame.difference_scale > 0.0);
-        return vec4(color, frame.fill_opacity * select(CELL_OPACITY.x, CELL_OPACITY.y, is_map));
+        return vec4(color, frame.fill_opacity * in.shade.x * select(CELL_OPACITY.x, CELL_OPACITY.y, is_map));
     }
     if DIMENSIONS == 3u {
         let length = length(in.shade.xyz);

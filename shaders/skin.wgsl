@@ -37,8 +37,11 @@ fn vertex(@builtin(vertex_index) index: u32) -> Skin {
 }
 
 // How light black ink gets before it takes a colour [1]: multiplied alone it would stay dark whatever the colour is. A colour counts by its
-// strength, so that white changes nothing and grey makes darker; what is bright is multiplied.
+// strength, so that white changes nothing and grey makes darker.
 const LIFT: f32 = 0.5;
+// From this strength on [1] a colour takes the place of the ink's own hue, of which lightness alone is left: green ink that is multiplied by red
+// is nearly black.
+const STRONG: f32 = 0.5;
 
 // How much of a colour is hue [1]: white, grey and black have none.
 fn strength_of(tint: vec3<f32>) -> f32 {
@@ -47,10 +50,14 @@ fn strength_of(tint: vec3<f32>) -> f32 {
     return (most - least) / max(most, 0.01);
 }
 
-// Ink in the colour that its body is given.
+// Ink in the colour that its body is given: as light beside other ink as it was, in that hue.
 fn tinted(ink: vec3<f32>, tint: vec3<f32>) -> vec3<f32> {
-    let dark = 1.0 - max(max(ink.r, ink.g), ink.b);
-    return tint * mix(ink, vec3(1.0), LIFT * strength_of(tint) * dark);
+    let strength = strength_of(tint);
+    // Lighter than it is, as what has a hue is.
+    let light = sqrt(dot(ink, vec3(0.30, 0.59, 0.11)));
+    let washed = mix(ink, vec3(light), smoothstep(0.0, STRONG, strength));
+    let dark = 1.0 - max(max(washed.r, washed.g), washed.b);
+    return tint * mix(washed, vec3(1.0), LIFT * strength * dark);
 }
 
 @fragment

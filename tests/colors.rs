@@ -186,3 +186,20 @@ fn dark_pictures_take_the_colour_that_they_are_given() {
     let white = seen(&[Tint { color: Some([255; 3]), ..Tint::new(0, 0) }]);
     assert_eq!(white, (plain, light), "white changes nothing");
 }
+
+#[test]
+fn pictures_of_any_hue_are_bright_in_the_colour_that_they_are_given() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let tints = [Tint { color: Some([220, 40, 30]), ..Tint::new(0, 0) }];
+    let seen = |ink: [u8; 3]| {
+        let disc = disc(ink, |r| (50.5 - r).clamp(0.0, 1.0));
+        drawn(disc, &Settings::default(), &tints, &on([0.06, 0.08, 0.12, 1.0])).get_pixel(120, 100).0
+    };
+    let (green, blue, dark) = (seen([60, 170, 90]), seen([60, 90, 200]), seen([20, 60, 30]));
+    for red in [green, blue, dark] {
+        assert!(red[0] > red[1] + 80 && red[0] > red[2] + 80, "{red:?}");
+    }
+    assert!(green[0] > 140 && green[0] > dark[0] + 20, "light ink stays lighter than dark ink: {green:?}, {dark:?}");
+}

@@ -50,7 +50,10 @@ fn undo_goes_back_to_just_before_the_last_edit_and_redo_to_just_after_it() {
     let mut history = history("rim");
     play(&mut history, 300);
     let before = hash(&history);
+    let ways = |history: &History| (history.undoes(), history.redoes());
+    assert_eq!(ways(&history), (None, None));
     history.give(vec![strength(90.0)], Some("Stronger mouse")).unwrap();
+    assert_eq!(ways(&history), (Some("Stronger mouse".to_owned()), None));
     let after = hash(&history);
     play(&mut history, 200);
     let late = hash(&history);
@@ -58,6 +61,7 @@ fn undo_goes_back_to_just_before_the_last_edit_and_redo_to_just_after_it() {
     assert_eq!(undone.name, "Stronger mouse");
     assert!(undone.seconds < 0.0);
     assert_eq!(hash(&history), before);
+    assert_eq!(ways(&history), (None, Some("Stronger mouse".to_owned())));
     assert_eq!(history.undo(), None);
     let again = history.redo().unwrap();
     assert!(again.seconds == 0.0 && hash(&history) == after);
@@ -174,6 +178,7 @@ fn a_reset_is_undone_as_one() {
     history.reset();
     assert_eq!(history.world().time(), 0.0);
     play(&mut history, 30);
+    assert_eq!(history.undoes().as_deref(), Some("Reset"));
     let undone = history.undo().unwrap();
     assert_eq!((undone.name.as_str(), undone.seconds > 0.0), ("Reset", true));
     assert_eq!(hash(&history), late);

@@ -3,7 +3,7 @@
 
 use egui::{Event, Id, Key, Modifiers, PointerButton, Pos2, Rect};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use wobble::app::action::{Action, Tool};
 use wobble::app::rehearsal::Rehearsal;
 use wobble::render::Palette;
@@ -97,8 +97,8 @@ fn every_button_of_the_bar_is_found_by_its_name_and_says_what_it_does_and_by_whi
         ("Draw", "draw a body"),
         ("Open", "open a scene, a recording or a picture"),
         ("Save", "save this moment, or all that was done"),
-        ("undo", "undo"),
-        ("redo", "redo"),
+        ("undo", "nothing to undo"),
+        ("redo", "nothing to redo"),
         ("Fit", "fit all points"),
         ("Bodies", ""),
         ("Strain", ""),
@@ -116,6 +116,26 @@ fn every_button_of_the_bar_is_found_by_its_name_and_says_what_it_does_and_by_whi
         button.hover();
         panels.run_steps(8);
         assert!(says(&panels, &format!("{said} (")), "{name} has no tip with its key");
+    }
+}
+
+#[test]
+fn undo_and_redo_are_off_where_there_is_nothing_and_say_what_there_is() {
+    let mut panels = open(&[Action::Settings]);
+    let rect = slider(&panels);
+    panels.drag_at(Pos2::new(rect.left() + 0.3 * rect.width(), rect.center().y));
+    panels.run_steps(2);
+    let to = Pos2::new(rect.left() + 0.8 * rect.width(), rect.center().y);
+    panels.hover_at(to);
+    panels.run_steps(2);
+    panels.drop_at(to);
+    panels.run_steps(3);
+    for (name, other, said) in [("undo", "redo", "undo: gravity ("), ("redo", "undo", "redo: gravity (")] {
+        assert!(panels.get_by_label(other).accesskit_node().is_disabled(), "nothing to {other}");
+        panels.get_by_label(name).hover();
+        panels.run_steps(8);
+        assert!(says(&panels, said), "{said}");
+        press(&mut panels, name);
     }
 }
 

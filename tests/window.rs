@@ -404,15 +404,15 @@ fn the_gallery_opens_scenes_and_undo_goes_back() {
     display.xdotool(&["type", "whip"]);
     std::thread::sleep(Duration::from_millis(1000));
     app.key("Return");
-    app.wait_for_title("wobble · rope");
+    app.wait_for_title("wobble · Rope");
     app.key("Next");
-    app.wait_for_title("wobble · rope-on-cursor");
+    app.wait_for_title("wobble · Rope on the cursor");
     app.key("ctrl+z");
-    app.wait_for_title("wobble · rope");
+    app.wait_for_title("wobble · Rope");
     app.key("ctrl+y");
-    app.wait_for_title("wobble · rope-on-cursor");
+    app.wait_for_title("wobble · Rope on the cursor");
     app.key("Prior");
-    app.wait_for_title("wobble · rope");
+    app.wait_for_title("wobble · Rope");
     // The lessons are at the right: the last one in the list, which is scrolled to, opens its scene.
     app.key("h");
     app.move_mouse(1030, 450);
@@ -424,7 +424,7 @@ fn the_gallery_opens_scenes_and_undo_goes_back() {
     display.xdotool(&["click", "1"]);
     app.wait_for_title("wobble · A brake that pushes");
     app.key("ctrl+z");
-    app.wait_for_title("wobble · rope");
+    app.wait_for_title("wobble · Rope");
     app.quit();
 }
 
@@ -536,7 +536,7 @@ fn what_a_killed_program_left_is_offered_and_gone_on_with() {
     app.process.kill().unwrap();
     app.process.wait().unwrap();
     let again = display.open(Path::new("spring-damper"));
-    again.wait_for_title("wobble · spring-damper");
+    again.wait_for_title("wobble · Springs and dampers");
     let start = Instant::now();
     let button = loop {
         if let Some(at) = wanted_button(&display.screenshot()) {

@@ -7,6 +7,8 @@ use std::time::Duration;
 use etcetera::BaseStrategy;
 
 use crate::history::{Autosave, Left, Start};
+use crate::lessons::heading_of;
+use crate::scene::gallery;
 
 /// Names the folder in place of the user's own.
 const VARIABLE: &str = "WOBBLE_STATE_DIR";
@@ -87,9 +89,17 @@ fn age(path: &Path) -> Option<Duration> {
 }
 
 fn line(start: &Start, age: Option<Duration>) -> String {
-    let (name, end) = (start.scene().name(), start.recording().end());
+    let (name, end) = (title(start), start.recording().end());
     let ago = age.map_or_else(String::new, |age| format!(", {} ago", words(age)));
     format!("{name}, {end:.0} s long{ago}")
+}
+
+/// What a start is called in lists of sessions and of windows: by its file, else as the step of a lesson or the gallery calls its scene.
+pub(super) fn title(start: &Start) -> &str {
+    let name = start.scene().name();
+    let entry = gallery().iter().find(|entry| entry.name == name);
+    let listed = heading_of(name).or(entry.map(|entry| entry.title));
+    start.name().or(listed).unwrap_or(name)
 }
 
 /// A span of time, as one says it.
@@ -114,6 +124,13 @@ mod tests {
     fn spans_are_said_in_words() {
         let said = [5, 60, 119 * 60, 3 * 3600, 50 * 3600].map(|seconds| words(Duration::from_secs(seconds)));
         assert_eq!(said, ["less than a minute", "1 minute", "119 minutes", "3 hours", "2 days"]);
+    }
+
+    #[test]
+    fn a_session_of_the_gallery_is_called_as_it_is_there() {
+        let entry = &gallery()[0];
+        let said = line(&entry.scene().unwrap().into(), None);
+        assert_eq!(said, format!("{}, 0 s long", entry.title));
     }
 
     #[test]

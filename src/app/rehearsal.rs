@@ -199,6 +199,8 @@ impl Rehearsal {
             title: entry.map_or_else(|| scene.name().to_owned(), |entry| entry.title.to_owned()),
             caption: entry.map(|entry| [entry.description, entry.to_try]),
             figures: self.shown.figures.clone(),
+            undoes: self.shown.figures.undoes.clone(),
+            redoes: self.shown.figures.redoes.clone(),
             pace: 1.0,
             tool: self.tool,
             push: self.push,

@@ -15,7 +15,7 @@ use winit::window::{Window, WindowId};
 use super::AppError;
 use super::action::{Action, Tool};
 use super::keys::{self, Held};
-use super::leftovers::state_folder;
+use super::leftovers::{state_folder, title};
 use super::player::{Keeping, Player};
 use super::session::Session;
 use crate::history::Start;
@@ -125,7 +125,7 @@ impl Shell {
         let screen = monitor.map(|monitor| monitor.size().to_logical::<f64>(monitor.scale_factor()));
         let [width, height] = size_on(screen.map(|size| [size.width, size.height]));
         let attributes = Window::default_attributes()
-            .with_title(format!("wobble · {}", scene.name()))
+            .with_title(format!("wobble · {}", title(player.start())))
             .with_min_inner_size(LogicalSize::new(LEAST[0].min(width), LEAST[1].min(height)))
             .with_inner_size(LogicalSize::new(width, height));
         let window =

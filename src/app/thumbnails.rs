@@ -1,7 +1,10 @@
 //! Pictures of the gallery's scenes, drawn beside the window by the renderer that draws in it.
 
+mod kept;
+
 use std::collections::BTreeMap;
-use std::sync::mpsc::{Receiver, channel};
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -11,6 +14,7 @@ use super::opening;
 use super::panels::THUMBNAIL;
 use crate::render::{Camera, Capture, Gpu, Look, Palette, View};
 use crate::scene::{BodyKeys, EMPTY, Entry, MakerName, Scene, gallery};
+use kept::Kept;
 
 /// A scene is shown as whoever opens it sees it after so long `[s]`, or what of that is stepped in this time.
 const SHOWN_AT: f64 = 0.8;
@@ -26,6 +30,8 @@ const FINE: f32 = 2.0;
 pub(super) struct Thumbnails {
     drawn: Receiver<(&'static str, RgbaImage)>,
     ready: Vec<(&'static str, RgbaImage)>,
+    /// All were drawn that can be.
+    is_done: bool,
     /// The names of those that are looked at: they come first.
     wanted: Arc<Mutex<Vec<&'static str>>>,
 }
@@ -37,26 +43,37 @@ fn next(left: &mut Vec<&'static Entry>, wanted: &[&str]) -> Option<&'static Entr
 }
 
 impl Thumbnails {
-    /// Draws all of the gallery, one after another, on a thread of its own, which calls `wake` after each: first those that are wanted.
-    pub(super) fn new(gpu: Gpu, palette: Palette, wake: impl Fn() + Send + 'static) -> Self {
+    /// Draws all of the gallery, one after another, on a thread of its own, which calls `wake` after each: first those that are wanted. Those that
+    /// were drawn at an earlier start are taken from a folder, if there is one.
+    pub(super) fn new(gpu: Gpu, palette: Palette, folder: Option<PathBuf>, wake: impl Fn() + Send + 'static) -> Self {
         let (sender, drawn) = channel();
         let wanted: Arc<Mutex<Vec<&'static str>>> = Arc::default();
         let looked_at = Arc::clone(&wanted);
         std::thread::spawn(move || {
             let mut captures: [Option<Capture>; 2] = [None, None];
             let size = THUMBNAIL.map(|side| (FINE * side) as u32);
+            let kept = Kept::in_folder(folder, palette, size);
+            let mut draw = |entry: &'static Entry| {
+                let drawn = thumbnail(entry, &gpu, (size, palette), &mut captures)?;
+                kept.write(entry.name, &drawn);
+                Some(drawn)
+            };
             let mut left: Vec<&Entry> = gallery().iter().chain([&EMPTY]).collect();
-            loop {
+            let next = |left: &mut Vec<&'static Entry>| {
                 let wanted = looked_at.lock().unwrap_or_else(PoisonError::into_inner).clone();
-                let Some(entry) = next(&mut left, &wanted) else { return };
-                let Some(picture) = thumbnail(entry, &gpu, (size, palette), &mut captures) else { continue };
+                next(left, &wanted)
+            };
+            while let Some(entry) = next(&mut left) {
+                let Some(picture) = kept.read(entry.name).or_else(|| draw(entry)) else { continue };
                 if sender.send((entry.name, picture)).is_err() {
                     return;
                 }
                 wake();
             }
+            drop(sender);
+            wake();
         });
-        Thumbnails { drawn, ready: Vec::new(), wanted }
+        Thumbnails { drawn, ready: Vec::new(), is_done: false, wanted }
     }
 
     /// These are looked at from now on.
@@ -66,8 +83,20 @@ impl Thumbnails {
 
     /// Takes what was drawn. Returns whether there is something new.
     pub(super) fn poll(&mut self) -> bool {
-        self.ready.extend(self.drawn.try_iter());
-        !self.ready.is_empty()
+        loop {
+            match self.drawn.try_recv() {
+                Ok(picture) => self.ready.push(picture),
+                Err(TryRecvError::Empty) => return !self.ready.is_empty(),
+                Err(TryRecvError::Disconnected) => {
+                    return !std::mem::replace(&mut self.is_done, true) || !self.ready.is_empty();
+                }
+            }
+        }
+    }
+
+    /// Whether there are still some to come.
+    pub(super) fn are_drawn(&self) -> bool {
+        !self.is_done
     }
 
     /// Gives what was drawn to the panels.

@@ -41,6 +41,8 @@ struct Branch {
     /// How many branches it comes from.
     depth: usize,
     own: Vec<Entry>,
+    /// Places in `own` of commands that are part of an edit, ascending.
+    edits: Vec<usize>,
     /// When it left `[s]`.
     from: f64,
     /// How far it goes `[s]`.
@@ -62,7 +64,8 @@ pub(super) struct Tree {
 
 impl Tree {
     pub(super) fn new(entries: Vec<Entry>, marks: Vec<Mark>, from: f64, end: f64) -> Self {
-        Tree { branches: vec![Branch { own: entries, marks, from, end, ..Branch::default() }] }
+        let edits = edits_of(&entries);
+        Tree { branches: vec![Branch { own: entries, edits, marks, from, end, ..Branch::default() }] }
     }
 
     /// How many commands of its parent a branch has.
@@ -106,8 +109,8 @@ impl Tree {
 
     /// A new branch from the start of all at `from` `[s]`, which was gone to from a spot with these commands.
     pub(super) fn begin_anew(&mut self, from: f64, origin: Spot, own: Vec<Entry>) -> usize {
-        let (taken_along, origin) = (own.len(), Some(origin));
-        self.branches.push(Branch { from, end: from, origin, own, taken_along, ..Branch::default() });
+        let (taken_along, origin, edits) = (own.len(), Some(origin), edits_of(&own));
+        self.branches.push(Branch { from, end: from, origin, own, edits, taken_along, ..Branch::default() });
         self.branches.len() - 1
     }
 
@@ -140,9 +143,38 @@ impl Tree {
 
     /// A command is given at the end of a branch. Marks of its time and later ones were of a motion without it.
     pub(super) fn push(&mut self, branch: usize, entry: Entry) {
-        let Branch { own, marks, .. } = &mut self.branches[branch];
+        let Branch { own, edits, marks, .. } = &mut self.branches[branch];
         marks.truncate(marks.partition_point(|mark| mark.at < entry.at));
+        edits.extend(entry.edit.map(|_| own.len()));
         own.push(entry);
+    }
+
+    /// The last command before `place` of a branch that is part of an edit. Few commands are: those of the cursor are not looked at.
+    pub(super) fn edit_before(&self, mut branch: usize, mut place: usize) -> Option<usize> {
+        loop {
+            let (shared, Branch { edits, parent, .. }) = (self.shared(branch), &self.branches[branch]);
+            let count = edits.partition_point(|own| shared + own < place);
+            if let Some(last) = edits[..count].last() {
+                return Some(shared + last);
+            }
+            let (above, of_above) = (*parent)?;
+            (branch, place) = (above, place.min(of_above));
+        }
+    }
+
+    /// The first command from `place` of a branch on that is part of an edit, likewise.
+    pub(super) fn edit_from(&self, mut branch: usize, place: usize) -> Option<usize> {
+        let (mut found, mut end) = (None, usize::MAX);
+        loop {
+            let (shared, Branch { edits, parent, .. }) = (self.shared(branch), &self.branches[branch]);
+            let first = edits[edits.partition_point(|own| shared + own < place)..].first();
+            // What is nearer to the start comes first.
+            found = first.map(|own| shared + own).filter(|&first| first < end).or(found);
+            match *parent {
+                Some((above, of_above)) if place < of_above => (branch, end) = (above, end.min(of_above)),
+                _ => return found,
+            }
+        }
     }
 
     /// How many commands two branches share from the start on.
@@ -251,6 +283,11 @@ impl Tree {
     }
 }
 
+/// Places of commands that are part of an edit.
+fn edits_of(entries: &[Entry]) -> Vec<usize> {
+    entries.iter().enumerate().filter(|(_, entry)| entry.edit.is_some()).map(|(place, _)| place).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::command::Do;
@@ -342,5 +379,21 @@ mod tests {
         let mut tree = Tree::new(Vec::new(), vec![mark(1.0), mark(2.0), mark(3.0)], 0.0, 3.0);
         tree.push(0, entry(2.0));
         assert_eq!(tree.marks(0), [mark(1.0)]);
+    }
+
+    #[test]
+    fn edits_before_and_after_a_place_are_found_along_all_branches() {
+        let (mut tree, mut branch) = nested(12);
+        let aside = Entry { edit: None, ..entry(0.0) };
+        for round in 0..6 {
+            (0..3).for_each(|_| tree.push(branch, aside.clone()));
+            branch = tree.fork(Spot { branch, place: tree.len(branch) - round % 2, time: 20.0 });
+            tree.push(branch, if round % 3 == 0 { entry(20.0) } else { aside.clone() });
+        }
+        let is_edit = |place: &usize| tree.entry(branch, *place).is_some_and(|entry| entry.edit.is_some());
+        for place in 0..=tree.len(branch) {
+            assert_eq!(tree.edit_before(branch, place), (0..place).rev().find(is_edit), "before {place}");
+            assert_eq!(tree.edit_from(branch, place), (place..tree.len(branch)).find(is_edit), "from {place}");
+        }
     }
 }

@@ -29,23 +29,15 @@ impl History {
     pub fn undo(&mut self) -> Option<Undone> {
         let before = self.world().time();
         let (branch, place) = (self.branch, self.frame.place);
-        let edit_of = |place: usize| self.tree.entry(branch, place).and_then(|entry| entry.edit);
-        // What was taken along to the start was done before that was gone to.
-        let first = self.tree.taken_along(branch);
-        let (name, again, back) = match (first..place).rev().find(|&place| edit_of(place).is_some()) {
-            Some(last) => {
-                let edit = edit_of(last);
-                let same = |&place: &usize| edit_of(place).is_none() || edit_of(place) == edit;
-                let first = (0..=last).rev().take_while(same).filter(|&place| edit_of(place) == edit).last();
-                let named = first.unwrap_or(last);
+        let (name, again, back) = match self.edit_before(place) {
+            Some([named, last]) => {
                 let first = self.with_grab(named);
-                let after = (last..self.tree.len(branch)).take_while(same).filter(|&place| edit_of(place) == edit);
-                let last = after.last().unwrap_or(last);
-                (self.name(branch, named), self.after(branch, last), self.before(branch, first))
+                (self.name(branch, named), self.after(branch, self.last_of(last)), self.before(branch, first))
             }
             None => {
                 let back = self.tree.origin(branch)?;
-                let again = Spot { branch: self.tree.root(branch), place: first, time: self.from() };
+                let again =
+                    Spot { branch: self.tree.root(branch), place: self.tree.taken_along(branch), time: self.from() };
                 (RESET.to_owned(), again, back)
             }
         };
@@ -66,17 +58,48 @@ impl History {
         Some(Undone { name, seconds: self.world().time() - before })
     }
 
+    /// What undo would take back is called; `None`: there is nothing to undo.
+    pub fn undoes(&self) -> Option<String> {
+        match self.edit_before(self.frame.place) {
+            Some([first, _]) => Some(self.name(self.branch, first)),
+            None => self.tree.origin(self.branch).map(|_| RESET.to_owned()),
+        }
+    }
+
+    /// What redo would bring again is called; `None`: there is nothing to redo.
+    pub fn redoes(&self) -> Option<String> {
+        let undone = self.undone.last().map(|redo| redo.name.clone());
+        undone.or_else(|| self.to_come().map(|first| self.name(self.branch, first)))
+    }
+
     /// The edit that comes next in the log, if that is followed.
     fn next_edit(&self) -> Option<Redo> {
-        if self.is_free {
-            return None;
-        }
-        let edit_of = |place: usize| self.tree.entry(self.branch, place).and_then(|entry| entry.edit);
-        let to_come = self.frame.place..self.tree.len(self.branch);
-        let first = to_come.clone().find(|&place| edit_of(place).is_some())?;
-        let same = |&place: &usize| edit_of(place).is_none() || edit_of(place) == edit_of(first);
-        let last = (first..to_come.end).take_while(same).filter(|&place| edit_of(place).is_some()).last()?;
-        Some(Redo { spot: self.after(self.branch, last), name: self.name(self.branch, first) })
+        let first = self.to_come()?;
+        Some(Redo { spot: self.after(self.branch, self.last_of(first)), name: self.name(self.branch, first) })
+    }
+
+    /// The first command of the edit that comes next in the log, if that is followed.
+    fn to_come(&self) -> Option<usize> {
+        if self.is_free { None } else { self.tree.edit_from(self.branch, self.frame.place) }
+    }
+
+    /// The first and the last command before `place` of the edit that is the last there. What was taken along to the start was done before that
+    /// was gone to, and is undone with it.
+    fn edit_before(&self, place: usize) -> Option<[usize; 2]> {
+        let last = self.tree.edit_before(self.branch, place)?;
+        let earlier = std::iter::successors(Some(last), |&place| self.tree.edit_before(self.branch, place));
+        let first = earlier.take_while(|&place| self.edit_of(place) == self.edit_of(last)).last()?;
+        (last >= self.tree.taken_along(self.branch)).then_some([first, last])
+    }
+
+    /// The last command of the edit that a command is part of.
+    fn last_of(&self, place: usize) -> usize {
+        let later = std::iter::successors(Some(place), |&place| self.tree.edit_from(self.branch, place + 1));
+        later.take_while(|&later| self.edit_of(later) == self.edit_of(place)).last().unwrap_or(place)
+    }
+
+    fn edit_of(&self, place: usize) -> Option<u64> {
+        self.tree.entry(self.branch, place).and_then(|entry| entry.edit)
     }
 
     /// Where an edit begins that begins at this place: one that lets go begins with the grab that it ends, and with what led to that at the

@@ -10,7 +10,7 @@ use glam::DVec3;
 use super::camera::Camera;
 use super::chunks::{Chunks, LARGE, Selection, Wanted};
 use super::counters::RenderCounters;
-use super::cover::{bare_first, bars, covered, pins, scenery};
+use super::cover::{bare_first, bars, bearing, covered, pins, scenery};
 use super::error::RenderError;
 use super::floor;
 use super::forms::{in_a_row, is_rope, ropes};
@@ -250,8 +250,9 @@ impl WorldBuffers {
             self.covers_all = false;
             // Lines between pins are a drawing, which has no joints to be seen.
             let is_pinned = pins(view.pinned, point_count);
-            is_scenery = scenery(&bonds, &is_pinned);
-            bars(&mut bonds, &is_pinned);
+            let bears = bearing(&bonds, &is_pinned);
+            is_scenery = scenery(&bonds, &is_pinned, &bears);
+            bars(&mut bonds, &bears);
             points.retain(|point| !is_scenery[*point as usize]);
             let is_in_row = ropes(view.bonds, cover.len());
             let of_rows = bonds.iter_mut().zip(is_in_row).filter(|(bond, is)| *is && !is_rope(bond.form));

@@ -47,28 +47,32 @@ pub(super) fn bare_first(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond], 
     [count(bonds.partition_point(|bond| !is_hidden(bond))), count(points.partition_point(|point| !is_under(point)))]
 }
 
-/// Bonds between pins on which something hangs are one bar, whatever they are made of.
-pub(super) fn bars(bonds: &mut [GpuBond], is_pinned: &[bool]) {
-    let mut holds = vec![false; is_pinned.len()];
-    for bond in &*bonds {
+/// Which pins bear something: bonds lead from them, over pins alone, to what is no pin.
+pub(super) fn bearing(bonds: &[GpuBond], is_pinned: &[bool]) -> Vec<bool> {
+    let holds = |point: u32| is_pinned[point as usize];
+    let between = bonds.iter().filter(|bond| holds(bond.a) && holds(bond.b));
+    let frames = Tint::hanging(is_pinned.len(), between.map(|bond| [bond.a, bond.b]));
+    let mut bears = vec![false; is_pinned.len()];
+    for bond in bonds {
         for [end, other] in [[bond.a, bond.b], [bond.b, bond.a]] {
-            holds[end as usize] |= !is_pinned[other as usize];
+            bears[frames[end as usize] as usize] |= holds(end) && !holds(other);
         }
     }
-    let is_of = |end: u32| is_pinned[end as usize] && holds[end as usize];
-    for bond in bonds.iter_mut().filter(|bond| is_of(bond.a) && is_of(bond.b)) {
+    frames.iter().zip(is_pinned).map(|(frame, is_pinned)| *is_pinned && bears[*frame as usize]).collect()
+}
+
+/// Bonds between pins that bear something are one bar, whatever they are made of.
+pub(super) fn bars(bonds: &mut [GpuBond], bears: &[bool]) {
+    for bond in bonds.iter_mut().filter(|bond| bears[bond.a as usize] && bears[bond.b as usize]) {
         bond.form = BAR;
     }
 }
 
-/// Pins that have bonds, all of them to pins.
-pub(super) fn scenery(bonds: &[GpuBond], is_pinned: &[bool]) -> Vec<bool> {
-    let mut ends = vec![[false; 2]; is_pinned.len()];
-    for bond in bonds {
-        let holds_pins = is_pinned[bond.a as usize] && is_pinned[bond.b as usize];
-        [bond.a, bond.b].iter().for_each(|&end| ends[end as usize][usize::from(holds_pins)] = true);
-    }
-    ends.iter().zip(is_pinned).map(|(ends, is_pinned)| *is_pinned && *ends == [false, true]).collect()
+/// Pins that have bonds and bear nothing: they are ends of lines that are a drawing.
+pub(super) fn scenery(bonds: &[GpuBond], is_pinned: &[bool], bears: &[bool]) -> Vec<bool> {
+    let mut has_bonds = vec![false; is_pinned.len()];
+    bonds.iter().flat_map(|bond| [bond.a, bond.b]).for_each(|end| has_bonds[end as usize] = true);
+    (0..is_pinned.len()).map(|point| is_pinned[point] && has_bonds[point] && !bears[point]).collect()
 }
 
 /// Which points are pinned. Pins of points that there are not are left out.
@@ -94,6 +98,17 @@ mod tests {
         assert_eq!(pins(&[PointId(0), PointId(2)], 3), [true, false, true]);
         assert_eq!(pins(&[PointId(3), PointId(u32::MAX), PointId(1)], 3), [false, true, false]);
         assert!(pins(&[PointId(0)], 0).is_empty());
+    }
+
+    #[test]
+    fn the_corner_of_a_frame_bears_with_it_and_lines_between_pins_alone_are_a_drawing() {
+        let is_pinned = [true, true, true, false, true, true, true];
+        let mut bonds = [[0, 1], [1, 2], [2, 3], [4, 5]].map(|[a, b]| GpuBond::new(a, b, 1.0));
+        let bears = bearing(&bonds, &is_pinned);
+        assert_eq!(bears, [true, true, true, false, false, false, false]);
+        assert_eq!(scenery(&bonds, &is_pinned, &bears), [false, false, false, false, true, true, false]);
+        bars(&mut bonds, &bears);
+        assert_eq!(bonds.map(|bond| bond.form == BAR), [true, true, false, false]);
     }
 
     #[test]

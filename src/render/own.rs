@@ -7,7 +7,8 @@ use crate::picture::Tint;
 /// Of all points: empty where no body has anything of its own.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Owns {
-    /// Of each point red, green and blue from the lowest byte on, and the width `[m]` as its bits: `own` in bonds.wgsl.
+    /// Of each point red, green and blue from the lowest byte on, then whether it has a colour, 0 or 255, and the width `[m]` as its bits: `own` in
+    /// bonds.wgsl and fill.wgsl.
     pub(super) rows: Vec<[u32; 2]>,
     /// The largest of the widths `[m]`.
     pub(super) widest: f64,
@@ -23,7 +24,8 @@ pub(super) fn paint(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond]) -> Ow
     let ends = view.tints.iter().skip(1).map(|tint| tint.first as usize).chain([cover.len()]);
     for (tint, end) in view.tints.iter().zip(ends) {
         let [red, green, blue] = tint.color.unwrap_or_default();
-        let row = [u32::from_le_bytes([red, green, blue, 0]), (tint.width as f32).to_bits()];
+        let is_there = if tint.color.is_some() { 255 } else { 0 };
+        let row = [u32::from_le_bytes([red, green, blue, is_there]), (tint.width as f32).to_bits()];
         owns.rows.get_mut(tint.first as usize..end).into_iter().flatten().for_each(|to| *to = row);
         owns.widest = owns.widest.max(tint.width);
     }
@@ -58,8 +60,8 @@ mod tests {
             list.iter().map(|bond| bond.own).collect::<Vec<_>>(),
             [OF_COLOR, OF_COLOR, 0, OF_COLOR | COVERED | OF_WIDTH]
         );
-        assert_eq!(owns.rows[2], [0x0001_00ff, 0]);
-        assert_eq!((owns.rows[6], owns.widest), ([0x0000_ff00, 0.25_f32.to_bits()], 0.25));
+        assert_eq!(owns.rows[2], [0xff01_00ff, 0]);
+        assert_eq!((owns.rows[6], owns.widest), ([0xff00_ff00, 0.25_f32.to_bits()], 0.25));
         let plain = [tint(0, None, 0.0)];
         assert_eq!(paint(&View { tints: &plain, ..view }, &[0; 7], &mut list), Owns::default(), "nothing to upload");
     }

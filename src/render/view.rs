@@ -2,7 +2,9 @@
 
 use super::trails::Trails;
 use crate::picture::{Skin, Tint};
-use crate::sim::{Angle, AngleDrive, Bonds, Convex, Cursor, Dynamics, MouseForce, PointId, Polygon, Positions, Signal};
+use crate::sim::{
+    Angle, AngleDrive, Bond, Bonds, Convex, Cursor, Dynamics, MouseForce, PointId, Polygon, Positions, Signal,
+};
 
 /// A driven angle: the third point turns about the second, as seen from the first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,6 +80,8 @@ pub struct View<'a> {
     pub topology: u64,
     /// The bonds.
     pub bonds: &'a Bonds,
+    /// Bonds that tore or were cut: loose threads hang from nets there. Others are another topology.
+    pub torn: &'a [Bond],
     /// What is drawn on triangles. A world of other skins is another topology.
     pub skins: &'a [Skin],
     /// What bodies cover, by their points: filled where no skin is.
@@ -124,6 +128,7 @@ impl<'a> View<'a> {
             motion: 0,
             topology: 0,
             bonds,
+            torn: &[],
             skins: &[],
             triangles: &[],
             tints: &[],
@@ -152,6 +157,7 @@ impl<'a> View<'a> {
             motion: 0,
             topology: world.counters().bonds_torn,
             bonds: world.bonds(),
+            torn: world.torn(),
             skins: &[],
             triangles: world.triangles(),
             tints: &[],

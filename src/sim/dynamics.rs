@@ -1,6 +1,6 @@
 //! A running world behind one face, whatever its scalar and its dimension.
 
-use super::bond::PointId;
+use super::bond::{Bond, PointId};
 use super::bonds::Bonds;
 use super::command::{Applied, Command, CommandError, Knots, Obstacle, SceneChange};
 use super::contact::convex::Convex;
@@ -87,6 +87,8 @@ pub trait Dynamics: Send {
     fn topology(&self) -> u64;
     /// Points that were deleted, ascending: their numbers stay, their positions are NaN.
     fn gone(&self) -> &[PointId];
+    /// Bonds that tore or were cut since the world was made, in that order, whatever became of their ends.
+    fn torn(&self) -> &[Bond];
     /// The numbers of the bonds that are left, ascending, in the order of [`Dynamics::bonds`]; `None`: each has its own place.
     fn bond_numbers(&self) -> Option<&[u32]>;
     /// Where the bond of this number is in [`Dynamics::bonds`], if it is there.

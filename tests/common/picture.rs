@@ -48,6 +48,7 @@ pub fn view<'a>(positions: &'a [f32], bonds: &'a Bonds, dimensions: usize) -> Vi
         motion: 0,
         topology: 0,
         bonds,
+        torn: &[],
         masses: &[],
         pinned: &[],
         bounds: None,

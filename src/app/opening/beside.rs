@@ -13,7 +13,12 @@ pub struct Over {
     pub corner: Option<[f64; 2]>,
     /// Where what belongs to a tool begins and ends, beside the tools or at the right edge, however low it reaches `[px]`.
     pub column: Option<[f64; 2]>,
+    /// How low that reaches, in windows higher than wide; `None`: all of its height is its own `[px]`.
+    pub low: Option<f64>,
 }
+
+/// What a panel leaves below it is large enough from this share of the height on `[1]`.
+const LEAST_BELOW: f64 = 0.4;
 
 /// A part of a picture: its left, upper, right and lower edge `[px]`.
 type Part = [f64; 4];
@@ -23,7 +28,7 @@ type Part = [f64; 4];
 pub fn beside_all(look: impl Fn(Free) -> Camera, seen: &View<'_>, (free, over): (Free, Over)) -> Camera {
     let camera = beside_corner(&look, seen, free, over.corner);
     let Pose::Plane { .. } = camera.pose else { return camera };
-    let Some((column, rest)) = over.column.and_then(|column| parted(free, column)) else { return camera };
+    let Some((column, rest)) = over.column.and_then(|column| parted(free, column, over.low)) else { return camera };
     if !is_hidden(&camera, seen, &[column]) {
         return camera;
     }
@@ -34,7 +39,7 @@ pub fn beside_all(look: impl Fn(Free) -> Camera, seen: &View<'_>, (free, over): 
 /// and moved by as little as it takes that all lies in the `free` part. What belongs to a tool takes all of its column, for it grows when
 /// something is selected.
 pub fn beside_panels(camera: Camera, seen: &View<'_>, (free, over): (Free, Over), taken: &[Part]) -> Camera {
-    let column = over.column.and_then(|column| parted(free, column)).map(|(column, _)| column);
+    let column = over.column.and_then(|column| parted(free, column, over.low)).map(|(column, _)| column);
     let column = column.filter(|_| matches!(camera.pose, Pose::Plane { .. }));
     if !is_hidden(&camera, seen, &[taken, column.as_slice()].concat()) {
         return camera;
@@ -51,9 +56,13 @@ pub fn beside_panels(camera: Camera, seen: &View<'_>, (free, over): (Free, Over)
     beside_all(look, seen, (if has_room { narrower } else { free }, Over { column, ..over }))
 }
 
-/// The column of the free part that what belongs to a tool may take, and the larger part that it leaves; `None`: it leaves too little.
-fn parted(free: Free, [from, to]: [f64; 2]) -> Option<(Part, Free)> {
+/// The column of the free part that what belongs to a tool may take, `low` at most, and the larger part that it leaves; `None`: it leaves too
+/// little.
+fn parted(free: Free, [from, to]: [f64; 2], low: Option<f64>) -> Option<(Part, Free)> {
     let [[left, top], [right, bottom]] = free;
+    if let Some(low) = low.filter(|low| (top..bottom - LEAST_BELOW * (bottom - top)).contains(low)) {
+        return Some(([from, top, to, low], [[left, low], [right, bottom]]));
+    }
     let middle = 0.5 * (left + right);
     match 0.5 * (from + to) > middle {
         true if from > middle => Some(([from, top, right, bottom], [[left, top], [from, bottom]])),
@@ -148,7 +157,7 @@ mod tests {
         let left = [0.0, 200.0, 300.0, 720.0];
         let after = beside_panels(before, &view, ([[300.0, 0.0], all[1]], Over::default()), &[left]);
         assert!(seen(&after).iter().all(|at| (300.0..1280.0).contains(&at[0])), "{:?}", seen(&after));
-        let column = Over { corner: None, column: Some([1000.0, 1280.0]) };
+        let column = Over { column: Some([1000.0, 1280.0]), ..Over::default() };
         let after = beside_panels(before, &view, (all, column), &[[1000.0, 0.0, 1280.0, 720.0]]);
         assert!(seen(&after).iter().all(|at| (0.0..1000.0).contains(&at[0])), "{:?}", seen(&after));
     }
@@ -163,7 +172,7 @@ mod tests {
         let (before, free) = (camera(&scene, &view, [640, 720]), [[70.0, 90.0], [630.0, 440.0]]);
         let plots = [0.0, 440.0, 640.0, 720.0];
         for (corner, is_clear) in [(None, false), (Some([490.0, 210.0]), true)] {
-            let after = beside_panels(before, &view, (free, Over { corner, column: None }), &[plots]);
+            let after = beside_panels(before, &view, (free, Over { corner, ..Over::default() }), &[plots]);
             let at = [3.0, 0.0].map(|y| after.screen_from_world(DVec3::new(3.0, y, 0.0)).unwrap());
             assert_eq!(at[0][1] > 210.0, is_clear, "{at:?}");
             assert!(at[0][0] > 490.0 && at[0][0] < 630.0 && at[1][1] < 440.0, "{at:?}");
@@ -174,7 +183,7 @@ mod tests {
     fn points_do_not_lie_below_what_belongs_to_a_tool_nor_at_an_edge() {
         let text = |x: f64| format!(r#"{{"wobble": 1, "points": {{"position": [[-4, -3], [{x}, -3]]}}}}"#);
         let (size, free) = ([1000, 600], [[80.0, 60.0], [990.0, 570.0]]);
-        let over = Over { corner: None, column: Some([740.0, 990.0]) };
+        let over = Over { column: Some([740.0, 990.0]), ..Over::default() };
         for (x, is_hidden) in [(5.0, true), (-1.0, false)] {
             let scene = Scene::parse(&text(x), "x.json").unwrap();
             let world = scene.world(None).unwrap();
@@ -227,14 +236,32 @@ mod tests {
         // It lies over the middle of a spring alone, or over nothing yet: so much of the column is its own all the same.
         let small = [990.0, 200.0, 1270.0, 260.0];
         for taken in [&[small][..], &[]] {
-            let over = Over { corner: None, column: Some([990.0, 1270.0]) };
+            let over = Over { column: Some([990.0, 1270.0]), ..Over::default() };
             let [left, right] = across(&beside_panels(before, &view, (free, over), taken));
             assert!(left > 84.0 + 28.0 && right < 990.0 - 28.0, "{left} {right}");
         }
-        let over = Over { corner: None, column: Some([84.0, 364.0]) };
+        let over = Over { column: Some([84.0, 364.0]), ..Over::default() };
         let [left, right] = across(&beside_panels(before, &view, (free, over), &[]));
         assert!(left > 364.0 + 28.0 && right < 1270.0 - 28.0, "{left} {right}");
-        let over = Over { corner: None, column: Some([500.0, 800.0]) };
+        let over = Over { column: Some([500.0, 800.0]), ..Over::default() };
         assert_eq!(beside_panels(before, &view, (free, over), &[]).pose, before.pose, "what it leaves is no room");
+    }
+
+    #[test]
+    fn in_a_picture_higher_than_wide_bodies_go_below_a_panel_as_large_as_they_were() {
+        let text = r#"{"wobble": 1, "points": {"position": [[-3, -1], [3, 2]]}}"#;
+        let scene = Scene::parse(text, "x.json").unwrap();
+        let world = scene.world(None).unwrap();
+        let view = View::of(&*world);
+        let free = [[76.0, 190.0], [710.0, 1210.0]];
+        let before = clear(camera(&scene, &view, [720, 1280]), &view, free);
+        let over = Over { column: Some([430.0, 710.0]), low: Some(618.0), ..Over::default() };
+        let after = beside_panels(before, &view, (free, over), &[]);
+        let [_, at] = [0, 1].map(|point| {
+            after.screen_from_world(DVec3::from_array([[-3.0, -1.0, 0.0], [3.0, 2.0, 0.0]][point])).unwrap()
+        });
+        assert!(at[1] > 618.0, "below it: {at:?}");
+        let ratio = after.pixels_per_metre() / before.pixels_per_metre();
+        assert!(ratio > 0.9, "{ratio}");
     }
 }

@@ -220,7 +220,7 @@ fn reason(why: &str) -> String {
 /// The menu of what is put beside the scene, and taken away.
 pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let said = "the same start by another method beside this one, under the same mouse";
-    let button = icons::worded(ui, Icon::Beside, "Beside…", (true, false));
+    let button = icons::worded(ui, Icon::Beside, "Compare…", (true, false));
     Popup::menu(&button).show(|ui| {
         ui.set_min_width(210.0);
         for (place, neighbor) in facts.neighbors.iter().skip(1).enumerate() {

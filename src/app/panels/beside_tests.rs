@@ -62,13 +62,13 @@ fn beside_each_other() -> Facts {
 fn the_menu_puts_worlds_there_and_takes_them_away() {
     let alone = Facts::default();
     assert_eq!(
-        choose(&alone, ["Beside…", "Runge-Kutta, order 4"]),
+        choose(&alone, ["Compare…", "Runge-Kutta, order 4"]),
         [Wish::Beside(Some(BesideKeys::by(SolverName::Rk4)))]
     );
-    assert_eq!(choose(&alone, ["Beside…", "a reference: fine steps, 64 bits"]), [Wish::Beside(None)]);
+    assert_eq!(choose(&alone, ["Compare…", "a reference: fine steps, 64 bits"]), [Wish::Beside(None)]);
     let two = beside_each_other();
-    assert_eq!(choose(&two, ["Beside…", "Take away: Verlet"]), [Wish::TakeAway(0)]);
-    assert_eq!(choose(&two, ["Beside…", "colour by the distance"]), [Wish::TintDistance(false)]);
+    assert_eq!(choose(&two, ["Compare…", "Take away: Verlet"]), [Wish::TakeAway(0)]);
+    assert_eq!(choose(&two, ["Compare…", "colour by the distance"]), [Wish::TintDistance(false)]);
 }
 
 #[test]
@@ -84,12 +84,12 @@ fn what_the_scene_refuses_is_folded_behind_a_line_that_says_why() {
         settled(&context, &facts)
     };
     let has = |written: &Written, words: &str| written.iter().any(|(text, _)| text == words);
-    let menu = open("Beside…");
+    let menu = open("Compare…");
     assert!(!has(&menu, "Runge-Kutta, order 4") && has(&menu, "Runge-Kutta, order 2"), "{menu:?}");
     let folded = open("2 cannot run it: knows no contact");
     assert!(has(&folded, "Runge-Kutta, order 4") && has(&folded, "knows no contact"), "{folded:?}");
     assert_eq!(
-        choose(&facts, ["Beside…", "Runge-Kutta, order 2"]),
+        choose(&facts, ["Compare…", "Runge-Kutta, order 2"]),
         [Wish::Beside(Some(BesideKeys::by(SolverName::Rk2)))]
     );
 }

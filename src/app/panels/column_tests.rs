@@ -99,7 +99,7 @@ fn wrong(at: At, step: &Step, scene: &Scene, tool: Tool) -> Vec<String> {
     }
     let pane = tiles.pane(area);
     let free_here = opening::free_of_pane(pane, (area, free));
-    let own = opening::opened(scene, &View::of(&*world), pane, (free_here, Over { corner, column: None }));
+    let own = opening::opened(scene, &View::of(&*world), pane, (free_here, Over { corner, ..Over::default() }));
     let whole = tiles.whole(&own, area);
     let mut wrong = Vec::new();
     let width = if tiles.count() > 1 { laid.size[0] - TOOLS } else { laid.free.unwrap().width() };

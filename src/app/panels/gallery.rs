@@ -12,6 +12,8 @@ use crate::scene::Entry;
 pub(in crate::app) const THUMBNAIL: [f32; 2] = [216.0, 135.0];
 /// What the field that a search is written in is called.
 const SEARCH: &str = "search the gallery";
+/// Said where a thumbnail is not there yet.
+const BEING_DRAWN: &str = "is being drawn …";
 /// Words that are offered in place of one that finds nothing are in rows so wide `[points]`.
 const WORDS: f32 = 440.0;
 /// Room between cards `[points]`.
@@ -46,6 +48,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
             if state.search.is_empty() {
                 cut_off(ui, &state.leftovers, wishes);
             }
+            let mut in_view = Vec::new();
             for (number, row) in found.chunks(columns).enumerate() {
                 ui.horizontal_top(|ui| {
                     ui.spacing_mut().item_spacing.x = GAP;
@@ -55,6 +58,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
                         if is_chosen && is_moved {
                             card.scroll_to_me(None);
                         }
+                        in_view.extend(ui.is_rect_visible(card.rect).then_some(entry.name));
                         if card.clicked() {
                             wishes.push(Wish::OpenScene(entry.name));
                         }
@@ -62,6 +66,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
                 });
                 ui.add_space(8.0);
             }
+            state.in_view = in_view;
             if found.is_empty() {
                 nothing(ui, height, &mut state.search);
             }
@@ -149,6 +154,9 @@ fn card(ui: &mut egui::Ui, entry: &Entry, state: &PanelState, (is_open, is_chose
             if let Some(texture) = state.thumbnails.get(entry.name) {
                 let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
                 painter.image(texture.id(), rect, whole, egui::Color32::WHITE);
+            } else if state.is_drawing_thumbnails {
+                let font = egui::FontId::proportional(12.0);
+                painter.text(rect.center(), egui::Align2::CENTER_CENTER, BEING_DRAWN, font, colors(ui).weak);
             }
             let is_hovered = ui.response().hovered();
             if is_open || is_chosen || is_hovered {
@@ -170,4 +178,26 @@ fn card(ui: &mut egui::Ui, entry: &Entry, state: &PanelState, (is_open, is_chose
     });
     card.response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, entry.title));
     card.response
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::gallery;
+
+    #[test]
+    fn what_is_in_view_is_known_so_that_it_is_drawn_first() {
+        let mut state = PanelState::default();
+        let room = Rect::from_min_size(egui::Pos2::ZERO, vec2(1280.0, 720.0));
+        let context = egui::Context::default();
+        for _ in 0..3 {
+            let input = egui::RawInput { screen_rect: Some(room), ..Default::default() };
+            let mut output = context.run_ui(input, |ui| {
+                show(ui.ctx(), room, &mut state, &Facts::default(), &mut Vec::new());
+            });
+            output.textures_delta.clear();
+        }
+        assert_eq!(state.in_view.first(), Some(&gallery()[0].name));
+        assert!((4..30).contains(&state.in_view.len()), "{}", state.in_view.len());
+    }
 }

@@ -93,10 +93,10 @@ impl MatterAt {
 }
 
 /// Shows it at the right edge of a room, or beside the tools, where it would cover what is selected. Where it would cover the middle of the
-/// window it begins folded. Returns where it begins and ends, bars and all, however much of that it takes now `[points]`.
+/// window it begins folded. In windows higher than wide it stays at the right: bodies lie below it. Returns where it begins and ends, bars and all, however much of that it takes now `[points]`.
 pub(super) fn show(
     context: &egui::Context,
-    (room, beside_tools): (Rect, Pos2),
+    (room, beside_tools, is_upright): (Rect, Pos2, bool),
     state: &mut PanelState,
     facts: &Facts,
     wishes: &mut Vec<Wish>,
@@ -110,7 +110,7 @@ pub(super) fn show(
         let right = Rect::from_min_size(room.right_top() - egui::vec2(size.x, 0.0), size);
         let is_pushed = facts.matter.is_none() && room.right() + PUSHED < context.content_rect().right();
         let sides = [right, Rect::from_min_size(beside_tools, size)];
-        state.matter_at.find(room, sides, (facts.chosen_at, is_pushed));
+        state.matter_at.find(room, sides, (facts.chosen_at.filter(|_| !is_upright), is_pushed && !is_upright));
     }
     let mut sink = Sink { gesture: &mut state.gesture, wishes };
     let middle = context.content_rect().center().x;

@@ -50,7 +50,7 @@ impl Screen {
         let mut output = self.context.run_ui(input, |ui| {
             let room = ui.available_rect_before_wrap();
             let room = room.with_max_x(room.right() - self.edge);
-            material::show(ui.ctx(), (room, Pos2::new(80.0, 60.0)), &mut self.state, &self.facts, &mut wishes);
+            material::show(ui.ctx(), (room, Pos2::new(80.0, 60.0), false), &mut self.state, &self.facts, &mut wishes);
         });
         output.textures_delta.clear();
         let mut texts = Vec::new();

@@ -241,6 +241,10 @@ pub(super) struct PanelState {
     pub(super) notes: Notes,
     /// Thumbnails by the names of scenes.
     pub(super) thumbnails: BTreeMap<&'static str, egui::TextureHandle>,
+    /// Those that are not there yet will be.
+    pub(super) is_drawing_thumbnails: bool,
+    /// The names of scenes that are in view in the gallery.
+    pub(super) in_view: Vec<&'static str>,
 }
 
 /// What the panels show.
@@ -251,6 +255,9 @@ pub(super) struct Facts {
     /// What is seen, and what to try: of scenes of the gallery.
     pub(super) caption: Option<[&'static str; 2]>,
     pub(super) figures: Figures,
+    /// What undo would take back and redo would bring again, in words; `None`: nothing.
+    pub(super) undoes: Option<String>,
+    pub(super) redoes: Option<String>,
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     pub(super) pace: f64,
     /// Greatest strain of bonds that keep their length `[1]`; `None` where there are none.
@@ -339,6 +346,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let is_covered = state.sheet.is_some() || (facts.waits && !facts.asks);
     let has_panels = !state.hides_panels && !is_covered;
     let mut places = Places::new(room, is_covered);
+    places.has_numbers = facts.look.has_grid && facts.dimensions == 2;
     if has_panels {
         places.bar = Some(top::show(&context, room, facts, &mut wishes));
     }
@@ -388,7 +396,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     } else if has_settings {
         settings::show(&context, places.beside(settings::WIDTH), state, facts, &mut wishes);
     }
-    let (mut plotted, mut strip, mut column) = (None, None, None);
+    let (mut plotted, mut strip, mut column, mut column_low) = (None, None, None, None);
     if let Some(plots) = state.plots.as_mut().filter(|_| has_panels && !are_stacked) {
         if stands_upright {
             places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes).top();
@@ -407,6 +415,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     if has_panels {
         let rooms = places.of_tools(plotted, all_edge);
         column = palette::show(&context, &rooms, state, facts, &mut wishes);
+        column_low = rooms.half.filter(|_| column.is_some());
     }
     held::show(&context, places.low(), facts);
     state.notes.show(&context, &places, facts, &mut wishes);
@@ -435,7 +444,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     });
     let is_shared = !facts.neighbors.is_empty() && has_panels;
     let size = places.size(all_edge, is_shared, strip);
-    (wishes, Laid { size, corner: places.corner(&context), column, titles: beside::row(facts), free })
+    (wishes, Laid { size, corner: places.corner(&context), column, column_low, titles: beside::row(facts), free })
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.

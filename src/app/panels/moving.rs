@@ -48,6 +48,9 @@ impl Tone {
     }
 }
 
+/// From this width on the bar has room for words that say what others are about `[points]`.
+pub(super) const ROOMY: f32 = 420.0;
+
 /// A button: its words, what it does, and what is asked for.
 type Offer = (&'static str, &'static str, Wish);
 
@@ -59,6 +62,8 @@ pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
         return;
     }
     let (words, tone) = in_short(&facts.figures, lines.len());
+    // What it is about, where the line of time has room beside that.
+    let words = if ui.available_width() < ROOMY { words } else { format!("physics: {words}") };
     let button = ui.add(Button::new(RichText::new(words).color(tone.color(ui))));
     let button = button.on_hover_ui(|ui| {
         ui.set_max_width(WIDTH);
@@ -310,7 +315,7 @@ mod tests {
         });
         harness.run();
         for is_open in [true, false] {
-            harness.get_by_label("1 note").click();
+            harness.get_by_label("physics: 1 note").click();
             harness.run();
             // While the pointer rests on it all is read anyway.
             harness.remove_cursor();
@@ -333,7 +338,7 @@ mod tests {
             harness.query_by_label("Bodies that lie on each other are brought to rest. Nothing to do.").is_some()
         };
         let open = |harness: &mut Harness<'_>| {
-            harness.get_by_label("1 note").click();
+            harness.get_by_label("physics: 1 note").click();
             harness.run_steps(2);
             harness.remove_cursor();
             harness.run_steps(4);

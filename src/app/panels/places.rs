@@ -29,6 +29,8 @@ const USUAL: f32 = 1.3;
 const NARROW: f32 = 900.0;
 /// Nor do they begin lower than this share of the height `[1]`.
 const LOWEST: f32 = 0.65;
+/// From this height on, in its widths, bodies in a part of a window may fill its width `[1]`.
+const HIGH: f32 = 0.4;
 /// Bodies are not shown in less than this share of the width `[1]`.
 const LEAST: f32 = 0.4;
 
@@ -41,6 +43,8 @@ pub(in crate::app) struct Laid {
     pub(in crate::app) corner: Option<egui::Pos2>,
     /// Where what belongs to a tool begins and ends, beside the tools or at the right edge `[points]`.
     pub(in crate::app) column: Option<[f32; 2]>,
+    /// How low that reaches at most, in windows higher than wide; `None`: as low as there is room `[points]`.
+    pub(in crate::app) column_low: Option<f32>,
     /// Height of what stands above each of several worlds `[points]`.
     pub(in crate::app) titles: f32,
     /// Where nothing lies over it for long `[points]`; `None`: a sheet lies over all of it for now.
@@ -58,11 +62,20 @@ pub(super) struct Places {
     pub(super) below: f32,
     /// A sheet lies over all of it.
     pub(super) is_covered: bool,
+    /// Numbers of the grid stand beside the tools.
+    pub(super) has_numbers: bool,
 }
 
 impl Places {
     pub(super) fn new(room: Rect, is_covered: bool) -> Self {
-        Places { room, bar: None, right: room.top() + EDGE, below: room.bottom() - NUMBERS, is_covered }
+        Places {
+            room,
+            bar: None,
+            right: room.top() + EDGE,
+            below: room.bottom() - NUMBERS,
+            is_covered,
+            has_numbers: false,
+        }
     }
 
     /// Whether the window is higher than wide: what needs room lies at the lower edge then.
@@ -121,7 +134,10 @@ impl Places {
         let right = right.with_max_x(end).with_min_y(top.min(right.bottom() - 160.0));
         let lies_below = plots.filter(|plots| plots.left() < self.room.left() + TOOLS);
         let lowest = lies_below.map_or(low, |plots| low.min(plots.top() - APART));
-        ToolRooms { tools: self.room.with_max_y(low), lowest, left, right }
+        // Bodies have the lower half for themselves.
+        let half = self.is_upright().then_some(self.room.center().y).filter(|half| right.top() + 160.0 < *half);
+        let right = half.map_or(right, |half| right.with_max_y(right.bottom().min(half)));
+        ToolRooms { tools: self.room.with_max_y(low), lowest, left, right, half }
     }
 
     /// The same, left of what takes so much of the right edge.
@@ -162,7 +178,11 @@ impl Places {
         let caption = caption.min(self.bar_bottom() + MOST_SAID);
         let lowest = self.room.top() + LOWEST * self.room.height();
         let top = (caption.max(self.bar_bottom() + said) + titles).max(above).min(lowest);
-        let all = Rect::from_min_max(pos2(left, top), pos2(right, self.above_dock().max(top + 40.0)));
+        let bottom = self.above_dock().max(top + 40.0);
+        // In a part that is high bodies may be as wide as it: beside the numbers, not below them.
+        let is_high = at_right == 0.0 && bottom - top > HIGH * (right - left);
+        let left = if is_high && self.has_numbers { left + BESIDE_TOOLS - TOOLS } else { left };
+        let all = Rect::from_min_max(pos2(left, top), pos2(right, bottom));
         plots.map_or(all, |plots| largest_beside(all, plots.expand(APART)))
     }
 
@@ -253,6 +273,8 @@ pub(super) struct ToolRooms {
     pub(super) lowest: f32,
     pub(super) left: Rect,
     pub(super) right: Rect,
+    /// Where that at the right ends in windows higher than wide, if there is room in the upper half.
+    pub(super) half: Option<f32>,
 }
 
 /// The part of a room above, below or beside what lies in it that a picture of usual shape is largest in.
@@ -386,5 +408,10 @@ mod tests {
             assert_eq!(bottom, 700.0 - APART);
         }
         assert_eq!(places.below_buttons().bottom(), 700.0 - APART, "the next one lies above it");
+        places.below = 1200.0;
+        let left = |places: &Places| places.free((0.0, 0.0), ([0.0; 2], None)).left();
+        let without = left(&places);
+        places.has_numbers = true;
+        assert!(left(&places) >= without + 40.0, "bodies do not lie on numbers of the grid");
     }
 }

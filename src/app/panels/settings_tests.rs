@@ -315,14 +315,14 @@ fn areas_are_kept_or_not_and_skins_are_as_thick_as_is_said() {
     let mut screen = Screen::new(&mut stage);
     screen.state.settings_search = "areas".to_owned();
     let before = shown(&mut stage).settings;
-    for (name, is_done) in [("areas are kept", "areas"), ("one another", "contact"), ("skin", "contact")] {
+    for (name, is_done) in [("areas are kept", "areas"), ("with one another", "contact"), ("skin", "contact")] {
         let [set] = &screen.click(name)[..] else { panic!("{name}") };
         assert_eq!(set.name, is_done);
         assert_eq!(stage.obey(Order::Give(vec![set.act.clone()], Some(set.name))), None, "{name}");
         let now = shown(&mut stage).settings;
         match name {
             "areas are kept" => assert!(now.areas.flatten().is_some_and(|areas| areas.stiffness.is_infinite())),
-            "one another" => assert!(now.contact.flatten().is_some_and(|contact| !contact.with_others)),
+            "with one another" => assert!(now.contact.flatten().is_some_and(|contact| !contact.with_others)),
             _ => assert!(now.contact.flatten().is_some_and(|contact| contact.radius.is_none()), "as the rules choose"),
         }
         assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(..))));
@@ -348,8 +348,8 @@ fn rows_stay_where_they_are_while_what_they_are_of_is_switched_off() {
         (0..2).for_each(|_| _ = screen.frame(Vec::new()));
     };
     for (search, switch, rows) in [
-        ("areas", "areas are kept", &["areas resist", "left of each", "one another", "skin"][..]),
-        ("contact", "meet each other", &["one another", "and themselves", "friction", "skin", "areas resist"]),
+        ("areas", "areas are kept", &["areas resist", "left of each", "with one another", "skin"][..]),
+        ("contact", "collide", &["with one another", "with themselves", "friction", "skin", "areas resist"]),
         ("walls", "stand", &["left", "top", "friction", "restitution"]),
         ("this scene", "all meet", &["rubbing", "weight"]),
     ] {

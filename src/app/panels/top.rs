@@ -46,8 +46,8 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
                 plain(ui, Icon::Open, "Open", "open a scene, a recording or a picture", Action::Open);
                 plain(ui, Icon::Save, "Save", "save this moment, or all that was done", Action::Save);
                 ui.separator();
-                icon(ui, Icon::Undo, "undo", Action::Undo, wishes);
-                icon(ui, Icon::Redo, "redo", Action::Redo, wishes);
+                step(ui, (Icon::Undo, "undo", Action::Undo), facts.undoes.as_deref(), wishes);
+                step(ui, (Icon::Redo, "redo", Action::Redo), facts.redoes.as_deref(), wishes);
                 ui.separator();
                 let fit = described("fit all points", Action::Fit);
                 worded(ui, (Icon::Fit, "Fit"), (fit, Action::Fit), [has_words, false], wishes);
@@ -77,6 +77,20 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
         });
     });
     shown.response.rect
+}
+
+/// A button that undoes or does again, and says what; it is off where there is nothing.
+fn step(ui: &mut Ui, (sign, name, action): (Icon, &str, Action), what: Option<&str>, wishes: &mut Vec<Wish>) {
+    let said = match what {
+        Some(what) => format!("{name}: {what}"),
+        None => format!("nothing to {name}"),
+    };
+    let button = |ui: &mut Ui| icons::button(ui, sign, name, icons::SMALL, false);
+    let button = ui.add_enabled(what.is_some(), button);
+    let said = described(&said, action);
+    if button.on_hover_text(&said).on_disabled_hover_text(&said).clicked() {
+        wishes.push(Wish::Act(action));
+    }
 }
 
 /// A button with a sign, the word that it is called by, and what is said of it and done by it: the word stands beside the sign, or it is lit.

@@ -100,17 +100,21 @@ fn way_back(ui: &mut egui::Ui, left: &mut Option<At>, wishes: &mut Vec<Wish>) {
 fn branches(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let list = &facts.figures.branches;
     let Some(present) = list.iter().position(|branch| branch.is_present).filter(|_| list.len() > 1) else { return };
-    let shown = format!("version {} of {}", present + 1, list.len());
-    let menu = egui::ComboBox::from_id_salt("branches").selected_text(shown).width(104.0).show_ui(ui, |ui| {
+    let place = format!("{} of {}", present + 1, list.len());
+    let (shown, width) = match ui.available_width() < moving::ROOMY {
+        true => (place, 70.0),
+        false => (format!("timeline {place}"), 122.0),
+    };
+    let menu = egui::ComboBox::from_id_salt("branches").selected_text(shown).width(width).show_ui(ui, |ui| {
         for (place, branch) in list.iter().enumerate() {
             if ui.selectable_label(branch.is_present, words(place, branch)).clicked() && !branch.is_present {
                 wishes.push(Wish::ToBranch(branch.number));
             }
         }
     });
-    menu.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "versions"));
+    menu.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "timelines"));
     menu.response.on_hover_text(
-        "you went back in time and did something else: both versions are kept, choose which to go on with",
+        "you went back in time and did something else: both timelines are kept, choose which to go on with",
     );
 }
 

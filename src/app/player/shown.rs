@@ -57,6 +57,8 @@ impl Places {
 pub struct Scenery {
     /// The bonds that are left.
     pub bonds: Bonds,
+    /// Bonds that tore or were cut.
+    pub torn: Vec<Bond>,
     /// Their numbers; `None`: each has its own place.
     pub bond_numbers: Option<Vec<u32>>,
     /// What points weigh `[kg]`.
@@ -115,6 +117,7 @@ impl Scenery {
         pinned.sort_unstable();
         Scenery {
             bonds: world.bonds().clone(),
+            torn: world.torn().to_vec(),
             bond_numbers: world.bond_numbers().map(<[u32]>::to_vec),
             masses: world.masses().to_vec(),
             pinned,
@@ -169,6 +172,7 @@ impl Scenery {
     pub fn view(&self, dimensions: usize) -> View<'_> {
         let Scenery {
             bonds,
+            torn,
             masses,
             pinned,
             bounds,
@@ -190,6 +194,7 @@ impl Scenery {
             motion: 0,
             topology: 0,
             bonds,
+            torn,
             skins,
             triangles,
             tints,
@@ -276,6 +281,10 @@ pub struct Figures {
     pub substeps: u64,
     /// The branches that can be gone to; empty where there never was more than one.
     pub branches: Arc<[BranchView]>,
+    /// What undo would take back is called, as it was when figures were last taken; `None`: there is nothing to undo.
+    pub undoes: Option<String>,
+    /// What redo would bring again, likewise.
+    pub redoes: Option<String>,
 }
 
 /// A moment of a world, as it is drawn.

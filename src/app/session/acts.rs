@@ -292,7 +292,8 @@ impl Session {
         }
         self.panels.chosen = if self.panels.search.is_empty() { self.place.unwrap_or(0) } else { 0 };
         if self.panels.sheet == Some(Sheet::Gallery) && self.thumbnails.is_none() {
-            self.thumbnails = Some(Thumbnails::new(self.canvas.gpu().clone(), self.palette, self.wake_up()));
+            let folder = self.state_folder.as_ref().map(|folder| folder.join("thumbnails"));
+            self.thumbnails = Some(Thumbnails::new(self.canvas.gpu().clone(), self.palette, folder, self.wake_up()));
         }
     }
 

@@ -6,12 +6,12 @@ use std::time::{Duration, Instant};
 use super::fresh::seeded_as;
 use super::{Framing, Session};
 use crate::app::action::Tool;
+use crate::app::leftovers::title;
 use crate::app::panels::At;
 use crate::app::player::{Player, too_many_to_meet};
 use crate::app::tools::Chosen;
 use crate::app::warnings::seen;
 use crate::history::Start;
-use crate::lessons::heading_of;
 use crate::render::Trails;
 use crate::scene::{MOST_MEETING, Scene, SolverName, gallery};
 
@@ -70,9 +70,7 @@ impl Session {
 
     /// The window is called by what is open in it.
     pub(super) fn call_window(&self) {
-        let own = heading_of(self.scene.name()).unwrap_or(self.scene.name());
-        let name = self.player.start().name().unwrap_or(own);
-        self.window.set_title(&format!("wobble · {name}"));
+        self.window.set_title(&format!("wobble · {}", title(self.player.start())));
     }
 
     /// A history that is being made is not waited for: the one before it is there again. Returns whether there is one.

@@ -50,8 +50,10 @@ impl Session {
         let context = self.egui.egui_ctx().clone();
         if let Some(thumbnails) = &mut self.thumbnails {
             thumbnails.load(&context, &mut self.panels.thumbnails);
+            self.panels.is_drawing_thumbnails = thumbnails.are_drawn();
             if self.panels.sheet == Some(panels::Sheet::Gallery) {
-                thumbnails.want(panels::found_scenes(&self.panels.search));
+                let found = panels::found_scenes(&self.panels.search);
+                thumbnails.want(self.panels.in_view.iter().copied().chain(found).collect());
             }
         }
         let mut wishes = Vec::new();
@@ -135,6 +137,8 @@ impl Session {
                 .filter(|_| !self.player.start().is_replayed())
                 .map(|entry| [entry.description, entry.to_try]),
             figures,
+            undoes: self.undoes(),
+            redoes: self.redoes(),
             pace: if self.player.is_open() { self.pace() } else { 1.0 },
             stretch: self.shown().stretch(),
             frame: self.frame_meter.value(),

@@ -59,7 +59,8 @@ impl Session {
         let column = laid.column.map(|ends| ends.map(|x| f64::from((x * scale).round())));
         // What grows once it is there, as figures do, moves nothing.
         let is_wider = corner.is_some() && self.over.corner.is_none() || column != self.over.column;
-        self.over = Over { corner, column };
+        let low = laid.column_low.map(|low| f64::from((low * scale).round()));
+        self.over = Over { corner, column, low };
         self.titles = f64::from(laid.titles * scale);
         let (before, is_resized) = (self.area, area != self.area);
         let is_other = free != self.free || is_wider;

@@ -65,8 +65,7 @@ impl Session {
             Note::NothingToUndo => self.go_back(),
             Note::NothingToRedo => self.go_on(),
             Note::Branched => self.say(
-                "from here on it is a new version: the list beside the timeline leads back to the one before"
-                    .to_owned(),
+                "from here on it is a new timeline: the list in the bar below leads back to the one before".to_owned(),
             ),
             Note::Added(None) => {
                 self.adding = None;

@@ -116,6 +116,21 @@ fn leaving(has_before: bool, is_used: bool) -> Leaving {
 }
 
 impl Session {
+    /// What undo would take back, in words; `None`: nothing.
+    pub(super) fn undoes(&self) -> Option<String> {
+        if self.hand.is_drawing() {
+            return Some("the last corner".to_owned());
+        }
+        let before = self.shelf.before.last().map(|left| format!("back to {}", left.title));
+        self.shown().figures.undoes.clone().or(before)
+    }
+
+    /// What redo would bring again, likewise.
+    pub(super) fn redoes(&self) -> Option<String> {
+        let after = self.shelf.after.last().map(|left| format!("on to {}", left.title));
+        self.shown().figures.redoes.clone().or(after)
+    }
+
     /// There is nothing to undo in this history: it was opened, so that is undone.
     pub(super) fn go_back(&mut self) {
         match leaving(self.shelf.has_before(), self.player.is_used()) {

@@ -79,12 +79,15 @@ impl Frame {
         chosen.extent(scope).map(|[low, high]| Frame { low, high })
     }
 
-    /// Its corners on the screen, a little outside, in the order of their handles `[px]`.
+    /// Its corners on the screen, a little outside, in the order of their handles `[px]`: of a box of which something is seen where they can be
+    /// taken.
     fn corners(&self, scope: Scope<'_>) -> Option<[DVec2; 4]> {
         let [low, high] = [scope.on_screen(self.low)?, scope.on_screen(self.high)?];
         let off = MARGIN * scope.scale;
         let [left, right, below, above] = [low.x - off, high.x + off, low.y + off, high.y - off];
-        Some([[left, below], [right, below], [right, above], [left, above]].map(DVec2::from))
+        let corners = [[left, below], [right, below], [right, above], [left, above]].map(DVec2::from);
+        let is_seen = corners[3].cmplt(scope.free[1]).all() && corners[1].cmpgt(scope.free[0]).all();
+        Some(if is_seen { corners.map(|at| scope.kept(at, RADIUS)) } else { corners })
     }
 
     /// Which ways it is too thin to be scaled.
@@ -96,16 +99,13 @@ impl Frame {
     /// The handles that it has, with their pixels.
     pub(super) fn handles(&self, scope: Scope<'_>) -> Vec<(Handle, DVec2)> {
         let Some(corners) = self.corners(scope) else { return Vec::new() };
-        let above = 0.5 * (corners[2] + corners[3]) - DVec2::new(0.0, ABOVE * scope.scale);
+        let top = 0.5 * (corners[2] + corners[3]);
+        let above = top - DVec2::new(0.0, ABOVE * scope.scale);
+        // With a box that is seen, as far as there is room.
+        let above = if top == scope.kept(top, RADIUS) { scope.kept(above, RADIUS) } else { above };
         let mut handles = vec![(Handle::Turn, above)];
         if self.thin(scope) != [true; 2] {
             handles.extend(corners.into_iter().enumerate().map(|(k, at)| (Handle::Corner(k), at)));
-        }
-        // A box of which something is seen has all of them where they can be taken.
-        let (low, high) = (corners[3], corners[1]);
-        let is_seen = low.cmplt(scope.free[1]).all() && high.cmpgt(scope.free[0]).all();
-        for (_, at) in handles.iter_mut().filter(|_| is_seen) {
-            *at = scope.kept(*at, RADIUS);
         }
         handles
     }

@@ -399,6 +399,11 @@ fn handles_keep_off_what_lies_over_the_world_and_do_there_what_they_do() {
         assert!(place.cmpge(free[0]).all() && place.cmple(free[1]).all(), "{handle:?} at {place}");
         assert_eq!(frame.handle(scope, *place), Some(*handle), "each can be taken");
     }
+    let is_seen = |at: &DVec2| at.cmpge(free[0]).all() && at.cmple(free[1]).all();
+    for mark in frame.marks(scope, None) {
+        let Mark::Line(_, from, to, _) = mark else { continue };
+        assert!(is_seen(&from) && is_seen(&to), "the box goes with its handles: {from} to {to}");
+    }
     let corner = handles.iter().find(|(handle, _)| *handle == Handle::Corner(2)).unwrap().1;
     let still = at(&seen, -3.0, -1.0);
     assert!(hand.press(scope, corner).is_empty());

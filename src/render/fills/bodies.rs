@@ -6,7 +6,7 @@ use crate::picture::{HUES, Picture, Skin, Tint, hue};
 use crate::render::forms::{form, is_rope, ropes};
 use crate::render::look::{Color, Look};
 use crate::render::view::View;
-use crate::sim::{Bonds, PointId};
+use crate::sim::{Bond, Bonds, PointId};
 
 /// What is filled in one colour, over what came before it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,11 +41,14 @@ pub fn color_of(body: u32) -> [u8; 3] {
 }
 
 /// Bodies in the order of their numbers: with the triangles that no skin is drawn on, then with those that one is, and last with the cells
-/// of nets, which the plane alone has.
-pub(super) fn bodies(view: &View<'_>) -> [Vec<Filled>; 3] {
+/// of nets, which the plane alone has. Also the bonds that tore and left these open.
+pub(super) fn bodies<'a>(view: &View<'a>) -> ([Vec<Filled>; 3], Vec<&'a Bond>) {
     let [bare, worn] = split(view);
     let has_cells = view.dimensions == 2 && view.bonds.len() <= MOST_INNER;
-    let cells = if has_cells { cells(view.bonds, &outside_of_triangles(view)) } else { Vec::new() };
+    let (cells, open) = match has_cells {
+        true => cells((view.bonds, view.torn), &outside_of_triangles(view)),
+        false => Default::default(),
+    };
     let hangs_on = if view.tints.is_empty() { Some(hanging(view)) } else { None };
     let body_of = |corners: &[u32; 3]| match &hangs_on {
         Some(bodies) => (bodies[corners[0] as usize], None),
@@ -57,11 +60,12 @@ pub(super) fn bodies(view: &View<'_>) -> [Vec<Filled>; 3] {
         color: same[0].0.1.unwrap_or_else(|| color_of(same[0].0.0)),
         triangles: same.iter().map(|entry| entry.1).collect(),
     };
-    [bare, worn, cells].map(|triangles| {
+    let bodies = [bare, worn, cells].map(|triangles| {
         let mut listed: Vec<(Key, [u32; 3])> = triangles.iter().map(|corners| (body_of(corners), *corners)).collect();
         listed.sort_by_key(|entry| entry.0);
         listed.chunk_by(|p, q| p.0 == q.0).map(filled).collect()
-    })
+    });
+    (bodies, open)
 }
 
 /// The colour that the first of some points, ascending, is seen in: that of its fill, or the mean one of its picture; where no triangle meets
@@ -173,7 +177,7 @@ mod tests {
         let at = |count: usize| Positions::F64(&places[..count]);
         let triangles = [[4, 5, 6].map(PointId)];
         let view = View { previous: at(14), current: at(14), triangles: &triangles, ..View::empty(&bonds, 2) };
-        let [bare, worn, cells] = bodies(&view);
+        let ([bare, worn, cells], _) = bodies(&view);
         assert_eq!(
             bare.iter().map(|body| (body.body, body.triangles.clone())).collect::<Vec<_>>(),
             [(1, vec![[4, 5, 6]])]
@@ -181,7 +185,7 @@ mod tests {
         let net = Filled { body: 0, is_own: false, color: color_of(0), triangles: vec![[0, 1, 2], [0, 2, 3]] };
         assert!(worn.is_empty() && cells == [net], "{cells:?}");
         let in_space = View { previous: at(21), current: at(21), ..View::empty(&bonds, 3) };
-        assert!(bodies(&in_space).iter().all(Vec::is_empty), "of the plane alone");
+        assert!(bodies(&in_space).0.iter().all(Vec::is_empty), "of the plane alone");
     }
 
     #[test]

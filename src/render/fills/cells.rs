@@ -4,34 +4,40 @@
 //! ```text
 //! triangle   three points, each bonded to both others; of those that cover each other by their lengths at rest the smallest count
 //! quad       four points in a ring without a diagonal, none of whose sides is one of a triangle: beside triangles it is a hole
+//! torn quad  four points in a ring whose diagonal tore: what tears first is a brace, and the mesh about it is whole
 //! tangle     a net with a bond that would have three cells is no surface, and has none
 //! ```
 
 use crate::picture::Tint;
-use crate::sim::{Bonds, Limit};
+use crate::sim::{Bond, Bonds, Limit};
 
 /// Bonds of a point from which on it is a corner of no quad: those of nets have few.
 const MOST_AT_A_POINT: usize = 16;
+/// Sides of a quad are shorter at rest than this share of its diagonal: those of a square are 0.71 of it.
+const SHORTER: f64 = 0.95;
 /// Area of a triangle by the square of its longest side, below which it is three points in a row with a brace rather than a cell `[1]`:
 /// an equilateral one has 0.43, one of a wheel of 16 spokes 0.19, three neighbours on its rim 0.05.
 const SLIMMEST: f64 = 0.08;
 
-/// The cells of a net of bonds: triangles, and quads as two of them each, by their points.
+/// The cells of a net of bonds: triangles, and quads as two of them each, by their points; and which of the bonds that tore left it open.
 ///
 /// Shapes: `is_bare` says of each point whether it may be a corner.
-pub(super) fn cells(bonds: &Bonds, is_bare: &[bool]) -> Vec<[u32; 3]> {
+pub(super) fn cells<'a>((bonds, torn): (&Bonds, &'a [Bond]), is_bare: &[bool]) -> (Vec<[u32; 3]>, Vec<&'a Bond>) {
     let mut net = Net::new(bonds, is_bare);
     if net.sides.len() < 3 {
-        return Vec::new();
+        return Default::default();
     }
     net.take_triangles();
     net.take_quads();
+    let may_be = |end: u32| is_bare.get(end as usize) == Some(&true);
+    let torn = torn.iter().filter(|bond| may_be(bond.a.0) && may_be(bond.b.0));
+    let open = torn.filter(|bond| !net.take_torn(bond)).collect();
     let hangs_on = Tint::hanging(is_bare.len(), net.sides.iter().map(|side| side.ends));
     let mut tangled: Vec<u32> = net.crowded.iter().map(|point| hangs_on[*point as usize]).collect();
     tangled.sort_unstable();
     let is_surface = |corners: &[u32; 3]| tangled.binary_search(&hangs_on[corners[0] as usize]).is_err();
     net.cells.retain(is_surface);
-    net.cells
+    (net.cells, open)
 }
 
 /// A bond that may be the side of a cell.
@@ -170,6 +176,32 @@ impl Net {
         }
     }
 
+    /// Takes the ring of four bonds whose diagonal tore, if there is one and only one: each of its sides is shorter at rest than that was, as those
+    /// of two triangles of two quads are not.
+    fn take_torn(&mut self, torn: &Bond) -> bool {
+        let [a, c] = [torn.a.0, torn.b.0];
+        let is_short = |&&(_, place): &&(u32, u32)| self.sides[place as usize].rest < SHORTER * torn.rest_length;
+        let short = |from: u32| self.neighbors(from).iter().filter(is_short).map(|(to, _)| *to);
+        let both: Vec<u32> = short(a).filter(|to| short(c).any(|other| other == *to)).take(3).collect();
+        let &[b, d] = &both[..] else { return false };
+        if self.side(a, c).is_some() || self.side(b, d).is_some() {
+            return true;
+        }
+        let sides = [([a, b], c), ([b, c], d), ([c, d], a), ([d, a], b)];
+        let sides: Vec<(usize, u32)> =
+            sides.iter().filter_map(|&([from, to], third)| Some((self.side(from, to)?, third))).collect();
+        let is_of_it = |third: &u32| [a, b, c, d].contains(third);
+        if sides.iter().all(|(place, _)| self.sides[*place].beside.iter().any(is_of_it)) {
+            return true;
+        }
+        // Of a net that is torn a side with two cells already is no fault.
+        let has_room = sides.iter().all(|(place, _)| self.sides[*place].beside.len() < 2);
+        if has_room && self.take_sides(&sides, a) {
+            self.cells.extend([[a, b, c], [a, c, d]]);
+        }
+        has_room
+    }
+
     /// Rings of four bonds without a diagonal and without triangles beside them, each once.
     fn rings(&self) -> Vec<[u32; 4]> {
         // Pairs of points with a neighbour that both have: two such neighbours close a ring.
@@ -221,7 +253,7 @@ mod tests {
     }
 
     fn found(places: &[[f64; 2]], ends: &[[u32; 2]]) -> Vec<[u32; 3]> {
-        cells(&net(places, ends), &vec![true; places.len()])
+        cells((&net(places, ends), &[]), &vec![true; places.len()]).0
     }
 
     /// Places of a grid so many points wide and high, 1 m apart, and the bonds between neighbours.
@@ -259,6 +291,22 @@ mod tests {
             let left: Vec<[u32; 2]> = ends.iter().copied().filter(|ends| *ends != torn).collect();
             assert_eq!(found(&places, &left).len(), 16, "{torn:?}");
         }
+    }
+
+    #[test]
+    fn a_mesh_whose_brace_tore_is_whole_and_one_that_lost_a_side_is_open() {
+        let (places, mut ends) = grid(4, 4);
+        ends.extend((0..9).map(|k| [k / 3 * 4 + k % 3, k / 3 * 4 + k % 3 + 5]));
+        for (gone, count) in [([5, 10], 18), ([5, 6], 16)] {
+            let (torn, left): (Vec<[u32; 2]>, Vec<[u32; 2]>) = ends.iter().copied().partition(|ends| *ends == gone);
+            let torn: Vec<Bond> = net(&places, &torn).iter().collect();
+            let (cells, open) = cells((&net(&places, &left), &torn), &[true; 16]);
+            assert_eq!((cells.len(), open.len()), (count, usize::from(count < 18)), "{gone:?}");
+        }
+        let (places, ends) = grid(2, 2);
+        let torn: Vec<Bond> = net(&places, &[[0, 3]]).iter().collect();
+        let (alone, open) = cells((&net(&places, &ends), &torn), &[true; 4]);
+        assert_eq!((alone.len(), open.len()), (2, 0), "a mesh alone is filled once");
     }
 
     #[test]
@@ -306,8 +354,8 @@ mod tests {
         assert_eq!(found(&book, &[&pages[..], &square].concat()), [[5, 6, 7], [5, 7, 8]]);
         let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
         let bonds = net(&corners, &[[0, 1], [1, 2], [2, 0]]);
-        assert_eq!(cells(&bonds, &[true; 3]), [[0, 1, 2]]);
-        assert!(cells(&bonds, &[true, false, true]).is_empty(), "what is covered otherwise");
-        assert!(cells(&Bonds::default(), &[]).is_empty());
+        assert_eq!(cells((&bonds, &[]), &[true; 3]).0, [[0, 1, 2]]);
+        assert!(cells((&bonds, &[]), &[true, false, true]).0.is_empty(), "what is covered otherwise");
+        assert!(cells((&Bonds::default(), &[]), &[]).0.is_empty());
     }
 }

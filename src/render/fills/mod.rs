@@ -4,7 +4,7 @@
 //!
 //! Bodies with a picture are filled only where strain is shown in place of it.
 //!
-//! A list of primitives of eight kinds, drawn in order by one pass, is uploaded when the topology changes. Points have a row to shade
+//! A list of primitives of nine kinds, drawn in order by one pass, is uploaded when the topology changes. Points have a row to shade
 //! by, uploaded when they moved, where that is shown: a normal in space, a strain where strain is.
 
 mod bodies;
@@ -26,7 +26,7 @@ use super::gpu::Gpu;
 use super::gpu_bond::GpuBond;
 use super::growing::GrowingBuffer;
 use super::view::View;
-use crate::sim::PointId;
+use crate::sim::{Bond, PointId};
 use bodies::{Filled, SKIN_COLOR, bodies};
 pub use bodies::{body_color, color_of};
 use limbs::{Cone, Part, Role, figure};
@@ -39,16 +39,17 @@ use shade::{Shade, shades};
 #[repr(C)]
 struct Primitive {
     /// Of a fill the corners of two triangles, of a side its ends with those before and after, then whether it may be an arc, 0 or 1, and
-    /// nothing; of a bond the second and the third are its ends. Of a limb two points for each end, then the bits of its larger radius
+    /// nothing; of a bond the second and the third are its ends. Of a thread that tore the end that it hangs from, the other one, and the bits of
+    /// its length at rest `[m]`. Of a limb two points for each end, then the bits of its larger radius
     /// `[m]` and what [`packed`] makes.
     points: [u32; 6],
-    /// The kind in the upper eight bits, then red, green, blue.
+    /// The kind in the upper eight bits, with [`PAINTED`] or without, then red, green, blue.
     ink: u32,
 }
 
 const _: () = assert!(size_of::<Primitive>() == 28);
 
-/// Kinds of primitives: `FILL`, `OUTLINE`, `SHADOW`, `INNER`, `FLESH`, `SKIN`, `UNDER`, `CELL` in fill.wgsl. Flesh and skin are limbs and their
+/// Kinds of primitives: `FILL`, `OUTLINE`, `SHADOW`, `INNER`, `FLESH`, `SKIN`, `UNDER`, `CELL`, `THREAD` in fill.wgsl. Flesh and skin are limbs and their
 /// rims, under them is what they stand for, which is seen where bonds are shown through fills, and cells are those of nets.
 const FILL: u32 = 0;
 const OUTLINE: u32 = 1;
@@ -58,6 +59,12 @@ const FLESH: u32 = 4;
 const SKIN: u32 = 5;
 const UNDER: u32 = 6;
 const CELL: u32 = 7;
+/// What is left of a thread that tore.
+const THREAD: u32 = 8;
+/// With a corner of a cell: the cell fades towards it, `FRAYED` in fill.wgsl.
+const FRAYED: u32 = 1 << 31;
+/// With a kind: points may have colours of their own there, `PAINTED` in fill.wgsl.
+const PAINTED: u32 = 0x80;
 
 /// Vertices of a primitive.
 const QUAD: u32 = 6;
@@ -146,8 +153,8 @@ impl Fills {
             return Ok(());
         }
         (self.topology, self.shaded) = (None, None);
-        let [bare, worn, nets] = if view.triangles.len() > MOST { Default::default() } else { bodies(view) };
-        let mut list: Vec<Primitive> = nets.iter().flat_map(|net| filling(CELL, net)).collect();
+        let ([bare, worn, nets], open) = if view.triangles.len() > MOST { Default::default() } else { bodies(view) };
+        let mut list = nets_of(&runs(&nets), &open);
         self.cell_triangles = nets.iter().map(|net| net.triangles.len()).sum();
         let mut first = 0;
         for (place, bodies) in [bare, worn].iter().enumerate() {
@@ -313,21 +320,48 @@ fn packed(cone: &Cone) -> u32 {
     bits(cone.shares[0]) | bits(cone.shares[1]) << 10 | bits(ratio) << 20 | u32::from(second > first) << 30
 }
 
+/// A body in all of its colours: what is painted in several goes from one to the other.
+struct Run<'a> {
+    bodies: &'a [Filled],
+    triangles: Vec<[u32; 3]>,
+    /// [`PAINTED`] or 0.
+    mark: u32,
+    /// The colour of points that have none of their own.
+    color: [u8; 3],
+}
+
+impl<'a> Run<'a> {
+    fn of(bodies: &'a [Filled]) -> Self {
+        let triangles = bodies.iter().flat_map(|body| body.triangles.iter().copied()).collect();
+        let is_painted = bodies.iter().any(|body| body.is_own);
+        let (mark, color) = if is_painted { (PAINTED, color_of(bodies[0].body)) } else { (0, bodies[0].color) };
+        Run { bodies, triangles, mark, color }
+    }
+}
+
+fn runs(bodies: &[Filled]) -> Vec<Run<'_>> {
+    bodies.chunk_by(|a, b| a.body == b.body).map(Run::of).collect()
+}
+
 /// What is drawn of bodies: in the plane body by body, each over those before it; in space all fills, then all outlines. Also how many
 /// come before those that have a pipeline of their own.
 fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> (Vec<Primitive>, u32) {
-    let sides: Vec<Vec<Side>> = bodies.iter().map(|body| outline(&body.triangles)).collect();
+    let runs = runs(bodies);
+    let sides: Vec<Vec<Side>> = runs.iter().map(|run| outline(&run.triangles)).collect();
     let has_shadows = sides.iter().map(Vec::len).sum::<usize>() <= MOST_SHADOWS;
     let (mut list, mut outlines) = (Vec::new(), Vec::new());
-    for (number, (body, sides)) in bodies.iter().zip(&sides).enumerate() {
-        let is_round = dimensions == 2 && may_be_round(&body.triangles, sides);
-        let side = |kind, side: &Side| Primitive {
+    let mut number = 0;
+    for (Run { bodies, triangles, mark, color: plain }, sides) in runs.into_iter().zip(&sides) {
+        let numbers = number..number + bodies.len();
+        number = numbers.end;
+        let is_round = dimensions == 2 && may_be_round(&triangles, sides);
+        let side = |kind: u32, side: &Side| Primitive {
             points: [side.before, side.a, side.b, side.after, u32::from(is_round), 0],
-            ink: ink(kind, body.color),
+            ink: ink(kind | mark, plain),
         };
-        let limbs = lines.limbs.get(number).unwrap_or(&Limbs::None);
+        let limbs = lines.limbs.get(numbers.start).unwrap_or(&Limbs::None);
         let parts = if let Limbs::Figure(parts) = limbs { &parts[..] } else { &[] };
-        let is_doll = *limbs == Limbs::Within || parts.iter().any(|(part, _)| part.role != Role::Whole);
+        let is_doll = parts.iter().any(|(part, _)| part.role != Role::Whole);
         if dimensions == 2 && has_shadows && !is_doll {
             list.extend(sides.iter().map(|one| side(SHADOW, one)));
         }
@@ -337,17 +371,12 @@ fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> (Vec<Primi
                 list.extend(part.cones.iter().map(|cone| limb(kind, cone, *color)));
             }
         }
-        let kind = if is_doll { UNDER } else { FILL };
-        list.extend(filling(kind, body));
-        list.extend(
-            lines
-                .inner
-                .get(number)
-                .filter(|_| !is_doll)
-                .into_iter()
-                .flatten()
-                .map(|&[a, b]| Primitive { points: [a, a, b, b, 0, 0], ink: ink(INNER, body.color) }),
-        );
+        for body in bodies {
+            let (kind, color) = if is_doll { (UNDER, body.color) } else { (FILL | mark, plain) };
+            list.extend(filling(kind, color, &body.triangles));
+        }
+        let inner = lines.inner.get(numbers).filter(|_| !is_doll).into_iter().flatten().flatten();
+        list.extend(inner.map(|&[a, b]| Primitive { points: [a, a, b, b, 0, 0], ink: ink(INNER, plain) }));
         let to = if dimensions == 2 { &mut list } else { &mut outlines };
         to.extend(sides.iter().filter(|_| *limbs == Limbs::None).map(|one| side(OUTLINE, one)));
     }
@@ -356,13 +385,37 @@ fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> (Vec<Primi
     (list, split)
 }
 
-/// The triangles of a body, two in a primitive.
-fn filling(kind: u32, body: &Filled) -> impl Iterator<Item = Primitive> {
-    body.triangles.chunks(2).map(move |pair| {
+/// The cells of nets, and what hangs loose where they are torn: they fade towards it.
+fn nets_of(nets: &[Run<'_>], open: &[&Bond]) -> Vec<Primitive> {
+    let ends = open.iter().flat_map(|bond| [(bond.a.0, (bond.b.0, bond)), (bond.b.0, (bond.a.0, bond))]);
+    let mut loose: Vec<(u32, (u32, &&Bond))> = ends.collect();
+    loose.sort_by_key(|(end, _)| *end);
+    let is_loose = |point: u32| loose.binary_search_by_key(&point, |(end, _)| *end).is_ok();
+    let mut list = Vec::new();
+    for net in nets {
+        let fading = |corner: u32| if is_loose(corner) { corner | FRAYED } else { corner };
+        let cells: Vec<[u32; 3]> = net.triangles.iter().map(|corners| corners.map(fading)).collect();
+        list.extend(filling(CELL | net.mark, net.color, &cells));
+    }
+    for net in nets {
+        let mut corners: Vec<u32> = net.triangles.iter().flatten().copied().collect();
+        corners.sort_unstable();
+        let own = loose.iter().filter(|(end, _)| corners.binary_search(end).is_ok());
+        list.extend(own.map(|&(end, (to, bond))| Primitive {
+            points: [end, to, (bond.rest_length as f32).to_bits(), 0, 0, 0],
+            ink: ink(THREAD | net.mark, net.color),
+        }));
+    }
+    list
+}
+
+/// Triangles in a colour, two in a primitive.
+fn filling(kind: u32, color: [u8; 3], triangles: &[[u32; 3]]) -> impl Iterator<Item = Primitive> {
+    triangles.chunks(2).map(move |pair| {
         let [a, b, c] = pair[0];
         // A triangle without another beside it has one of no area.
         let [d, e, f] = pair.get(1).copied().unwrap_or([a; 3]);
-        Primitive { points: [a, b, c, d, e, f], ink: ink(kind, body.color) }
+        Primitive { points: [a, b, c, d, e, f], ink: ink(kind, color) }
     })
 }
 
@@ -408,7 +461,7 @@ mod tests {
 
     #[test]
     fn a_second_diagonal_is_drawn_on_its_body_and_sides_are_not_again() {
-        use crate::sim::{Bond, Bonds, Positions};
+        use crate::sim::{Bonds, Positions};
         let ends = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [3, 1], [1, 4]];
         let bonds: Bonds = ends.iter().map(|&[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).collect();
         let places = [0.0; 10];
@@ -466,7 +519,7 @@ mod tests {
     #[test]
     fn in_the_plane_a_body_lies_over_those_before_it_and_in_space_outlines_lie_over_all() {
         let body = |first: u32| Filled {
-            body: 0,
+            body: first,
             is_own: false,
             color: [1, 2, 3],
             triangles: vec![[first, first + 1, first + 2]],
@@ -479,5 +532,24 @@ mod tests {
         assert_eq!(kinds(2), ([one.clone(), one].concat(), 14));
         assert_eq!(kinds(3), ([[FILL; 2].as_slice(), &[OUTLINE; 6]].concat(), 2));
         assert_eq!(primitives(&[body(0)], &Lines::default(), 3).0[0].points, [0, 1, 2, 0, 0, 0]);
+    }
+
+    #[test]
+    fn threads_hang_from_cells_where_they_tore_and_these_fade_there() {
+        let net = Filled { body: 0, is_own: false, color: [1, 2, 3], triangles: vec![[0, 1, 2]] };
+        let torn = Bond::new(PointId(2), PointId(9), 0.5);
+        let list = nets_of(&runs(&[net]), &[&torn]);
+        assert_eq!(list[0].points, [0, 1, 2 | FRAYED, 0, 0, 0]);
+        assert_eq!((list[1].points[..2].to_vec(), f32::from_bits(list[1].points[2])), (vec![2, 9], 0.5));
+        assert_eq!((list.len(), list[1].ink >> 24), (2, THREAD), "no cell is at the other end");
+    }
+
+    #[test]
+    fn what_is_painted_in_part_has_one_outline_and_colours_by_its_points() {
+        let part = |is_own, triangles| Filled { body: 4, is_own, color: [1, 2, 3], triangles };
+        let square = [part(false, vec![[0, 1, 2]]), part(true, vec![[0, 2, 3]])];
+        let list = primitives(&square, &Lines::default(), 2).0;
+        let of = |kind: u32| list.iter().filter(move |one| one.ink == ink(kind | PAINTED, color_of(4))).count();
+        assert_eq!((of(FILL), of(OUTLINE), of(SHADOW), list.len()), (2, 4, 4, 10), "no side between the two");
     }
 }

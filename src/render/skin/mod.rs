@@ -4,11 +4,13 @@
 //! free, and along bonds that are no triangle's, goes a stroke in the picture's colours: triangles alone have ragged edges. In the plane, where
 //! the picture ends beside a side, it is drawn on up to its own edge instead (`rind.rs`).
 //! Where a picture is half transparent it is seen through, without such a stroke: it ends where it is clear.
-//! A body with a colour of its own is seen as through glass of that colour: the picture's are multiplied by it.
+//! A body with a colour of its own has its picture in shades of it: what is light stays light beside what is dark. Colours beside each other go softly
+//! from one to the other (`soft.rs`).
 
 mod ink;
 mod rind;
 mod sides;
+mod soft;
 pub(super) mod texture;
 
 use std::sync::Arc;
@@ -24,6 +26,7 @@ use super::view::View;
 use crate::picture::{Picture, Skin, Tint};
 use rind::Rind;
 use sides::Sides;
+use soft::softened;
 
 /// A corner as the shader reads it: `Corner` in skin.wgsl.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -32,7 +35,7 @@ struct Corner {
     point: u32,
     u: f32,
     v: f32,
-    /// What the picture is multiplied by there: red, green, blue from the lowest bits on, and [`THROUGH`].
+    /// The colour that the picture is seen in there: red, green, blue from the lowest bits on, and [`THROUGH`].
     tint: u32,
 }
 
@@ -207,8 +210,11 @@ impl Worn {
         (sides, tints): (&Sides, &[Tint]),
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
+        let own = |point: u32| Tint::of(tints, point).and_then(|tint| tint.color).unwrap_or(CLEAR);
+        let soft = softened((skin.first, skin.texture.len()), &skin.triangles, own);
         let tint = |point: u32| {
-            let [red, green, blue] = Tint::of(tints, point).and_then(|tint| tint.color).unwrap_or(CLEAR);
+            let soft = soft.get(point.wrapping_sub(skin.first) as usize).copied();
+            let [red, green, blue] = soft.unwrap_or_else(|| own(point));
             u32::from_le_bytes([red, green, blue, 0])
         };
         let tint = |point: u32, is_through: bool| tint(point) | if is_through { THROUGH } else { 0 };

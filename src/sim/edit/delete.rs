@@ -65,6 +65,8 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Bonds go at time `t` `[s]`. What they held is compiled anew, but for large bodies that leave their lanes idle. Returns the places
     /// of the groups that come of it.
     pub(super) fn part(&mut self, goes: &[bool], t: f64) -> Vec<usize> {
+        let torn = (0..goes.len()).filter(|&place| goes[place]).map(|place| self.bonds.get(place));
+        Arc::make_mut(&mut self.numbers.torn).extend(torn);
         let rest = self.leave_idle(goes);
         let touched = self.free_ends(&rest);
         if touched.is_empty() {

@@ -2,7 +2,7 @@
 
 use super::World;
 use super::saved::of_any;
-use crate::sim::bond::PointId;
+use crate::sim::bond::{Bond, PointId};
 use crate::sim::bonds::Bonds;
 use crate::sim::command::{Applied, Command, CommandError, Knots, Obstacle, SceneChange};
 use crate::sim::contact::convex::Convex;
@@ -82,6 +82,10 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
 
     fn gone(&self) -> &[PointId] {
         &self.numbers.gone
+    }
+
+    fn torn(&self) -> &[Bond] {
+        &self.numbers.torn
     }
 
     fn bond_numbers(&self) -> Option<&[u32]> {

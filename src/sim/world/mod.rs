@@ -18,7 +18,7 @@ mod warnings;
 
 use std::sync::Arc;
 
-use super::bond::PointId;
+use super::bond::{Bond, PointId};
 use super::bonds::Bonds;
 use super::contact::obstacles::Obstacles;
 use super::counters::Counters;
@@ -82,6 +82,8 @@ pub(crate) struct Numbers {
     pub(crate) obstacles: [Vec<u32>; 2],
     /// Points that are gone, ascending.
     pub(crate) gone: Arc<Vec<PointId>>,
+    /// Bonds that tore or were cut, whatever became of their ends: no step reads them.
+    pub(crate) torn: Arc<Vec<Bond>>,
     /// What the next bond and the next obstacle get.
     pub(crate) next_bond: u32,
     pub(crate) next_obstacle: u32,
@@ -101,6 +103,7 @@ impl Numbers {
             bonds: None,
             obstacles,
             gone: Arc::default(),
+            torn: Arc::default(),
             next_bond: model.bonds.len() as u32,
             next_obstacle: planes + others,
             forces: (0..model.forces.len() as u32).collect(),

@@ -185,7 +185,7 @@ const WALLS: [[&str; 2]; 3] = [["left", "right"], ["floor", "top"], ["back", "fr
 pub(super) fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
     let mut meets = contact.is_some();
     ui.strong("Bodies");
-    let by = ui.checkbox(&mut meets, "meet each other");
+    let by = ui.checkbox(&mut meets, "collide");
     if by.changed() {
         let keys = SetKeys { contact: Some(Meeting::Is(meets)), ..SetKeys::default() };
         sink.scene(&by, "contact", keys);
@@ -197,8 +197,9 @@ pub(super) fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<
 fn of_meeting(ui: &mut Ui, contact: Contact, sink: &mut Sink<'_>) {
     let mut to = contact;
     let all = [
-        ui.checkbox(&mut to.with_others, "one another").on_hover_text("off: each meets itself alone, and obstacles"),
-        ui.checkbox(&mut to.with_itself, "and themselves"),
+        ui.checkbox(&mut to.with_others, "with one another")
+            .on_hover_text("off: each collides with itself alone, and with obstacles"),
+        ui.checkbox(&mut to.with_itself, "with themselves"),
         slider(ui, "friction", &mut to.friction, 2.0),
         slider(ui, "restitution", &mut to.restitution, 1.0),
     ];

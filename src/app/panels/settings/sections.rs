@@ -50,6 +50,7 @@ impl Section {
             Section::Bodies => &[
                 "bodies",
                 "meet",
+                "collide",
                 "contact",
                 "collisions",
                 "friction",
@@ -96,7 +97,7 @@ impl Section {
             // What the scene names stands first anyway; colours and trails belong to none.
             Section::Scene | Section::Colors | Section::Trails => return false,
             Section::Gravity => &["gravity"][..],
-            Section::Bodies => &["meet each other", "areas"],
+            Section::Bodies => &["meet each other", "collide", "areas"],
             Section::Push => &["push of the mouse"],
             Section::Air => &["wind", "drag rate", "turbulence"],
             Section::Walls => &["walls"],

@@ -26,6 +26,11 @@ impl Stage {
         self.velocity = mean_velocity(self.history.world(), &self.among.points);
     }
 
+    /// Looks what undo would take back and redo would bring again.
+    pub(super) fn look_for_ways(&mut self) {
+        self.ways = [self.history.undoes(), self.history.redoes()];
+    }
+
     /// What stands about the points is looked at again if it changed.
     pub(super) fn look(&mut self) {
         let world = self.history.world();
@@ -55,6 +60,7 @@ impl Stage {
             self.relaxed.look(&self.history);
             self.acts = self.deeds.look(world.counters(), Instant::now());
             self.yielded = self.rungs.yielded(&self.history);
+            self.ways = [self.history.undoes(), self.history.redoes()];
             self.figures_at = Some(Instant::now());
             if self.has_gone {
                 self.branches = self.history.branches().into();
@@ -91,6 +97,7 @@ impl Stage {
     }
 
     pub(super) fn figures(&self, world: &dyn Dynamics) -> Figures {
+        let [undoes, redoes] = self.ways.clone();
         Figures {
             time: world.time(),
             end: self.history.end(),
@@ -114,6 +121,8 @@ impl Stage {
             acts: self.acts,
             substeps: self.substeps,
             branches: Arc::clone(&self.branches),
+            undoes,
+            redoes,
         }
     }
 }

@@ -67,6 +67,8 @@ pub struct Stage {
     /// How it is looked at.
     view: Option<ViewKeys>,
     branches: Arc<[BranchView]>,
+    /// What undo would take back and redo would bring again.
+    ways: [Option<String>; 2],
     watch: Watch,
     /// Whose matter is shown, and what it is.
     among: Among,
@@ -139,6 +141,7 @@ impl Stage {
             has_gone: false,
             view: None,
             branches: Arc::default(),
+            ways: Default::default(),
             watch: Watch::default(),
             among: Among::default(),
             named,
@@ -188,7 +191,7 @@ impl Stage {
 
     /// Does what is asked. Returns what is to be said of it.
     pub fn obey(&mut self, order: Order) -> Option<Note> {
-        let goes = order.goes();
+        let (goes, passes) = (order.goes(), matches!(order, Order::Advance { .. }));
         let comes = goes || matches!(order, Order::Step(_) | Order::Play(_) | Order::Beside(_));
         let (is_followed, branch) = (self.history.has_future(), self.history.branch());
         let was_taken = self.pace.is_taken;
@@ -315,6 +318,9 @@ impl Stage {
             // What was warned of there was told when it was done.
             self.warned = self.history.world().warnings().to_vec();
             (self.has_gone, self.figures_at) = (true, None);
+        }
+        if !passes {
+            self.look_for_ways();
         }
         if comes {
             self.escort.come(&mut self.history, &self.pace, 0.0);
