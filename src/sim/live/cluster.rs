@@ -96,6 +96,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) goes: Vec<S>,
     /// A quarter of the shortest mean edge of its skins `[m]`.
     pub(super) least_promise: S,
+    /// Share of what is usual that points are promised in this step: less where all are crowded.
+    pub(super) share: f64,
     /// Substeps of a frame that it is given at most so that springs can be forces.
     pub(super) most_substeps: u32,
     /// Something is so fast that springs are projected, which bears more.

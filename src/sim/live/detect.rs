@@ -20,7 +20,7 @@ const LEAST_TIME: f64 = 0.25;
 /// case.
 const PROMISES: [f64; 2] = [1.0, 2.0];
 const ONE_SUBSTEP: f64 = 1.1;
-/// Pairs for each point of a skin from which on less is promised, and the least share of it.
+/// Pairs for each point of a skin from which on less is promised until the step ends, and the least share of it.
 const MANY: usize = 16;
 const LEAST_SHARE: f64 = 0.25;
 
@@ -63,17 +63,17 @@ struct Cells<S> {
 }
 
 /// Finds pairs of points and edges anew; those that were there keep their sides. Points are looked at as far around as they may go: what
-/// is slow in a crowd has few pairs, however fast others are.
+/// is slow in a crowd has few pairs, however fast others are. Where all are crowded less is promised, until the step ends.
 pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     let old = known(state);
-    let mut share = 1.0;
     loop {
-        promise(state, share);
-        find_pairs(state, common, &old);
-        share *= 0.5;
-        if state.pairs.len() <= MANY * state.corners.len() || share < LEAST_SHARE {
+        promise(state, state.share);
+        let is_least = 0.5 * state.share < LEAST_SHARE;
+        let most = if is_least { usize::MAX } else { MANY * state.corners.len() };
+        if find_pairs(state, common, (&old, most)) {
             return;
         }
+        state.share *= 0.5;
     }
 }
 
@@ -82,7 +82,7 @@ pub(super) fn look_within<S: Real>(state: &mut Cluster<S>, common: &Common<S>, p
     let own = state.own();
     state.promised[..own].fill(promise);
     let old = known(state);
-    find_pairs(state, common, &old);
+    find_pairs(state, common, (&old, usize::MAX));
 }
 
 /// How far each point may go: a share of what is usual, further where it is fast.
@@ -95,14 +95,15 @@ fn promise<S: Real>(state: &mut Cluster<S>, share: f64) {
     }
 }
 
-fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) {
+/// Finds all pairs, whose sides were `old` before. Returns whether they are no more than `most`; where there are more, it has none.
+fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (old, most): (&Sides, usize)) -> bool {
     let own = state.own();
     state.gone[..own].fill(S::ZERO);
     state.counts.detections += 1;
     let boxes = state.boxes();
     near_planes(state, common, &boxes);
     if state.edges.is_empty() {
-        return;
+        return true;
     }
     let mut pairs = std::mem::take(&mut state.pairs);
     pairs.clear();
@@ -131,6 +132,11 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
         }
         long.iter().for_each(|&edge| see(edge));
         search.pair(state, common, (p, number), around);
+        if search.pairs.len() > most {
+            state.pairs = search.pairs;
+            state.pairs.clear();
+            return false;
+        }
     }
     search.lead_out(state, common);
     circle::near_edges(state, common, (&boxes, &mut search));
@@ -139,6 +145,7 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, old: &Sides) 
     state.counts.work += 40 * (state.edges.len() + state.corners.len()) as u64 + 60 * pairs.len() as u64;
     part::suspend(state, &mut pairs);
     state.list(pairs);
+    true
 }
 
 /// What of a crowd each corner gets: its share of all, but not less than the second number.

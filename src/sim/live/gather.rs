@@ -152,6 +152,7 @@ impl<S: Real> Live<S> {
             least_promise: S::INFINITY,
             most_substeps: SUBSTEPS[1],
             is_violent: false,
+            share: 1.0,
             span: S::ZERO,
             widest: S::ZERO,
             gentle: S::ZERO,
