@@ -477,7 +477,7 @@ fn what_is_pressed_on_is_led_flies_and_can_be_taken_away_and_brought_back() {
     app.move_mouse(1090, 300);
     let before = app.wait_until_still();
     // The point at the right of the rim.
-    let at = [715, 315];
+    let at = [719, 324];
     app.press(at);
     for step in 1..=8 {
         app.move_mouse(at[0] + 20 * step, at[1] - 10 * step);
@@ -526,7 +526,7 @@ fn what_a_killed_program_left_is_offered_and_gone_on_with() {
     app.move_mouse(1090, 300);
     app.wait_until_still();
     assert_eq!(files(), 0, "nothing was done yet");
-    app.press([715, 315]);
+    app.press([719, 324]);
     app.move_mouse(800, 250);
     std::thread::sleep(Duration::from_millis(300));
     app.let_go();
@@ -561,7 +561,7 @@ fn a_session_is_recorded_and_replays_to_its_marks() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("session.jsonl");
     let app = display.open_recorded(&common::file("rim-still.json"), None, Some(&path));
-    app.press([715, 315]);
+    app.press([719, 324]);
     app.move_mouse(800, 250);
     std::thread::sleep(Duration::from_millis(1500));
     app.let_go();

@@ -148,7 +148,8 @@ pub const MOST_FOR_STRAIN: f64 = 512.0;
 /// errors of 3e-6 and 1e-4 m. Beyond: nothing breaks, and it takes twice the memory.
 pub const LARGE_SINGLE: usize = 20_000;
 
-/// The same of scenes with more than [`MOST_DIRECT`] rigid bonds, which are moved by vectors: these take twice as many numbers of 32 bits.
+/// The same of scenes with more than [`MOST_DIRECT`] rigid bonds in one net or rope, which are moved by vectors: these take twice as many
+/// numbers of 32 bits.
 ///
 /// Trades digits for time. Measured: a cloth of 1,000 points in space: 1e-5 m apart, time 0.6. Beyond: nothing breaks, and it takes up to
 /// twice the time.

@@ -15,8 +15,10 @@ const STILL_TIME: f64 = 0.5;
 const STILL_WAY: [f64; 2] = [0.1, 5e-4];
 /// The same at most `[m]`: 1 cm/s.
 const MOST_WAY: f64 = 5e-3;
-/// How many times as far a body gets that keeps no speed from step to step: what is squeezed so that its contacts never all agree trembles.
+/// How many times as far a body gets that keeps no speed from step to step, for what is squeezed so that its contacts never all agree trembles;
+/// and one that has been slowed down for so long `[s]`: it rolls on as slowly as that lets it.
 const TREMBLE: f64 = 5.0;
+const LONG: f64 = 2.0;
 /// Mean speed below which what touches settles `[m/s]`, and below which what is rigid does: that does not swing, and is to tip and roll.
 const SLOW: [f64; 2] = [1.0, 0.1];
 /// How long it may touch nothing meanwhile `[s]`: it hops.
@@ -173,8 +175,10 @@ impl<S: Real> Live<S> {
         let scale = if of.edge_length > S::ZERO { of.edge_length } else { S::from_f64(0.1) };
         let share = S::from_f64(STILL_WAY[usize::from(!self.rests[body].touches)]);
         let slots = &self.bodies.order[of.points.range()];
-        let trembles = self.rests[body].touches && slots.iter().all(|&slot| points.velocity[slot as usize] == zero());
-        let times = S::from_f64(if trembles { TREMBLE } else { 1.0 });
+        let rest = self.rests[body];
+        let is_speedless = || slots.iter().all(|&slot| points.velocity[slot as usize] == zero());
+        let is_lazy = rest.touches && (rest.calm > LONG || is_speedless());
+        let times = S::from_f64(if is_lazy { TREMBLE } else { 1.0 });
         let most = times * (scale * share).min(S::from_f64(MOST_WAY));
         let anchor = &mut self.anchor[of.points.range()];
         let is_near =

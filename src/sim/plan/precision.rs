@@ -1,9 +1,10 @@
 //! Which scalar a world is made of, where the scene leaves it open.
 
 use super::choice::LARGE_STRAIN;
-use crate::sim::bond::BondKind;
+use crate::sim::bond::{Bond, BondKind};
 use crate::sim::model::Model;
 use crate::sim::real::Precision;
+use crate::sim::sets::Sets;
 use crate::sim::sizes::{LARGE_RIGID_SINGLE, LARGE_SINGLE, MOST_DIRECT};
 
 /// Positions of 32 bits are off by a part in 2^24 of their size; so many times that has to be below the strain that
@@ -12,6 +13,8 @@ const ROOM: f64 = 8.0 / 16_777_216.0;
 
 /// Whether a world of this model is made of `f32`.
 ///
+/// Of fewer points where many rigid bonds hang together that are not one rigid body, for those are moved by vectors; bodies are not, and keep
+/// their digits.
 /// Not where the rounding of positions, over the rest length of the shortest rigid bond, comes near the strain asked for; nor where rigid bodies
 /// may meet polygons, which are as roundly where they are as the world: what lies on their sides is told to a millionth of that.
 pub(crate) fn is_single<const D: usize>(model: &Model<D>) -> bool {
@@ -20,8 +23,8 @@ pub(crate) fn is_single<const D: usize>(model: &Model<D>) -> bool {
         Precision::F64 => false,
         Precision::Auto => {
             let rigid = || model.bonds.iter().filter(|bond| bond.kind == BondKind::Rigid && bond.rest_length > 0.0);
-            let is_large_rigid = model.bonds.len() > MOST_DIRECT && rigid().nth(MOST_DIRECT).is_some();
-            if model.position.len() <= if is_large_rigid { LARGE_RIGID_SINGLE } else { LARGE_SINGLE } {
+            let count = model.position.len();
+            if count <= LARGE_RIGID_SINGLE || (count <= LARGE_SINGLE && !has_large_mesh(model)) {
                 return false;
             }
             if !model.polygons.is_empty() && !model.triangles.is_empty() && rigid().next().is_some() {
@@ -34,10 +37,30 @@ pub(crate) fn is_single<const D: usize>(model: &Model<D>) -> bool {
     }
 }
 
+/// Whether more than [`MOST_DIRECT`] rigid bonds hang together that leave the points which they hold more freedom than a rigid body of the
+/// plane has.
+fn has_large_mesh<const D: usize>(model: &Model<D>) -> bool {
+    let is_rigid = |bond: &Bond| bond.kind == BondKind::Rigid;
+    if model.bonds.len() <= MOST_DIRECT || model.bonds.iter().filter(is_rigid).nth(MOST_DIRECT).is_none() {
+        return false;
+    }
+    let count = model.position.len();
+    let mut sets = Sets::new(count);
+    for bond in model.bonds.iter().filter(is_rigid) {
+        sets.join(bond.a.0, bond.b.0);
+    }
+    // Of each set, by its lowest point.
+    let (mut points, mut bonds) = (vec![0_usize; count], vec![0_usize; count]);
+    (0..count as u32).for_each(|point| points[sets.find(point) as usize] += 1);
+    model.bonds.iter().filter(is_rigid).for_each(|bond| bonds[sets.find(bond.a.0) as usize] += 1);
+    let is_body = |points: usize, bonds: usize| D == 2 && bonds + 3 >= 2 * points;
+    points.into_iter().zip(bonds).any(|(points, bonds)| bonds > MOST_DIRECT && !is_body(points, bonds))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sim::bond::{Bond, PointId};
+    use crate::sim::bond::PointId;
     use crate::sim::bonds::Bonds;
     use crate::sim::contact::polygon::Polygon;
     use crate::sim::model::Method;
@@ -60,6 +83,24 @@ mod tests {
         assert!(!is_single(&rope(900, 0.02)), "small");
         assert!(is_single(&rope(10_000, 0.02)), "large");
         assert!(!is_single(&rope(10_000, 1e-3)), "a kilometre of decimetres");
+    }
+
+    /// A strip of so many points in two rows, braced in each cell.
+    fn strip(count: u32) -> Model<2> {
+        let link = |i: u32, step: u32| Bond::new(PointId(i), PointId(i + step), 0.1);
+        let bonds = (0..count - 2).flat_map(|i| [link(i, 1), link(i, 2)]).chain([link(count - 2, 1)]);
+        Model { bonds: bonds.collect(), ..rope(count, 0.02) }
+    }
+
+    #[test]
+    fn rigid_bodies_are_of_64_and_nets_as_large_of_32() {
+        assert!(!is_single(&strip(3_000)), "5,997 bonds as one body");
+        let mut hinged = strip(3_000);
+        hinged.bonds = hinged.bonds.iter().filter(|bond| bond.a.0 != 1_500).collect();
+        assert!(is_single(&hinged), "two bodies");
+        let ropes: Bonds =
+            (1..3_000).filter(|i| i % 100 != 0).map(|i| Bond::new(PointId(i - 1), PointId(i), 0.1)).collect();
+        assert!(!is_single(&Model { bonds: ropes, ..rope(3_000, 0.02) }), "many ropes, each short");
     }
 
     #[test]
