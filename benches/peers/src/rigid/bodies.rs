@@ -108,6 +108,11 @@ impl Body {
         State { pose: Pose { centre, angle: sine.atan2(cosine) }, velocity, spin: momentum / self.inertia }
     }
 
+    /// The same that begins elsewhere.
+    pub(super) fn shifted(&self, by: Vector) -> Self {
+        Body { centre: add(self.centre, by), ..self.clone() }
+    }
+
     /// Number of its points.
     pub(super) fn points(&self) -> usize {
         self.points.len()

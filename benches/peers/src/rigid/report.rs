@@ -7,7 +7,6 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use serde::Serialize;
 
-use super::bodies::Shape;
 use super::judge::Verdict;
 use super::run::Outcome;
 use super::scenes::Scene;
@@ -23,7 +22,8 @@ pub(super) struct Record {
     points: usize,
     engine: &'static str,
     version: String,
-    shape: &'static str,
+    /// The shape of its bodies, or wobble's precision.
+    setting: &'static str,
     threads: usize,
     median_ms: f64,
     worst_ms: f64,
@@ -38,7 +38,7 @@ pub(super) struct Record {
     asleep_after_s: Option<f64>,
     seconds: f64,
     runs: u32,
-    /// Of wobble over this engine: 1 and more is slower or more wrong.
+    /// Of wobble (`auto`) over this row: 1 and more is slower or more wrong.
     ratio_mean_awake: Option<f64>,
     ratio_worst: Option<f64>,
     ratio_error: Option<f64>,
@@ -49,7 +49,7 @@ impl Record {
     pub(super) fn new(
         scene: &Scene,
         points: usize,
-        (engine, version, shape): (&'static str, String, Shape),
+        (engine, version, setting): (&'static str, String, &'static str),
         Outcome { times, verdict }: Outcome,
         runs: u32,
     ) -> Self {
@@ -61,7 +61,7 @@ impl Record {
             points,
             engine,
             version,
-            shape: shape.name(),
+            setting,
             threads: 1,
             median_ms,
             worst_ms,
@@ -96,12 +96,12 @@ impl Record {
         };
         let small = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.1e}"));
         let ratio = |value: Option<f64>| match value {
-            Some(value) if value >= 0.01 => format!("{value:.2}"),
+            Some(value) if (0.01..1000.0).contains(&value) => format!("{value:.2}"),
             _ => small(value),
         };
-        let Record { scene, engine, version, shape, median_ms, worst_ms, mean_awake_ms, .. } = self;
+        let Record { scene, engine, version, setting, median_ms, worst_ms, mean_awake_ms, .. } = self;
         format!(
-            "| {scene} | {engine} {version} | {shape} | {median_ms:.4} | {worst_ms:.3} | {mean_awake_ms:.4} | {} | {} | \
+            "| {scene} | {engine} {version} | {setting} | {median_ms:.4} | {worst_ms:.3} | {mean_awake_ms:.4} | {} | {} | \
              {:.1e} | {:.1e} | {} | {} | {} | {} | {} | {} |",
             small(self.error_m),
             small(self.error_rad),
@@ -122,7 +122,7 @@ pub(super) fn print(mut out: impl Write, machine: &Machine, records: &[Record]) 
     writeln!(out, "{}, {} cores, one thread used; {}\n", machine.processor, machine.cores, machine.command)?;
     writeln!(
         out,
-        "| scene | engine | shape | ms a frame: median | worst | mean awake | error [m] | turn [rad] | gained [m] | \
+        "| scene | engine | setting | ms a frame: median | worst | mean awake | error [m] | turn [rad] | gained [m] | \
          deepest [m] | creep [m] | calm after [s] | asleep after [s] | wobble/it: mean awake | worst | error |"
     )?;
     writeln!(out, "|{}", "---|".repeat(16))?;

@@ -80,13 +80,32 @@ impl Scene {
         (1..=self.frames() / self.frames_a_look).map(frame).collect()
     }
 
+    /// The scene file with contact: wobble then says what is solid, of which outlines are made.
+    pub(super) fn solid(&self) -> Value {
+        let mut file = self.file.clone();
+        file["contact"] = json!(true);
+        file
+    }
+
+    /// The scene file in double precision, where wobble would take single precision for so many points.
+    pub(super) fn in_f64(&self) -> Value {
+        let mut file = self.file.clone();
+        file["method"] = json!({"precision": "f64"});
+        file
+    }
+
+    /// How often it is run where `runs` are asked for: a pile, which takes long, just once.
+    pub(super) fn runs(&self, runs: u32) -> u32 {
+        if self.has_contact && self.rests { 1 } else { runs }
+    }
+
     /// The bodies where they begin with a shape.
     pub(super) fn placed(&self, bodies: &[Body], shape: Shape) -> Vec<Body> {
         let lift = match self.planes.first() {
             Some(plane) if shape == Shape::Circle => times(plane.normal, self.lift),
             _ => [0.0; 2],
         };
-        bodies.iter().map(|body| Body { centre: add(body.centre, lift), ..body.clone() }).collect()
+        bodies.iter().map(|body| body.shifted(lift)).collect()
     }
 
     /// A scene of bodies, to be changed.
@@ -163,7 +182,7 @@ fn flight(name: &'static str) -> Scene {
     let (columns, rows) = (40, 25);
     let body = |k: usize| {
         let from_middle = [(k % columns) as f64 - 19.5, (k / columns) as f64 - 12.0];
-        let spin = (2.0 + (k % 9) as f64) * if k % 2 == 0 { 1.0 } else { -1.0 };
+        let spin = (2.0 + (k % 9) as f64) * if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         let mut body = disc(times(from_middle, APART), 0.0);
         body["velocity"] = json!(add([3.0, 8.0], times(from_middle, 0.3)));
         body["spin"] = json!(spin);
@@ -237,7 +256,7 @@ fn pile(name: &'static str, body: fn(Vector, f64) -> Value, shapes: &'static [Sh
         body
     };
     let bodies: Vec<_> = (0..100).map(body).collect();
-    let scene = Scene::new(name, 15.0, Truth::Unknown, &bodies).in_box(10.0, 40.0, 0.5).meeting();
+    let scene = Scene::new(name, 10.0, Truth::Unknown, &bodies).in_box(10.0, 40.0, 0.5).meeting();
     Scene { frames_a_look: 6, shapes, rests: true, ..scene }
 }
 
