@@ -33,7 +33,7 @@ pub(crate) struct Options {
     /// The wobble program: it makes the bodies that all engines get, and is measured.
     #[arg(long, value_name = "FILE")]
     wobble: PathBuf,
-    /// Runs of each engine on each scene but the piles, which run once: the least times count.
+    /// Runs of each engine on each scene but those with contact, which run once: the least times count.
     #[arg(long, default_value_t = 3, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     runs: u32,
 }
@@ -99,17 +99,18 @@ impl Engine {
 
 /// Runs what was asked for, prints a table, and writes rigid.csv and rigid.json if there is a folder for them.
 pub(crate) fn run(options: &Options, selection: &Selection) -> Result<()> {
-    let wobble = Program::new(&options.wobble)?;
+    let (wobble, machine) = (Program::new(&options.wobble)?, Machine::current());
     let mut records = Vec::new();
     for scene in scenes::all().iter().filter(|scene| scene.name.contains(&selection.scene)) {
         let bodies = bodies::parse(&wobble.expand(&scene.solid())?, scene.bodies).with_context(|| scene.name)?;
         let sides = bodies.iter().map(|body| body.corners.len()).max();
         ensure!(matches!(sides, Some(4 | SIDES)), "{}: bodies of {sides:?} corners", scene.name);
         records.extend(row_by_row(options, selection, (&wobble, scene, &bodies))?);
+        // After each scene: what was measured stays if the run is ended.
+        selection.out.iter().try_for_each(|folder| report::save(folder, &machine, &records))?;
     }
-    let machine = Machine::current();
     report::print(std::io::stdout(), &machine, &records)?;
-    selection.out.iter().try_for_each(|folder| report::save(folder, &machine, &records))
+    Ok(())
 }
 
 /// All engines that were asked for on one scene, in turn as often as was asked for.

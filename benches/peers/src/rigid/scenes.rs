@@ -94,9 +94,9 @@ impl Scene {
         file
     }
 
-    /// How often it is run where `runs` are asked for: a pile, which takes long, just once.
+    /// How often it is run where `runs` are asked for: with contact, where wobble takes long, just once.
     pub(super) fn runs(&self, runs: u32) -> u32 {
-        if self.has_contact && self.rests { 1 } else { runs }
+        if self.has_contact { 1 } else { runs }
     }
 
     /// The bodies where they begin with a shape.
