@@ -1,5 +1,8 @@
 //! Box2D 3: a body without shapes for each point, a rigid distance joint for each bond.
-#![allow(unsafe_code, reason = "Box2D is a C library; this file and heaps/box2d.rs have all that is unsafe")]
+#![allow(
+    unsafe_code,
+    reason = "Box2D is a C library; this file and box2d.rs of heaps and rigid have all that is unsafe"
+)]
 
 use std::ffi::c_void;
 use std::fmt;

@@ -4,12 +4,15 @@ mod box2d;
 mod heaps;
 mod ladder;
 mod peer;
+mod program;
 mod rapier_joints;
 mod rapier_multibody;
 mod rapier_soft;
 mod report;
+mod rigid;
 mod run;
 mod scenes;
+mod times;
 
 use std::path::PathBuf;
 
@@ -42,6 +45,8 @@ struct Options {
 enum Command {
     /// Lets soft bodies fall and come to rest in Box2D, rapier2d and wobble.
     Heaps(heaps::Options),
+    /// Lets rigid bodies fly, slide, roll, bounce and pile up in Box2D, rapier2d and wobble.
+    Rigid(rigid::Options),
 }
 
 /// Which runs, and where they are written.
@@ -50,7 +55,7 @@ struct Selection {
     /// Only small scenes, and shorter climbs: a minute or two.
     #[arg(long, global = true)]
     quick: bool,
-    /// Write the runs into this folder: peers.csv and peers.json, or heaps.csv.
+    /// Write the runs into this folder: peers.csv and peers.json, heaps.csv, or rigid.csv and rigid.json.
     #[arg(long, global = true, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Only engines whose name has this in it.
@@ -65,6 +70,7 @@ fn main() -> Result<()> {
     let options = Options::parse();
     match &options.command {
         Some(Command::Heaps(heaps)) => heaps::run(heaps, &options.selection),
+        Some(Command::Rigid(rigid)) => rigid::run(rigid, &options.selection),
         None => climb_all(&options),
     }
 }

@@ -4,6 +4,8 @@ use std::fmt::Display;
 
 use crate::scenes::Scene;
 
+/// Frames in a second.
+pub(crate) const FRAMES_A_SECOND: usize = 60;
 /// Duration of a frame [s].
 pub(crate) const FRAME: f32 = 1.0 / 60.0;
 

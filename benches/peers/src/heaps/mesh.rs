@@ -137,12 +137,12 @@ pub(crate) fn double_area(corners: [usize; 3], positions: &[[f64; 2]]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-fn anticlockwise([a, b, c]: [usize; 3], positions: &[[f64; 2]]) -> [usize; 3] {
+pub(crate) fn anticlockwise([a, b, c]: [usize; 3], positions: &[[f64; 2]]) -> [usize; 3] {
     if double_area([a, b, c], positions) < 0.0 { [a, c, b] } else { [a, b, c] }
 }
 
-/// The loop around each body: edges that one triangle has, from the body's lowest point on.
-fn skins(triangles: &[[usize; 3]], each: usize) -> Vec<Vec<usize>> {
+/// The loop around each body of `each` points: edges that one triangle has, from the body's lowest point on.
+pub(crate) fn skins(triangles: &[[usize; 3]], each: usize) -> Vec<Vec<usize>> {
     let sides = || triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let all: std::collections::BTreeSet<[usize; 2]> = sides().collect();
     let mut next: BTreeMap<usize, usize> =

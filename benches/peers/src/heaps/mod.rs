@@ -1,9 +1,9 @@
 //! Soft bodies that fall and come to rest, in other engines and in wobble: what a frame costs, and how good the rest is.
 
 mod box2d;
-mod depth;
+pub(crate) mod depth;
 mod judge;
-mod mesh;
+pub(crate) mod mesh;
 mod rapier;
 mod report;
 mod run;
@@ -17,13 +17,13 @@ use clap::Args;
 
 use crate::Selection;
 use crate::peer::Peer;
+use crate::program::Program;
 use crate::report::Machine;
 use box2d::Circles;
 use mesh::Mesh;
 use report::{Label, Record};
 use run::Outcome;
 use scenes::Scene;
-use wobble::Wobble;
 
 /// What the heaps need.
 #[derive(Args)]
@@ -65,7 +65,7 @@ impl Engine {
         }
     }
 
-    fn label(self, wobble: &Wobble) -> Result<Label> {
+    fn label(self, wobble: &Program) -> Result<Label> {
         let (version, setting) = match self {
             Engine::Wobble => (wobble.version()?, format!("skin {} L", mesh::SKIN)),
             Engine::Rapier(skin) => (rapier2d::VERSION.to_owned(), format!("skin {skin} L")),
@@ -77,9 +77,9 @@ impl Engine {
         Ok(Label { engine: self.name(), version, setting })
     }
 
-    fn run(self, wobble: &Wobble, scene: &Scene, mesh: &Mesh) -> Result<Outcome> {
+    fn run(self, wobble: &Program, scene: &Scene, mesh: &Mesh) -> Result<Outcome> {
         match self {
-            Engine::Wobble => wobble.run(scene, mesh),
+            Engine::Wobble => wobble::run(wobble, scene, mesh),
             Engine::Rapier(skin) => Ok(run::run(scene, mesh, rapier::World::new(scene, mesh, skin))),
             Engine::Box2d(circles) => Ok(run::run(scene, mesh, box2d::World::new(scene, mesh, circles))),
         }
@@ -88,11 +88,12 @@ impl Engine {
 
 /// Runs what was asked for, prints a table, and writes heaps.csv if there is a folder for it.
 pub(crate) fn run(options: &Options, selection: &Selection) -> Result<()> {
-    let wobble = Wobble::new(&options.wobble)?;
+    let wobble = Program::new(&options.wobble)?;
     let engines: Vec<_> = ENGINES.into_iter().filter(|engine| engine.name().contains(&selection.engine)).collect();
     let mut records = Vec::new();
     for scene in scenes::all(selection.quick).iter().filter(|scene| scene.name.contains(&selection.scene)) {
-        let mesh = wobble.mesh(scene).with_context(|| format!("the mesh of {}", scene.name))?;
+        let text = wobble.expand(&scene.file)?;
+        let mesh = Mesh::parse(&text, scene.bodies).with_context(|| format!("the mesh of {}", scene.name))?;
         let round = || engines.iter().map(|engine| engine.run(&wobble, scene, &mesh)).collect::<Result<Vec<_>>>();
         let mut outcomes = round()?;
         for _ in 1..scene.runs(options.runs) {

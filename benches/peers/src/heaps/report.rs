@@ -7,9 +7,10 @@ use std::path::Path;
 use anyhow::{Context, Result};
 
 use super::mesh::Mesh;
-use super::run::{Outcome, Times};
+use super::run::Outcome;
 use super::scenes::Scene;
 use crate::report::Machine;
+use crate::times::Times;
 
 /// An engine, as rows name it.
 pub(crate) struct Label {
@@ -50,8 +51,7 @@ impl Record {
 
     /// Time of all frames over those before all slept for good [ms].
     fn awake_ms(&self) -> f64 {
-        let awake = self.outcome.verdict.asleep_after.unwrap_or(self.seconds);
-        self.outcome.times.mean_ms * self.seconds / awake
+        self.outcome.times.awake_ms(self.outcome.verdict.asleep_after, self.seconds)
     }
 
     /// A row of the table.

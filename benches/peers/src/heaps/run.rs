@@ -4,7 +4,9 @@ use std::time::Instant;
 
 use super::judge::{Look, Verdict};
 use super::mesh::Mesh;
-use super::scenes::{FRAMES_A_LOOK, FRAMES_A_SECOND, Scene};
+use super::scenes::{FRAMES_A_LOOK, Scene};
+use crate::peer::FRAMES_A_SECOND;
+use crate::times::Times;
 
 /// A scene inside an engine.
 pub(crate) trait Heap {
@@ -28,40 +30,6 @@ pub(crate) struct Outcome {
     pub(crate) times: Times,
     /// What came of it.
     pub(crate) verdict: Verdict,
-}
-
-/// Times of a frame [ms].
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Times {
-    /// The median frame.
-    pub(crate) median_ms: f64,
-    /// The worst frame.
-    pub(crate) worst_ms: f64,
-    /// All frames over their number.
-    pub(crate) mean_ms: f64,
-}
-
-impl Times {
-    /// Of the seconds that each frame took; there is at least one.
-    fn of(mut seconds: Vec<f64>) -> Self {
-        seconds.sort_by(f64::total_cmp);
-        let total: f64 = seconds.iter().sum();
-        let count = seconds.len();
-        Times {
-            median_ms: 1e3 * seconds[count / 2],
-            worst_ms: 1e3 * seconds[count - 1],
-            mean_ms: 1e3 * total / count as f64,
-        }
-    }
-
-    /// The least of each time: runs do the same work, so what is more in one of them is the machine's.
-    pub(crate) fn least(self, other: Self) -> Self {
-        Times {
-            median_ms: self.median_ms.min(other.median_ms),
-            worst_ms: self.worst_ms.min(other.worst_ms),
-            mean_ms: self.mean_ms.min(other.mean_ms),
-        }
-    }
 }
 
 /// Steps a fresh heap to the end of its scene.
@@ -117,12 +85,5 @@ mod tests {
             lies_on_the_floor(&mesh, box2d::World::new(&scene(8), &mesh, circles));
         }
         Ok(())
-    }
-
-    #[test]
-    fn times_are_in_milliseconds() {
-        let times = Times::of(vec![4e-3, 1e-3, 1e-3]);
-        assert_eq!((times.median_ms, times.worst_ms), (1.0, 4.0));
-        assert!((times.mean_ms - 2.0).abs() < 1e-12);
     }
 }

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-/// Frames in a second of a scene.
-pub(crate) const FRAMES_A_SECOND: usize = 60;
+use crate::peer::FRAMES_A_SECOND;
+
 /// Frames between two looks at a heap.
 pub(crate) const FRAMES_A_LOOK: usize = 6;
 
