@@ -9,7 +9,7 @@ pub enum Why {
     /// The rules chose it, or the scene asks for it.
     #[default]
     Plan,
-    /// Its own method took more work than a frame may.
+    /// Its own method took more work than a frame may, or would have taken it from the start.
     Budget,
     /// Bodies may meet.
     Contact,

@@ -24,8 +24,10 @@ pub(super) const SUBSTEPS: [u32; 4] = [16, 32, 64, 128];
 
 /// Substeps that speed alone asks for from which on a blow is too hard for springs that are forces.
 const VIOLENT: f64 = 32.0;
-/// Counted work of a frame up to which there are more substeps than speeds ask for, so that springs can be forces.
+/// Counted work of a frame up to which there are more substeps than speeds ask for, so that springs can be forces; and of a substep for each
+/// pair that may touch, about.
 const AFFORDED: f64 = 8e6;
+const OF_A_PAIR: f64 = 120.0;
 
 /// Substeps of a frame at a speed `[m/s]`, with skins whose edges have this mean length `[m]`.
 pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
@@ -37,6 +39,15 @@ pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
 pub(super) fn affordable(work: f64) -> u32 {
     let room = AFFORDED / work;
     SUBSTEPS.into_iter().rev().find(|&count| f64::from(count) <= room).unwrap_or(SUBSTEPS[1]).max(SUBSTEPS[1])
+}
+
+/// Pairs of a cluster that might touch in the step before.
+fn known_pairs<S: Real>(cluster: &Cluster<S>, common: &Common<S>) -> usize {
+    let first_of = |number: u32| common.sides.partition_point(|side| side.0 < u64::from(number) << 32);
+    let of = |&(_, number): &(u32, u32)| {
+        common.sides[first_of(number)..].iter().take_while(move |side| side.0 >> 32 == u64::from(number))
+    };
+    cluster.corners.iter().flat_map(of).count()
 }
 
 /// What a body asks for of so many substeps: those in which all its springs are exact forces, or most are forces, or as many as there are, for
@@ -57,7 +68,12 @@ impl<S: Real> Live<S> {
         let is_awake = |bodies: &Vec<usize>| bodies.iter().any(|&body| !self.rests[body].is_asleep);
         let together: Vec<Vec<usize>> = self.together(points, common, span).into_iter().filter(is_awake).collect();
         let most_substeps = self.affordable(together.iter().flatten());
-        let cluster = |bodies| Cluster { most_substeps, ..self.cluster(bodies, points, common) };
+        let cluster = |bodies| {
+            let cluster = self.cluster(bodies, points, common);
+            // What is crumpled has more contacts than bonds.
+            let crowded = affordable(OF_A_PAIR * known_pairs(&cluster, common) as f64);
+            Cluster { most_substeps: most_substeps.min(crowded), ..cluster }
+        };
         together.into_iter().map(cluster).collect()
     }
 
