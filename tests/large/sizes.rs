@@ -86,9 +86,15 @@ fn springs_have_order_four_and_double_precision_up_to_twenty_thousand_points() {
 }
 
 #[test]
-fn large_rigid_bodies_are_of_single_precision_from_a_thousand_and_one_points_on() {
-    assert_eq!(build(&sheet::<2>([40, 25], [true; 2])).unwrap().precision(), Precision::F64);
-    assert_eq!(build(&sheet::<2>([77, 13], [true; 2])).unwrap().precision(), Precision::F32);
+fn large_meshes_of_rods_are_of_single_precision_from_a_thousand_and_one_points_on() {
+    assert_eq!(build(&sheet::<3>([40, 25], [true; 2])).unwrap().precision(), Precision::F64);
+    assert_eq!(build(&sheet::<3>([77, 13], [true; 2])).unwrap().precision(), Precision::F32);
+    assert_eq!(build(&sheet::<2>([90, 13], [false; 2])).unwrap().precision(), Precision::F32, "a net");
+    assert_eq!(
+        build(&sheet::<2>([77, 13], [true; 2])).unwrap().precision(),
+        Precision::F64,
+        "a rigid body of the plane"
+    );
     // Whatever is asked for is given.
     assert_eq!(build(&single(&rope::<2>(3))).unwrap().precision(), Precision::F32);
 }

@@ -399,14 +399,10 @@ mod tests {
         assert_eq!(places.of_tools(None, 0.0).tools.bottom(), 1236.0);
         places.below = 700.0;
         let rooms = places.of_tools(None, 0.0);
-        for bottom in [
-            rooms.tools.bottom(),
-            rooms.left.bottom(),
-            rooms.right.bottom(),
-            places.free((0.0, 0.0), ([0.0; 2], None)).bottom(),
-        ] {
+        for bottom in [rooms.tools.bottom(), rooms.left.bottom(), places.free((0.0, 0.0), ([0.0; 2], None)).bottom()] {
             assert_eq!(bottom, 700.0 - APART);
         }
+        assert_eq!(rooms.right.bottom(), 618.0, "the lower half is left to bodies");
         assert_eq!(places.below_buttons().bottom(), 700.0 - APART, "the next one lies above it");
         places.below = 1200.0;
         let left = |places: &Places| places.free((0.0, 0.0), ([0.0; 2], None)).left();
