@@ -10,13 +10,13 @@ use crate::sim::vector::{dot, zero};
 
 /// How long a cluster stays where it is before it sleeps `[s]`.
 const STILL_TIME: f64 = 0.5;
-/// How far its points may get from where they were within that time, in mean edges of their skins: of bodies that touch something, and
-/// of others, which nothing stops.
+/// How far its points may get from where they were within that time, in mean edges of their skins: of bodies that touch something, hops
+/// apart, and of others, which nothing stops.
 const STILL_WAY: [f64; 2] = [0.1, 5e-4];
 /// The same at most `[m]`: 1 cm/s.
 const MOST_WAY: f64 = 5e-3;
 /// How many times as far a body gets that keeps no speed from step to step, for what is squeezed so that its contacts never all agree trembles;
-/// and one that has been slowed down for so long `[s]`: it rolls on as slowly as that lets it.
+/// and one that has been slow for so long and does not slide `[s]`: it rolls on as slowly as what settles it lets it.
 const TREMBLE: f64 = 5.0;
 const LONG: f64 = 2.0;
 /// Mean speed below which what touches settles `[m/s]`, and below which what is rigid does: that does not swing, and is to tip and roll.
@@ -39,6 +39,8 @@ pub(super) struct Rest {
     /// How long it has been slow and touched something, hops apart `[s]`, and how long of that it did not slide.
     slow: f64,
     calm: f64,
+    /// How long more of its contacts have slid than held `[s]`.
+    slid: f64,
     /// How long it has touched nothing `[s]`.
     aloft: f64,
     /// Its share of the energy that its cluster owes `[J]`.
@@ -136,6 +138,7 @@ impl<S: Real> Live<S> {
             let goes_on = if rest.touches { h } else { 0.0 };
             rest.slow = if is_slow { rest.slow + goes_on } else { 0.0 };
             rest.calm = if is_slow && slips <= sticks { rest.calm + goes_on } else { 0.0 };
+            rest.slid = if slips > sticks { rest.slid + h } else { 0.0 };
             let drag = if rest.touches { GROWTH * (rest.calm - CALM) } else { 0.0 };
             self.settling[body] = S::from_f64(drag.clamp(0.0, MOST_DRAG));
         }
@@ -173,11 +176,12 @@ impl<S: Real> Live<S> {
     fn is_still(&mut self, body: usize, points: &Points<S, 2>, t: f64) -> bool {
         let of = &self.bodies.list[body];
         let scale = if of.edge_length > S::ZERO { of.edge_length } else { S::from_f64(0.1) };
-        let share = S::from_f64(STILL_WAY[usize::from(!self.rests[body].touches)]);
-        let slots = &self.bodies.order[of.points.range()];
         let rest = self.rests[body];
+        let lies = rest.aloft < HOP;
+        let share = S::from_f64(STILL_WAY[usize::from(!lies)]);
+        let slots = &self.bodies.order[of.points.range()];
         let is_speedless = || slots.iter().all(|&slot| points.velocity[slot as usize] == zero());
-        let is_lazy = rest.touches && (rest.calm > LONG || is_speedless());
+        let is_lazy = lies && ((rest.slow > LONG && rest.slid < HOP) || is_speedless());
         let times = S::from_f64(if is_lazy { TREMBLE } else { 1.0 });
         let most = times * (scale * share).min(S::from_f64(MOST_WAY));
         let anchor = &mut self.anchor[of.points.range()];
