@@ -198,7 +198,8 @@ fn press_key(session: &mut Session, event: &KeyEvent, event_loop: &ActiveEventLo
         return;
     }
     match action {
-        Action::Quit if session.may_leave(true) => event_loop.exit(),
+        // A key that is held does not answer what it is asked.
+        Action::Quit if !event.repeat && session.may_leave(true) => event_loop.exit(),
         Action::Quit => {}
         Action::Take(Tool::Build) if session.builds() && event.repeat => {}
         Action::Take(Tool::Build) if session.builds() => session.build_next(),

@@ -24,7 +24,7 @@ fn the_mouse_pushes_a_sheet_as_it_pushes_loose_points() {
 #[test]
 fn pins_on_tracks_lead_a_sheet() {
     for strain in [0.02, 1e-3] {
-        let mut model = to_strain(&hung::<2>([40, 37], [true; 2]), strain);
+        let mut model = to_strain(&hung::<2>([40, 19], [true; 2]), strain);
         let columns = 40;
         model.drag_rate = 1.0;
         for i in 0..columns {

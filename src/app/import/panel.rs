@@ -34,7 +34,6 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
         (None, None) => format!("Import {}", import.name),
     };
     let room = context.content_rect().size();
-    let is_wide = room.x >= WIDE;
     let stays = sheet(context, "import", title, |ui| {
         if let Some(painting) = &mut import.painting {
             painting.keys(ui.ctx());
@@ -42,19 +41,21 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
         let below = if can_add { 0.0 } else { LINE };
         let tall = (room.y - BESIDE - below).max(LEAST_TALL);
         let broad = room.x - MARGINS;
-        let place = egui::ScrollArea::both().max_height(tall).max_width(broad);
-        place.min_scrolled_height(tall).min_scrolled_width(broad).show(ui, |ui| {
-            ui.set_max_width(broad);
-            if is_wide {
-                ui.horizontal_top(|ui| {
-                    ui.vertical(|ui| picture(ui, import, preview::LARGEST.min(tall - TOOLS)));
-                    ui.vertical(|ui| sliders(ui, import));
-                });
-            } else {
+        if room.x >= WIDE && tall >= preview::LEAST + TOOLS {
+            // The picture stays, whatever is looked for beside it.
+            ui.horizontal_top(|ui| {
+                ui.vertical(|ui| picture(ui, import, preview::LARGEST.min(tall - TOOLS)));
+                let beside = egui::ScrollArea::vertical().max_height(tall).min_scrolled_height(tall);
+                beside.show(ui, |ui| ui.vertical(|ui| sliders(ui, import)));
+            });
+        } else {
+            let all = egui::ScrollArea::both().max_height(tall).max_width(broad);
+            all.min_scrolled_height(tall).min_scrolled_width(broad).show(ui, |ui| {
+                ui.set_max_width(broad);
                 picture(ui, import, preview::LARGEST.min(broad));
                 sliders(ui, import);
-            }
-        });
+            });
+        }
         ui.separator();
         answer = buttons(ui, import, can_add);
     });

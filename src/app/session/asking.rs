@@ -1,5 +1,7 @@
 //! What would make a scene slow is asked about before it comes.
 
+use std::time::Instant;
+
 use super::Session;
 use crate::app::count::grouped;
 use crate::app::panels::{Question, short, speed};
@@ -24,8 +26,8 @@ pub(super) type Act = Box<dyn FnOnce(&mut Session, usize)>;
 /// Something that waits for an answer.
 pub(super) struct Asked {
     pub(super) question: Question,
-    /// What is asked is whether the program is left.
-    pub(super) is_of_leaving: bool,
+    /// Since when it is asked whether the program is left; `None`: something else is asked.
+    pub(super) leaving_since: Option<Instant>,
     /// What is done then.
     pub(super) act: Act,
 }
@@ -81,7 +83,7 @@ impl Session {
                     }
                 };
                 let question = Question { words, answers: ANSWERS };
-                self.asked = Some(Asked { question, is_of_leaving: false, act: Box::new(answered) });
+                self.asked = Some(Asked { question, leaving_since: None, act: Box::new(answered) });
                 self.panels_dirty = true;
             }
         }

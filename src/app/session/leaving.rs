@@ -1,5 +1,7 @@
 //! The window is to be closed: what becomes of work that was not saved is asked first.
 
+use std::time::{Duration, Instant};
+
 use super::Session;
 use super::asking::Asked;
 use crate::app::count::counted;
@@ -18,6 +20,9 @@ pub(super) enum Leaving {
     /// As soon as may be.
     Now,
 }
+
+/// How long a question stands at least before a key that is pressed once more throws work away: keys are struck twice by mistake.
+const READ: Duration = Duration::from_secs(1);
 
 /// The answers, the first by Enter, the last by Esc.
 const ANSWERS: &[(&str, &str)] = &[("Save", "Enter"), ("Don't save", "Ctrl+Q once more"), ("Cancel", "Esc")];
@@ -39,11 +44,11 @@ fn question(title: &str, has_work: bool, left: usize) -> Option<String> {
 }
 
 impl Session {
-    /// Somebody wants to leave; `insists`: whatever is asked already. Returns whether that may be at once: else it is asked what becomes of
+    /// Somebody wants to leave; `insists`: whatever is asked already, if there was time to read it. Returns whether that may be at once: else it is asked what becomes of
     /// what was not saved.
     pub(in crate::app) fn may_leave(&mut self, insists: bool) -> bool {
-        if self.asked.as_ref().is_some_and(|asked| asked.is_of_leaving) {
-            return insists;
+        if let Some(since) = self.asked.as_ref().and_then(|asked| asked.leaving_since) {
+            return insists && since.elapsed() >= READ;
         }
         let left = self.shelf.players().filter(|player| player.is_unsaved()).count();
         let has_work = self.player.is_unsaved();
@@ -60,7 +65,7 @@ impl Session {
             _ => {}
         };
         let question = Question { words, answers: if has_work { ANSWERS } else { ELSEWHERE } };
-        self.asked = Some(Asked { question, is_of_leaving: true, act: Box::new(answered) });
+        self.asked = Some(Asked { question, leaving_since: Some(Instant::now()), act: Box::new(answered) });
         self.touch();
         false
     }

@@ -12,6 +12,9 @@ use crate::sim::vector::{add, dot, scale, sub};
 
 /// Cells that an edge may touch before it is looked at by every point instead.
 const MOST_CELLS: usize = 64;
+/// Edges for each cell that make a heap, and how large cells are in one, in mean edges.
+const HEAPED: f64 = 4.0;
+const SHARES: [f64; 3] = [1.0, 0.5, 0.25];
 
 /// Share of a frame after which it is looked anew at the soonest, unless points are so fast that too much would be near: then after each
 /// substep.
@@ -389,7 +392,7 @@ fn grid<S: Real>(state: &Cluster<S>, lines: &[Line<S>]) -> Grid<S> {
     let own = lines.iter().filter(|line| line.body != OBSTACLE);
     let (sum, count) = own.fold((S::ZERO, 0), |(sum, count), line| (sum + line.square.sqrt(), count + 1));
     let mean = if count > 0 { sum / S::from_f64(f64::from(count)) } else { S::ONE };
-    let cells = Cells::over(low, high, mean + farthest + farthest, state.edges.len());
+    let cells = Cells::over((low, high), (mean, farthest + farthest), state.edges.len());
     let mut starts = vec![0_u32; cells.counts[0] * cells.counts[1] + 1];
     let mut long = Vec::new();
     let mut ranges = Vec::with_capacity(state.edges.len());
@@ -433,12 +436,16 @@ fn grid<S: Real>(state: &Cluster<S>, lines: &[Line<S>]) -> Grid<S> {
 }
 
 impl<S: Real> Cells<S> {
-    /// Cells of about `side` over a box, about as many as there are edges at most.
-    fn over(low: [S; 2], high: [S; 2], side: S, edges: usize) -> Self {
+    /// Cells over a box for so many edges of about this length, with so much room around each: of the sum of both, smaller ones where edges lie in
+    /// a heap, and not many more than there are edges.
+    fn over((low, high): ([S; 2], [S; 2]), (length, room): (S, S), edges: usize) -> Self {
         let size = [0, 1].map(|k| (high[k] - low[k]).max(S::ZERO).to_f64());
-        let most = 4.0 * edges as f64 + 16.0;
-        let mut side = side.to_f64().max(1e-12);
         let many = |side: f64| (size[0] / side + 1.0) * (size[1] / side + 1.0);
+        let (edges, [length, room]) = (edges as f64, [length, room].map(Real::to_f64));
+        let of = |share: f64| (share * length + room).max(1e-12);
+        let is_crowded = |share: &f64| edges > HEAPED * many(of(*share));
+        let mut side = of(SHARES.into_iter().find(|share| !is_crowded(share)).unwrap_or(SHARES[2]));
+        let most = 4.0 * edges + 16.0;
         while many(side) > most && side.is_finite() {
             side *= 1.5;
         }
