@@ -41,6 +41,21 @@ fn a_jellyfish_on_its_limbs_comes_to_rest() {
     assert!(world.is_asleep(), "{} m/s", super::fastest(&sample));
 }
 
+/// Polygons of many corners roll on, as slowly as what settles them lets them, and no two of their contacts come and go together.
+#[test]
+fn a_heap_of_rigid_discs_falls_asleep() {
+    let disc = |k: u32| {
+        let (row, column) = (k / 3, k % 3);
+        json!({"make": "disc", "radius": 0.5, "spacing": 0.15, "velocity": [0, -2],
+            "origin": [0.7 + 1.15 * f64::from(column) + 0.4 * f64::from(row % 2), 0.7 + 1.2 * f64::from(row)],
+            "material": {"kind": "rigid", "mass": 1}})
+    };
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": (0..18).map(disc).collect::<Vec<_>>(),
+        "bounds": {"min": [0, 0], "max": [4, 40], "friction": 0.3}});
+    let (sample, world) = run(&scene, 6.0);
+    assert!(world.is_asleep(), "{} m/s", super::fastest(&sample));
+}
+
 /// Boxes rest where a skin of their thickness holds them apart, not of their length.
 #[test]
 fn long_thin_boxes_lie_close_on_each_other() {
