@@ -95,7 +95,7 @@ impl Thumbnails {
     }
 
     /// Whether there are still some to come.
-    pub(super) fn are_drawn(&self) -> bool {
+    pub(super) fn is_drawing(&self) -> bool {
         !self.is_done
     }
 

@@ -50,7 +50,7 @@ impl Session {
         let context = self.egui.egui_ctx().clone();
         if let Some(thumbnails) = &mut self.thumbnails {
             thumbnails.load(&context, &mut self.panels.thumbnails);
-            self.panels.is_drawing_thumbnails = thumbnails.are_drawn();
+            self.panels.is_drawing_thumbnails = thumbnails.is_drawing();
             if self.panels.sheet == Some(panels::Sheet::Gallery) {
                 let found = panels::found_scenes(&self.panels.search);
                 thumbnails.want(self.panels.in_view.iter().copied().chain(found).collect());
