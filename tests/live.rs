@@ -16,6 +16,7 @@ mod sharp;
 mod straps;
 mod tangle;
 mod thin;
+mod uneven;
 mod violence;
 mod wake;
 mod whole;

@@ -433,6 +433,7 @@ fn made(
             contacts: counters.contacts,
             truncations: counters.truncations,
             guarded: counters.guarded,
+            detections: counters.detections,
             looks: counters.looks,
             mended: counters.mended,
             parted: counters.parted,

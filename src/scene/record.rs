@@ -450,6 +450,8 @@ pub struct RecordedCounters {
     pub truncations: u64,
     /// Steps after which it took energy from bodies that had got it from nowhere.
     pub guarded: u64,
+    /// Searches for what is near what.
+    pub detections: u64,
     /// Looks whether skins cross.
     pub looks: u64,
     /// Points that it led back to the shape of their body, once a substep.

@@ -27,6 +27,8 @@ pub struct Counters {
     pub truncations: u64,
     /// Steps after which energy was taken from bodies that had got it from nowhere.
     pub guarded: u64,
+    /// Searches for what is near what, of bodies that go together.
+    pub detections: u64,
     /// Looks whether skins cross, one a step of bodies that go together.
     pub looks: u64,
     /// Points that were led back to the shape of their body, once a substep.
@@ -78,6 +80,7 @@ impl Counters {
             contacts,
             truncations,
             guarded,
+            detections,
             looks,
             mended,
             parted,
@@ -99,6 +102,7 @@ impl Counters {
         self.contacts += contacts;
         self.truncations += truncations;
         self.guarded += guarded;
+        self.detections += detections;
         self.looks += looks;
         self.mended += mended;
         self.parted += parted;

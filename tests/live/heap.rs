@@ -145,3 +145,15 @@ fn a_heap_of_a_hundred_discs_comes_to_rest_apart() {
     let (depth, is_asleep, inverted) = heap(8, 100, 10.0);
     assert!(depth <= 0.05 && is_asleep && inverted == 0, "{depth} edges deep, asleep {is_asleep}, {inverted} inverted");
 }
+
+#[test]
+fn a_crumpled_net_is_searched_through_less_than_every_other_substep() {
+    let net = json!({"make": "cloth", "columns": 12, "rows": 12, "spacing": 0.1, "diagonals": "none", "origin": [-0.6, 1.3],
+        "angle": 0.1, "material": {"kind": "rigid", "mass": 1}});
+    let mut world = world(&json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": [net],
+        "bounds": {"min": [-3, 0], "max": [3, 4], "friction": 0.5}, "method": {"solver": "live"}}));
+    go(&mut *world, 1.2, |_| {});
+    let counters = world.counters();
+    assert!(counters.contacts > 50 * counters.substeps, "it lies in a heap: {counters:?}");
+    assert!(counters.detections > 0 && 2 * counters.detections < counters.substeps, "{counters:?}");
+}

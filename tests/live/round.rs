@@ -270,3 +270,21 @@ fn what_is_pinned_over_a_circle_is_put_out_at_once() {
     assert!(gap(&*world, &end, ([0.0, -0.1], 0.15)) > -SKIN, "{end:?}");
     assert!(fastest(&end) < 2.0, "without a blow: {end:?}");
 }
+
+#[test]
+fn what_is_folded_over_a_circle_is_not_thrown_across_it() {
+    let rim = json!({"make": "rim", "radius": 0.47, "inner_radius": 0.3, "sectors": 18, "origin": [0.05, 1],
+        "bracing": ["outer", "inner", "spoke", "rising"], "velocity": [0.29, -10.76], "spin": -2.25,
+        "material": {"kind": "spring", "stiffness": 60, "mass": 8}});
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": [rim],
+        "obstacles": [{"circle": {"center": [0, 0], "radius": 0.68}, "friction": 1}],
+        "bounds": {"min": [-2.5, -1], "max": [2.5, 3], "friction": 0.3}});
+    let mut world = world(&scene);
+    let mut least = f64::INFINITY;
+    while world.time() < 1.0 {
+        world.step();
+        let sample = world.sample(world.time());
+        least = least.min(sample.energy);
+        assert!(sample.energy < least + 1.0, "{} J at {} s, after {least}", sample.energy, sample.time);
+    }
+}

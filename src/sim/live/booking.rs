@@ -73,8 +73,14 @@ impl<S: Real> Cluster<S> {
     /// [`push`](Self::push) does, where a ledger is kept.
     #[inline(always)]
     pub(super) fn note_push(&mut self, [p, a, b]: [usize; 3], at: S, restitution: S, (out, aside): ([S; 2], [S; 2])) {
+        self.note_shares(&[(p, S::ONE), (a, at - S::ONE), (b, -at)], restitution, (out, aside));
+    }
+
+    /// The same of points that take these shares of it.
+    #[inline(always)]
+    pub(super) fn note_shares(&mut self, shares: &[(usize, S)], restitution: S, (out, aside): ([S; 2], [S; 2])) {
         let Some(tally) = &mut self.tally else { return };
-        for (i, share) in [(p, S::ONE), (a, at - S::ONE), (b, -at)] {
+        for &(i, share) in shares {
             let share = share * self.w[i];
             if share != S::ZERO {
                 tally.push(i, restitution, (scale(out, share), scale(aside, share)));

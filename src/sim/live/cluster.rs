@@ -102,6 +102,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) most_substeps: u32,
     /// Something is so fast that springs are projected, which bears more.
     pub(super) is_violent: bool,
+    /// Some points are so much heavier than others that these cannot bear them.
+    pub(super) is_uneven: bool,
     /// How long a substep is `[s]`.
     pub(super) span: S,
     /// The largest radius of its skins `[m]`.
@@ -237,6 +239,13 @@ impl<S: Real> Cluster<S> {
     pub(super) fn is_pressed(&self) -> bool {
         let mut pairs = self.active.iter().map(|&number| &self.pairs[number as usize]);
         pairs.any(|pair| pair.pressed > S::ZERO) || self.on_planes.iter().any(|on| on.pressed > S::ZERO)
+    }
+
+    /// Whether obstacles press it in this substep.
+    pub(super) fn leans(&self) -> bool {
+        let is_obstacle = |pair: &Pair<S>| pair.p.max(pair.a) as usize >= self.own();
+        self.on_planes.iter().any(|on| on.pressed > S::ZERO)
+            || self.pairs.iter().any(|pair| pair.pressed > S::ZERO && is_obstacle(pair))
     }
 
     /// Whether its points are among the finite numbers, their squares included.

@@ -119,7 +119,7 @@ fn extent<S: Real>(state: &Cluster<S>, k: usize) -> [[S; 2]; 2] {
 }
 
 /// Whether a place is inside what the closed edges of a body bound, by the even-odd rule.
-fn is_inside<S: Real>(state: &Cluster<S>, x: [S; 2], body: u32) -> bool {
+pub(super) fn is_inside<S: Real>(state: &Cluster<S>, x: [S; 2], body: u32) -> bool {
     let mut is_inside = false;
     for edge in state.edges.iter().filter(|edge| edge.body == body && edge.is_closed) {
         let [a, b] = edge.ends.map(|end| state.now[end as usize]);

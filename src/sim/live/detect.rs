@@ -3,18 +3,14 @@
 //! What is found holds as long as no point goes further than was promised.
 
 use super::FRAMES;
+use super::cells::grid;
 use super::circle;
 use super::cluster::{Cluster, Common, OBSTACLE, Side};
+use super::cross;
 use super::pair::{OnPlane, Pair, Sides, wedge};
 use super::part;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub};
-
-/// Cells that an edge may touch before it is looked at by every point instead.
-const MOST_CELLS: usize = 64;
-/// Edges for each cell that make a heap, and how large cells are in one, in mean edges.
-const HEAPED: f64 = 4.0;
-const SHARES: [f64; 3] = [1.0, 0.5, 0.25];
+use crate::sim::vector::{dot, scale, sub};
 
 /// Share of a frame after which it is looked anew at the soonest, unless points are so fast that too much would be near: then after each
 /// substep.
@@ -32,6 +28,11 @@ const LEAST_SHARE: f64 = 0.25;
 const MOST_LOOKS: [usize; 2] = [500_000, 64];
 const MOST_PAIRS: [usize; 2] = [100_000, 16];
 
+/// Counted work of a search for each edge and each cell that it is in, each edge that a corner looks at, and each pair.
+const OF_AN_EDGE: u64 = 20;
+const OF_A_LOOK: u64 = 8;
+const OF_A_PAIR: u64 = 300;
+
 /// Share of the radius of its skin that an edge keeps from corners of obstacles: one that lies right on a corner is slid over it.
 const CLEAR: f64 = 0.2;
 
@@ -39,10 +40,10 @@ const CLEAR: f64 = 0.2;
 pub(super) struct Line<S> {
     pub(super) from: [S; 2],
     pub(super) along: [S; 2],
-    square: S,
+    pub(super) square: S,
     /// How far from it a point may be that has no radius and goes nowhere `[m]`.
-    reach: S,
-    body: u32,
+    pub(super) reach: S,
+    pub(super) body: u32,
     ends: [u32; 2],
 }
 
@@ -56,13 +57,6 @@ pub(super) struct Found<S> {
     across: S,
     /// The nearest place is an end.
     pub(super) is_end: bool,
-}
-
-/// A grid over a box.
-struct Cells<S> {
-    low: [S; 2],
-    side: S,
-    counts: [usize; 2],
 }
 
 /// Finds pairs of points and edges anew; those that were there keep their sides. Points are looked at as far around as they may go: what
@@ -119,10 +113,13 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (old, most): 
     let most_pairs = most_each(MOST_PAIRS, state.corners.len());
     let mut search = Search { lines: lines(state, common), known, least, most_pairs, near: Vec::new(), pairs };
     let (cells, starts, entries, long) = grid(state, &search.lines);
+    state.counts.work += OF_AN_EDGE * (state.edges.len() + entries.len()) as u64;
+    let mut looked = 0;
     for &(p, number) in &state.corners {
         let (x, body) = (state.now[p as usize], state.body_of[p as usize]);
         let around = radius(state, common, body) + state.promised[p as usize];
         let mut see = |edge: usize| {
+            looked += 1;
             if let Some(found) = find(&search.lines[edge], edge, x, around)
                 && may_meet(state, common, (p, body), &search.lines[edge])
             {
@@ -136,16 +133,19 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (old, most): 
         long.iter().for_each(|&edge| see(edge));
         search.pair(state, common, (p, number), around);
         if search.pairs.len() > most {
-            state.pairs = search.pairs;
-            state.pairs.clear();
-            return false;
+            break;
         }
+    }
+    state.counts.work += OF_A_LOOK * looked + OF_A_PAIR * search.pairs.len() as u64;
+    if search.pairs.len() > most {
+        state.pairs = search.pairs;
+        state.pairs.clear();
+        return false;
     }
     search.lead_out(state, common);
     circle::near_edges(state, common, (&boxes, &mut search));
     let mut pairs = search.pairs;
     pairs.sort_unstable_by_key(|pair| pair.key);
-    state.counts.work += 40 * (state.edges.len() + state.corners.len()) as u64 + 60 * pairs.len() as u64;
     part::suspend(state, &mut pairs);
     state.list(pairs);
     true
@@ -240,7 +240,8 @@ impl<'a> Seen<'a> {
 /// The side that a point belongs to of an edge that it was not near before.
 ///
 /// In front of what is closed it stays in front. Behind it is inside only if no other edge of that body is nearer, of those nearer than
-/// `sure` `[m]`, which were all found; then it is to come out there. Otherwise it belongs nowhere: 0.
+/// `sure` `[m]`, which were all found; then it is to come out there. Otherwise it belongs nowhere: 0. So does the middle of a circle behind what
+/// is folded, unless it is inside: it is too far away to be put out at once.
 fn side<S: Real>(state: &Cluster<S>, p: u32, found: &Found<S>, (near, sure): (&[Found<S>], S)) -> i8 {
     let edge = &state.edges[found.edge];
     if !edge.is_closed {
@@ -259,7 +260,11 @@ fn side<S: Real>(state: &Cluster<S>, p: u32, found: &Found<S>, (near, sure): (&[
         return 0;
     }
     let is_nearer = |other: &Found<S>| state.edges[other.edge].body == edge.body && other.square < found.square;
-    i8::from(!near.iter().any(is_nearer))
+    if near.iter().any(is_nearer) {
+        return 0;
+    }
+    let is_round = state.circles.binary_search_by_key(&p, |circle| circle.0).is_ok();
+    i8::from(!is_round || cross::is_inside(state, state.now[p as usize], edge.body))
 }
 
 pub(super) fn pair<S: Real>(
@@ -374,101 +379,6 @@ fn lines<S: Real>(state: &Cluster<S>, common: &Common<S>) -> Vec<Line<S>> {
         Line { from: a, along, square: dot(along, along), reach, body: edge.body, ends: edge.ends }
     };
     state.edges.iter().map(line).collect()
-}
-
-type Grid<S> = (Cells<S>, Vec<u32>, Vec<u32>, Vec<usize>);
-
-/// The edges in cells, each in all that it may be near to, and those that are too long for it.
-fn grid<S: Real>(state: &Cluster<S>, lines: &[Line<S>]) -> Grid<S> {
-    let farthest = state.promised.iter().fold(S::ZERO, |most, &promised| most.max(promised));
-    let mut low = [S::INFINITY; 2];
-    let mut high = [-S::INFINITY; 2];
-    for &(p, _) in &state.corners {
-        for k in 0..2 {
-            low[k] = low[k].min(state.now[p as usize][k]);
-            high[k] = high[k].max(state.now[p as usize][k]);
-        }
-    }
-    let own = lines.iter().filter(|line| line.body != OBSTACLE);
-    let (sum, count) = own.fold((S::ZERO, 0), |(sum, count), line| (sum + line.square.sqrt(), count + 1));
-    let mean = if count > 0 { sum / S::from_f64(f64::from(count)) } else { S::ONE };
-    let cells = Cells::over((low, high), (mean, farthest + farthest), state.edges.len());
-    let mut starts = vec![0_u32; cells.counts[0] * cells.counts[1] + 1];
-    let mut long = Vec::new();
-    let mut ranges = Vec::with_capacity(state.edges.len());
-    for (k, line) in lines.iter().enumerate() {
-        let (a, b) = (line.from, add(line.from, line.along));
-        let grown = line.reach + state.widest + farthest;
-        let from = [0, 1].map(|k| a[k].min(b[k]) - grown);
-        let to = [0, 1].map(|k| a[k].max(b[k]) + grown);
-        let range = cells.range(from, to);
-        let many = range.as_ref().map_or(0, |[x, y]| x.len() * y.len());
-        if many > MOST_CELLS {
-            long.push(k);
-            ranges.push(None);
-            continue;
-        }
-        if let Some([x, y]) = &range {
-            for row in y.clone() {
-                for column in x.clone() {
-                    starts[row * cells.counts[0] + column + 1] += 1;
-                }
-            }
-        }
-        ranges.push(range);
-    }
-    for cell in 1..starts.len() {
-        starts[cell] += starts[cell - 1];
-    }
-    let mut next = starts.clone();
-    let mut entries = vec![0_u32; starts.last().map_or(0, |&end| end as usize)];
-    for (k, range) in ranges.iter().enumerate() {
-        let Some([x, y]) = range else { continue };
-        for row in y.clone() {
-            for column in x.clone() {
-                let place = &mut next[row * cells.counts[0] + column];
-                entries[*place as usize] = k as u32;
-                *place += 1;
-            }
-        }
-    }
-    (cells, starts, entries, long)
-}
-
-impl<S: Real> Cells<S> {
-    /// Cells over a box for so many edges of about this length, with so much room around each: of the sum of both, smaller ones where edges lie in
-    /// a heap, and not many more than there are edges.
-    fn over((low, high): ([S; 2], [S; 2]), (length, room): (S, S), edges: usize) -> Self {
-        let size = [0, 1].map(|k| (high[k] - low[k]).max(S::ZERO).to_f64());
-        let many = |side: f64| (size[0] / side + 1.0) * (size[1] / side + 1.0);
-        let (edges, [length, room]) = (edges as f64, [length, room].map(Real::to_f64));
-        let of = |share: f64| (share * length + room).max(1e-12);
-        let is_crowded = |share: &f64| edges > HEAPED * many(of(*share));
-        let mut side = of(SHARES.into_iter().find(|share| !is_crowded(share)).unwrap_or(SHARES[2]));
-        let most = 4.0 * edges + 16.0;
-        while many(side) > most && side.is_finite() {
-            side *= 1.5;
-        }
-        let counts = size.map(|size| (size / side) as usize + 1);
-        Cells { low, side: S::from_f64(side), counts }
-    }
-
-    fn place(&self, x: [S; 2]) -> Option<usize> {
-        let at = [0, 1].map(|k| ((x[k] - self.low[k]) / self.side).to_f64());
-        let is_in = (0..2).all(|k| at[k] >= 0.0 && at[k] < self.counts[k] as f64 + 0.5);
-        let [column, row] = [0, 1].map(|k| (at[k] as usize).min(self.counts[k] - 1));
-        is_in.then_some(row * self.counts[0] + column)
-    }
-
-    fn range(&self, from: [S; 2], to: [S; 2]) -> Option<[std::ops::Range<usize>; 2]> {
-        let of = |k: usize| {
-            let [first, last] = [from[k], to[k]].map(|x| ((x - self.low[k]) / self.side).to_f64());
-            let end = (last + 1.0).max(0.0).min(self.counts[k] as f64) as usize;
-            let start = first.max(0.0).min(self.counts[k] as f64) as usize;
-            (start < end).then_some(start..end)
-        };
-        Some([of(0)?, of(1)?])
-    }
 }
 
 /// Finds which points are near planes and circles.

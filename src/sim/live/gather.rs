@@ -2,6 +2,7 @@
 
 use super::Live;
 use super::areas::Thin;
+use super::bear;
 use super::bend::Bends;
 use super::body::Body;
 use super::cluster::{Cluster, Common, Counts, OBSTACLE, Side};
@@ -70,9 +71,11 @@ impl<S: Real> Live<S> {
         let most_substeps = self.affordable(together.iter().flatten());
         let cluster = |bodies| {
             let cluster = self.cluster(bodies, points, common);
-            // What is crumpled has more contacts than bonds.
-            let crowded = affordable(OF_A_PAIR * known_pairs(&cluster, common) as f64);
-            Cluster { most_substeps: most_substeps.min(crowded), ..cluster }
+            // What is crumpled has more contacts than bonds. Few sides in all take nothing from anybody.
+            let most = OF_A_PAIR * common.sides.len() as f64;
+            let is_any = affordable(most) < most_substeps;
+            let pairs = if is_any { known_pairs(&cluster, common) } else { 0 };
+            Cluster { most_substeps: most_substeps.min(affordable(OF_A_PAIR * pairs as f64)), ..cluster }
         };
         together.into_iter().map(cluster).collect()
     }
@@ -168,6 +171,7 @@ impl<S: Real> Live<S> {
             least_promise: S::INFINITY,
             most_substeps: SUBSTEPS[1],
             is_violent: false,
+            is_uneven: false,
             share: 1.0,
             span: S::ZERO,
             widest: S::ZERO,
@@ -245,6 +249,7 @@ impl<S: Real> Live<S> {
         for list in [&mut cluster.promised, &mut cluster.gone, &mut cluster.goes] {
             *list = vec![S::ZERO; cluster.now.len()];
         }
+        cluster.is_uneven = bear::is_uneven(&cluster.w);
         cluster.mend_rigs();
         cluster
     }
@@ -335,6 +340,7 @@ impl<S: Real> Cluster<S> {
         counters.contacts += counts.contacts;
         counters.truncations += counts.truncations;
         counters.guarded += counts.guarded;
+        counters.detections += counts.detections;
         counters.looks += counts.looks;
         counters.mended += counts.mended;
         counters.parted += counts.parted;

@@ -104,12 +104,7 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
         state.debt = S::ZERO;
         return;
     }
-    let leans = state.on_planes.iter().any(|on| on.pressed > S::ZERO)
-        || state
-            .pairs
-            .iter()
-            .any(|pair| pair.pressed > S::ZERO && [pair.p, pair.a].iter().any(|&i| i as usize >= state.own()));
-    let is_held = leans || (0..state.own()).any(|i| state.w[i] == S::ZERO);
+    let is_held = state.leans() || (0..state.own()).any(|i| state.w[i] == S::ZERO);
     let (mut momentum, mut mass) = (zero::<S, 2>(), S::ZERO);
     for i in (0..state.own()).filter(|&i| state.w[i] != S::ZERO && !is_held) {
         momentum = add(momentum, scale(state.velocity[i], S::ONE / state.w[i]));

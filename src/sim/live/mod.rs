@@ -14,12 +14,14 @@
 //! Detailed Rigid Body Simulation with Extended Position Based Dynamics, 2020 (friction on the ways of a substep, restitution).
 
 mod areas;
+mod bear;
 mod bend;
 mod body;
 mod bonds;
 mod booking;
 mod build;
 mod calm;
+mod cells;
 mod circle;
 mod cluster;
 mod cross;

@@ -7,7 +7,7 @@ use crate::sim::vector::{add, dot, scale, sub};
 
 /// Share of an overlap of skins that was there before a substep that is mended in it, without speed; obstacles put points out at once, but for
 /// what began in them.
-const MENDED: f64 = 0.2;
+pub(super) const MENDED: f64 = 0.2;
 
 /// Share of the speed of two bodies at which parts of one body are led out of each other: joints may hold them there, and what leads against joints
 /// creeps over its floor for ever.
@@ -179,6 +179,7 @@ impl<S: Real> Pair<S> {
                         let most = if is_itself { state.gentle * S::from_f64(ITSELF) } else { state.gentle };
                         (overlap * S::from_f64(MENDED)).min(most)
                     }
+                    false if self.is_round && before.gap < S::ZERO => overlap.min(state.gentle),
                     false => state.led_out(p.min(a), overlap),
                 };
                 state.push(points, at, scale(normal, mended / w), Change::Place);

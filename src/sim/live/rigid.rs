@@ -219,13 +219,19 @@ impl<S: Real> Cluster<S> {
         if self.frames.is_empty() {
             return self.w[p] + rest * rest * self.w[a] + at * at * self.w[b];
         }
-        let of_edge = match (self.frame_number(a), self.frame_number(b)) {
+        self.felt(p, n) + self.felt_on_edge([a, b], at, n)
+    }
+
+    /// Inverse mass of a place on an edge along a direction `[1/kg]`.
+    #[inline(always)]
+    pub(super) fn felt_on_edge(&self, [a, b]: [usize; 2], at: S, n: [S; 2]) -> S {
+        let rest = S::ONE - at;
+        match (self.frame_number(a), self.frame_number(b)) {
             (Some(one), Some(other)) if one == other => {
                 S::from_f64(self.frames[one].weight(widen(self.between([a, b], at)), widen(n)))
             }
             _ => rest * rest * self.felt(a, n) + at * at * self.felt(b, n),
-        };
-        self.felt(p, n) + of_edge
+        }
     }
 
     /// Inverse mass of a point along a direction `[1/kg]`.
@@ -289,20 +295,23 @@ impl<S: Real> Cluster<S> {
     #[inline(always)]
     pub(super) fn push(&mut self, points: [usize; 3], at: S, push: [S; 2], change: Change) {
         let [p, a, b] = points;
-        let [at_p, at_a, at_b] = [S::ONE, at - S::ONE, -at];
         if self.frames.is_empty() {
-            return [(p, at_p), (a, at_a), (b, at_b)].into_iter().for_each(|(i, share)| {
+            return [(p, S::ONE), (a, at - S::ONE), (b, -at)].into_iter().for_each(|(i, share)| {
                 self.push_plain(i, scale(push, share * self.w[i]), change);
             });
         }
         let place = self.between([a, b], at);
         self.push_point(p, push, change);
+        self.push_edge(([a, b], at, place), scale(push, -S::ONE), change);
+    }
+
+    /// A push of a place on an edge `[kg m]`, a share `at` of it from its first end on.
+    #[inline(always)]
+    pub(super) fn push_edge(&mut self, ([a, b], at, place): ([usize; 2], S, [S; 2]), push: [S; 2], change: Change) {
         match (self.frame_number(a), self.frame_number(b)) {
-            (Some(one), Some(other)) if one == other => {
-                self.push_frame(one, (place, scale(push, -S::ONE)), change);
-            }
+            (Some(one), Some(other)) if one == other => self.push_frame(one, (place, push), change),
             _ => {
-                for (i, share) in [(a, at_a), (b, at_b)] {
+                for (i, share) in [(a, S::ONE - at), (b, at)] {
                     self.push_point(i, scale(push, share), change);
                 }
             }

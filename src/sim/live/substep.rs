@@ -1,6 +1,7 @@
 //! One substep of a cluster, from top to bottom.
 
 use super::areas;
+use super::bear;
 use super::bend;
 use super::bonds;
 use super::calm;
@@ -32,6 +33,9 @@ const MOST_ROUNDS: u64 = 128;
 pub(super) const PUSHED: f64 = 0.2;
 /// How fast skins that overlap are parted at most `[m/s]`.
 pub(super) const GENTLE: f64 = 1.0;
+
+/// Counted work of a substep for each point.
+const OF_A_POINT: u64 = 70;
 
 /// Substeps up to which velocities are left as forces made them `[s]`: what bonds and contacts still lack of the step before is made good, but is
 /// no speed, which it would be beyond all bounds over so short a time.
@@ -79,6 +83,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
         state.press(common, pushed);
         state.straighten_rigs();
     }
+    bear::lift(state);
     super::truncate::cut(state);
     super::circle::cut(state, common);
     state.follow_sides();
@@ -277,8 +282,8 @@ impl<S: Real> Cluster<S> {
         let pressed = numbers.iter().filter(|&&number| pairs[number as usize].pressed > S::ZERO).count();
         self.counts.contacts += pressed as u64;
         self.has_pressed |= pressed > 0 || on_planes.iter().any(|on| on.pressed > S::ZERO);
-        self.counts.work += 45 * numbers.len() as u64 + pairs.len() as u64;
-        self.counts.work += 20 * on_planes.len() as u64 + 20 * self.own() as u64;
+        self.counts.work += 45 * numbers.len() as u64 + 4 * pairs.len() as u64;
+        self.counts.work += 20 * on_planes.len() as u64 + OF_A_POINT * self.own() as u64;
         (self.pairs, self.chosen, self.on_planes) = (pairs, numbers, on_planes);
     }
 

@@ -1,7 +1,7 @@
 //! Which scalar a world is made of, where the scene leaves it open.
 
 use super::choice::LARGE_STRAIN;
-use crate::sim::bond::{Bond, BondKind};
+use crate::sim::bond::BondKind;
 use crate::sim::model::Model;
 use crate::sim::real::Precision;
 use crate::sim::sets::Sets;
@@ -40,27 +40,29 @@ pub(crate) fn is_single<const D: usize>(model: &Model<D>) -> bool {
 /// Whether more than [`MOST_DIRECT`] rigid bonds hang together that leave the points which they hold more freedom than a rigid body of the
 /// plane has.
 fn has_large_mesh<const D: usize>(model: &Model<D>) -> bool {
-    let is_rigid = |bond: &Bond| bond.kind == BondKind::Rigid;
-    if model.bonds.len() <= MOST_DIRECT || model.bonds.iter().filter(is_rigid).nth(MOST_DIRECT).is_none() {
+    let rigid = || model.bonds.iter().filter(|bond| bond.kind == BondKind::Rigid);
+    if rigid().nth(MOST_DIRECT).is_none() {
         return false;
     }
     let count = model.position.len();
     let mut sets = Sets::new(count);
-    for bond in model.bonds.iter().filter(is_rigid) {
-        sets.join(bond.a.0, bond.b.0);
+    rigid().for_each(|bond| sets.join(bond.a.0, bond.b.0));
+    // Of each set, by its lowest point: points, bonds, and those of them that make bodies.
+    let mut counts = vec![[0_usize; 3]; count];
+    (0..count as u32).for_each(|point| counts[sets.find(point) as usize][0] += 1);
+    for bond in rigid() {
+        let [_, bonds, holding] = &mut counts[sets.find(bond.a.0) as usize];
+        *bonds += 1;
+        *holding += usize::from(bond.holds());
     }
-    // Of each set, by its lowest point.
-    let (mut points, mut bonds) = (vec![0_usize; count], vec![0_usize; count]);
-    (0..count as u32).for_each(|point| points[sets.find(point) as usize] += 1);
-    model.bonds.iter().filter(is_rigid).for_each(|bond| bonds[sets.find(bond.a.0) as usize] += 1);
-    let is_body = |points: usize, bonds: usize| D == 2 && bonds + 3 >= 2 * points;
-    points.into_iter().zip(bonds).any(|(points, bonds)| bonds > MOST_DIRECT && !is_body(points, bonds))
+    let is_body = |points: usize, holding: usize| D == 2 && holding + 3 >= 2 * points;
+    counts.into_iter().any(|[points, bonds, holding]| bonds > MOST_DIRECT && !is_body(points, holding))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sim::bond::PointId;
+    use crate::sim::bond::{Bond, PointId};
     use crate::sim::bonds::Bonds;
     use crate::sim::contact::polygon::Polygon;
     use crate::sim::model::Method;
@@ -98,6 +100,9 @@ mod tests {
         let mut hinged = strip(3_000);
         hinged.bonds = hinged.bonds.iter().filter(|bond| bond.a.0 != 1_500).collect();
         assert!(is_single(&hinged), "two bodies");
+        let mut torn = strip(3_000);
+        torn.bonds = torn.bonds.iter().map(|bond| Bond { break_strain: 0.1, ..bond }).collect();
+        assert!(is_single(&torn), "what may tear is no body");
         let ropes: Bonds =
             (1..3_000).filter(|i| i % 100 != 0).map(|i| Bond::new(PointId(i - 1), PointId(i), 0.1)).collect();
         assert!(!is_single(&Model { bonds: ropes, ..rope(3_000, 0.02) }), "many ropes, each short");

@@ -97,6 +97,7 @@ pub(super) struct Counts {
     pub(super) truncations: u64,
     pub(super) guarded: u64,
     pub(super) mouse_points: u64,
+    pub(super) detections: u64,
     pub(super) work: u64,
 }
 

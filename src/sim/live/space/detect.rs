@@ -180,6 +180,7 @@ pub(super) fn look_at_skins<S: Real>(state: &mut Cluster<S>, common: &Common<S>,
     }
     // Corners are listed by their numbers, so this finds all in order.
     pairs.sort_unstable_by_key(|pair| pair.key);
+    state.counts.detections += 1;
     state.counts.work += 200 * (state.triangles.len() + state.corners.len()) as u64;
     state.counts.work += 120 * pairs.len() as u64 + 4 * looked;
     state.rooms.extend(pairs.iter().map(|pair| pair.room));

@@ -177,6 +177,7 @@ impl<S: Real> Cluster<S> {
         counters.contacts += counts.contacts;
         counters.truncations += counts.truncations;
         counters.guarded += counts.guarded;
+        counters.detections += counts.detections;
         counters.work += counts.work;
     }
 }
