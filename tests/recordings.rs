@@ -375,6 +375,25 @@ fn a_strain_that_was_not_kept_is_said_of_worlds_that_are_led_too() {
 }
 
 #[test]
+fn rigid_bonds_that_are_strained_in_the_live_step_are_told_of() {
+    let folder = tempfile::tempdir().unwrap();
+    let net = |speed: f64| {
+        format!(
+            r#"{{"wobble": 1, "gravity": [0, -9.81], "contact": true, "bounds": {{"min": [-3, 0], "max": [3, 4], "friction": 0.5}},
+            "bodies": [{{"make": "cloth", "columns": 10, "rows": 10, "spacing": 0.1, "diagonals": "none", "origin": [-0.8, 1.2],
+                "angle": 0.1, "velocity": [0, {speed:?}], "material": {{"kind": "rigid", "mass": 1}}}}]}}"#
+        )
+    };
+    for (speed, is_told) in [(-10.0, true), (10.0, false)] {
+        let scene = file(&folder, "net.json", net(speed));
+        let output =
+            run(&["simulate", text(&scene), "--samples", "0.15", "--out", text(&folder.path().join("out.json"))]);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(said.contains("rigid bonds that the live step moves have a strain of"), is_told, "{said}");
+    }
+}
+
+#[test]
 fn the_recording_of_the_docs_does_what_is_said_of_it() {
     let page = include_str!("../docs/commands.md");
     let text_of = page.split("```json\n").find(|text| text.starts_with("{ \"wobble_recording\"")).unwrap();

@@ -273,7 +273,7 @@ fn what_is_pinned_over_a_circle_is_put_out_at_once() {
 
 #[test]
 fn what_is_folded_over_a_circle_is_not_thrown_across_it() {
-    let rim = json!({"make": "rim", "radius": 0.47, "inner_radius": 0.3, "sectors": 18, "origin": [0.05, 1],
+    let rim = json!({"make": "rim", "radius": 0.47, "inner_radius": 0.3, "sectors": 18, "origin": [0.05, 1.3],
         "bracing": ["outer", "inner", "spoke", "rising"], "velocity": [0.29, -10.76], "spin": -2.25,
         "material": {"kind": "spring", "stiffness": 60, "mass": 8}});
     let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": [rim],
