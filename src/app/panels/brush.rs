@@ -4,7 +4,7 @@ use egui::{Area, DragValue, Id, Rect, RichText, Slider, Ui};
 
 use super::material::{WIDTH, gives_way, presets, sagging, short};
 use super::theme::{colors, floating};
-use super::{Facts, Wish, ranged};
+use super::{Facts, Wish, ranged, ticks};
 use crate::app::matter::{Painted, Switched};
 use crate::app::tools::{Brush, RADII};
 
@@ -97,7 +97,7 @@ fn switch(ui: &mut Ui, name: &str, is_on: &mut bool) -> Id {
     let layout = egui::Layout::left_to_right(egui::Align::Center);
     let switch = ui.allocate_ui_with_layout(size, layout, |ui| {
         ui.set_min_size(size);
-        ui.checkbox(is_on, name).id
+        ticks::check(ui, is_on, name).id
     });
     switch.inner
 }

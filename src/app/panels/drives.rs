@@ -1,9 +1,9 @@
 //! What the tools for muscles and motors make, beside the tools.
 
-use egui::{Area, Checkbox, ComboBox, Id, Rect, RichText, Slider, Ui};
+use egui::{Area, ComboBox, Id, Rect, RichText, Slider, Ui};
 
 use super::theme::{colors, floating};
-use super::{Facts, Wish, ranged};
+use super::{Facts, Wish, ranged, ticks};
 use crate::app::action::Tool;
 use crate::app::tools::Drives;
 use crate::scene::KeyName;
@@ -47,9 +47,9 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
     slider(ui, "stretch", &mut muscle.amplitude, -MOST[0]..=MOST[0], "");
     let follows = muscle.has_wave || muscle.key.is_none();
     ui.horizontal(|ui| {
-        ui.add(Checkbox::new(&mut muscle.has_wave, "wave"));
+        ticks::check(ui, &mut muscle.has_wave, "wave");
         if follows {
-            ui.add(Checkbox::new(&mut muscle.runs, "along the stroke")).on_hover_text(
+            ticks::check(ui, &mut muscle.runs, "along the stroke").on_hover_text(
                 "a worm whose underside is stroked crawls the way of the stroke; without, all muscles of a stroke move as one",
             );
         }
@@ -71,7 +71,7 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     ui.label(RichText::new("Hinge and motor").color(colors(ui).text).strong());
     ui.label(RichText::new("click the middle of a wheel, or any body").color(colors(ui).weak));
     let mut is_on = motor.is_on.unwrap_or(false);
-    if ui.add(Checkbox::new(&mut is_on, "motor")).changed() {
+    if ticks::check(ui, &mut is_on, "motor").changed() {
         motor.is_on = Some(is_on);
     }
     if motor.is_on.is_none() {

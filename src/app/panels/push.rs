@@ -4,7 +4,7 @@ use egui::{Area, Id, Rect, RichText, Slider, SliderClamping};
 
 use super::settings::Setting;
 use super::theme::{colors, floating};
-use super::{Facts, Wish, ranged};
+use super::{Facts, Wish, ranged, ticks};
 use crate::app::tools::PushWay;
 use crate::history::{Do, SetKeys, Weather};
 use crate::scene::{Vector, WindKeys};
@@ -60,7 +60,7 @@ pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: 
                     PushWay::Turn => "torque on the body (Alt)",
                     PushWay::Speed => "no force: its velocity",
                 };
-                ui.radio_value(&mut way, other, words);
+                ticks::one_of(ui, &mut way, other, words);
             }
             if way == PushWay::Wind {
                 turbulence(ui, facts, wishes);

@@ -7,7 +7,7 @@ use egui::{Button, Label, RichText, Role, TextEdit, WidgetInfo};
 use super::open_from::meant;
 use super::theme::colors;
 use super::typed::takes_words;
-use super::{PanelState, Wish, sheet};
+use super::{PanelState, Wish, sheet, ticks};
 
 /// What the sheet keeps.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,9 +26,9 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
     let stays = sheet::show(context, "save to", "Save", |ui| {
         ui.set_width(460.0);
         let is_all = &mut state.save_to.is_all;
-        ui.radio_value(is_all, false, MOMENT)
+        ticks::one_of(ui, is_all, false, MOMENT)
             .on_hover_text("opened, it goes on from here, without what was done before");
-        ui.radio_value(is_all, true, ALL).on_hover_text("a recording: opened, it is replayed from its start");
+        ticks::one_of(ui, is_all, true, ALL).on_hover_text("a recording: opened, it is replayed from its start");
         ui.add_space(4.0);
         let hint = "the path of the file that is to be written";
         let field = ui.add(TextEdit::singleline(&mut state.path).hint_text(hint).desired_width(f32::INFINITY));

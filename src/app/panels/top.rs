@@ -1,10 +1,12 @@
 //! What floats at the top: the scene with those before and after it, and what can be brought in or saved.
 
+use std::path::PathBuf;
+
 use egui::{Area, Id, Rect, RichText, Ui};
 
 use super::icons::{self, Icon};
 use super::theme::{colors, floating};
-use super::{Facts, Wish, described, icon};
+use super::{Facts, Wish, described, icon, reopen};
 use crate::app::action::{Action, Showing};
 
 /// In narrower rooms buttons stand closer to each other, so that most of them are in one row `[points]`.
@@ -17,7 +19,12 @@ const WORDS: f32 = 1500.0;
 const NAME: [f32; 2] = [150.0, 104.0];
 
 /// Returns where it lies `[points]`.
-pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) -> Rect {
+pub(super) fn show(
+    context: &egui::Context,
+    (room, recent): (Rect, &[PathBuf]),
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) -> Rect {
     let shown = Area::new(Id::unique("scene")).fixed_pos([10.0, 10.0]).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_max_width((room.width() - 36.0).max(40.0));
@@ -37,20 +44,17 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &
                 }
                 // A word beside its sign where there is room, and always where signs alone say little.
                 let has_words = room.width() >= WORDS;
-                let mut plain = |ui: &mut Ui, sign: Icon, word: &str, said: &str, action: Action| {
-                    worded(ui, (sign, word), (described(said, action), action), [has_words, false], wishes);
-                };
                 ui.separator();
-                plain(ui, Icon::New, "New", "new: an empty scene", Action::New);
-                plain(ui, Icon::Draw, "Draw", "draw a body", Action::Paint);
-                plain(ui, Icon::Open, "Open", "open a scene, a recording or a picture", Action::Open);
-                plain(ui, Icon::Save, "Save", "save this moment, or all that was done", Action::Save);
+                plain(ui, (Icon::New, "New"), ("new: an empty scene", Action::New), has_words, wishes);
+                plain(ui, (Icon::Draw, "Draw"), ("draw a body", Action::Paint), has_words, wishes);
+                reopen::button(ui, has_words, recent, wishes);
+                let said = "save this moment, or all that was done";
+                plain(ui, (Icon::Save, "Save"), (said, Action::Save), has_words, wishes);
                 ui.separator();
                 step(ui, (Icon::Undo, "undo", Action::Undo), facts.undoes.as_deref(), wishes);
                 step(ui, (Icon::Redo, "redo", Action::Redo), facts.redoes.as_deref(), wishes);
                 ui.separator();
-                let fit = described("fit all points", Action::Fit);
-                worded(ui, (Icon::Fit, "Fit"), (fit, Action::Fit), [has_words, false], wishes);
+                plain(ui, (Icon::Fit, "Fit"), ("fit all points", Action::Fit), has_words, wishes);
                 for showing in Showing::ALL {
                     let sign = match showing {
                         Showing::Bodies => Icon::Bodies,
@@ -91,6 +95,11 @@ fn step(ui: &mut Ui, (sign, name, action): (Icon, &str, Action), what: Option<&s
     if button.on_hover_text(&said).on_disabled_hover_text(&said).clicked() {
         wishes.push(Wish::Act(action));
     }
+}
+
+/// A button with a sign and, where there is room, its word, which says what it does and by which key.
+fn plain(ui: &mut Ui, name: (Icon, &str), (said, action): (&str, Action), has_word: bool, wishes: &mut Vec<Wish>) {
+    worded(ui, name, (described(said, action), action), [has_word, false], wishes);
 }
 
 /// A button with a sign, the word that it is called by, and what is said of it and done by it: the word stands beside the sign, or it is lit.
