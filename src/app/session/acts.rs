@@ -349,6 +349,7 @@ impl Session {
             self.dirty = true;
         }
         if !deed.is_empty() {
+            self.with_scope(|hand, scope| hand.forget_undone(scope));
             self.ask_if_full(points_of(&deed.commands), move |session| session.player.give(deed.commands, deed.edit));
         }
     }

@@ -136,7 +136,7 @@ impl Session {
         let Among { points, obstacles, .. } = came;
         self.with_scope(|hand, _| {
             hand.take(Tool::Select);
-            hand.select(Chosen { points, obstacles });
+            hand.select_copy(Chosen { points, obstacles });
         });
         match (said, why) {
             (Some(said), _) => self.panels.notes.warn(said.to_owned()),
