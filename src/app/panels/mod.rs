@@ -232,6 +232,8 @@ pub(super) struct PanelState {
     pub(super) hides_hud: bool,
     /// What is looked for in the gallery.
     pub(super) search: String,
+    /// What is looked for among the keys.
+    pub(super) keys_search: String,
     /// The scene that Enter opens in the gallery, by its place among those that are found.
     pub(super) chosen: usize,
     /// Sessions that were cut off, the newest first.

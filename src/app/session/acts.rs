@@ -288,6 +288,7 @@ impl Session {
     fn toggle_sheet(&mut self, sheet: Sheet) {
         self.panels.sheet = (self.panels.sheet != Some(sheet)).then_some(sheet);
         self.panels.is_fresh = true;
+        self.panels.keys_search.clear();
         if self.panels.sheet == Some(Sheet::Gallery) {
             // What is typed from now on is looked for, and what lay over the world is put away with it.
             self.panels.search.clear();
