@@ -3,7 +3,7 @@
 use egui::{Area, ComboBox, Id, Rect, RichText, Slider, Ui};
 
 use super::theme::{colors, floating};
-use super::{Facts, Wish, ranged, ticks};
+use super::{Facts, Wish, low, ranged, ticks};
 use crate::app::action::Tool;
 use crate::app::tools::Drives;
 use crate::scene::KeyName;
@@ -20,19 +20,21 @@ const LENGTHS: [f64; 2] = [0.2, 3.0];
 const QUICKEST: f64 = 0.2;
 
 /// Shows it at the right of the tools.
-pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: &Facts, wishes: &mut Vec<Wish>) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let mut drives = facts.drives;
     Area::new(Id::unique("drives")).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
-            ui.set_width(WIDTH);
-            // Low enough for what lies below it in the smallest window.
-            ui.spacing_mut().item_spacing.y = GAP;
-            ui.spacing_mut().slider_width = 100.0;
-            match facts.tool {
-                Tool::Muscle => of_muscle(ui, &mut drives),
-                _ => of_motor(ui, &mut drives),
-            }
+            low::within(ui, room, |ui| {
+                ui.set_width(WIDTH);
+                // Low enough for what lies below it in the smallest window.
+                ui.spacing_mut().item_spacing.y = GAP;
+                ui.spacing_mut().slider_width = 100.0;
+                match facts.tool {
+                    Tool::Muscle => of_muscle(ui, &mut drives),
+                    _ => of_motor(ui, &mut drives),
+                }
+            })
         });
     });
     if drives != facts.drives {

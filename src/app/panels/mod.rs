@@ -27,6 +27,7 @@ mod legend;
 mod lessons;
 #[cfg(test)]
 mod lessons_tests;
+mod low;
 mod material;
 #[cfg(test)]
 mod material_tests;
