@@ -51,7 +51,7 @@ impl Recent {
         }
         self.files.truncate(MOST);
         std::fs::create_dir_all(kept).map_err(|error| format!("{}: {error}", kept.display()))?;
-        let text = serde_json::to_string(&self).map_err(|error| error.to_string())?;
+        let text = serde_json::to_string(self).map_err(|error| error.to_string())?;
         output::replace(&kept.join(FILE), |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())
     }
 
@@ -105,7 +105,7 @@ mod tests {
         let kept = folder.path().join("not there yet");
         assert_eq!(Recent::load(&kept), Recent::default());
         let [a, b, c] = ["a.json", "b.png", "c.json"].map(|name| folder.path().join(name));
-        let (mut one, mut other) = (with(&[a.clone()]), with(&[b.clone()]));
+        let (mut one, mut other) = (with(std::slice::from_ref(&a)), with(std::slice::from_ref(&b)));
         one.save(&kept).unwrap();
         other.save(&kept).unwrap();
         one.note(&c);

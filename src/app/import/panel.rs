@@ -188,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_canvas_that_is_opened_again_is_at_its_top() {
-        for size in [[500.0, 400.0], [900.0, 420.0]] {
+        for size in [[500.0, 400.0], [900.0, 400.0]] {
             let import = Import::of_canvas(|| ()).unwrap();
             let shown = |ui: &mut egui::Ui, import: &mut Import| _ = import.show(ui.ctx(), true);
             let mut panel = Harness::builder().with_size(size).build_ui_state(shown, import);

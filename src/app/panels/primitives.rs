@@ -185,7 +185,7 @@ mod tests {
         let mut harness = Harness::builder().with_size(room.size()).build_ui(move |ui| {
             show(ui.ctx(), (tools, room), &facts, &mut Vec::new());
         });
-        harness.run();
+        harness.run_steps(6);
         for primitive in Primitive::ALL {
             harness.get_by_label(primitive.name()).hover();
             harness.run_steps(12);

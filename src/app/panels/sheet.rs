@@ -20,7 +20,7 @@ pub(in crate::app) fn show(context: &Context, id: &str, title: impl Into<String>
 
 /// What a sheet has beside what stands in it: margins, and room to the edges of the window; above and below it too, title and bar below
 /// `[points]`.
-const BESIDE: [f32; 2] = [44.0, 130.0];
+const BESIDE: [f32; 2] = [44.0, 150.0];
 
 /// So wide and so high what stands in a sheet may be, of what it would be `[points]`: as large as that or as the window lets it.
 pub(super) fn fitting(context: &Context, wanted: [f32; 2]) -> [f32; 2] {

@@ -16,14 +16,16 @@ pub(super) struct Selection {
     /// What is being taken away, and what was: it is selected again where it comes back.
     leaving: Chosen,
     away: Chosen,
+    /// The topology of the world in which that was looked for last.
+    looked: Option<u64>,
 }
 
 impl Selection {
     /// What is selected and there.
     pub(super) fn now(&self, scope: Scope<'_>) -> Chosen {
         let all = std::iter::once(&self.chosen).chain(self.before.iter().rev());
-        let there = all.filter(|chosen| !chosen.is_empty()).map(|chosen| chosen.left(scope));
-        there.into_iter().find(|chosen| !chosen.is_empty()).unwrap_or_default()
+        let mut there = all.filter(|chosen| !chosen.is_empty()).map(|chosen| chosen.left(scope));
+        there.find(|chosen| !chosen.is_empty()).unwrap_or_default()
     }
 
     /// The hand chooses this.
@@ -59,7 +61,8 @@ impl Selection {
         if !self.leaving.is_empty() && self.leaving.left(scope).is_empty() {
             self.away = self.away.joined(&std::mem::take(&mut self.leaving), false);
         }
-        if self.away.is_empty() {
+        let here = scope.shown.topology;
+        if self.away.is_empty() || self.looked.replace(here) == Some(here) {
             return;
         }
         let back = self.away.left(scope);
@@ -220,9 +223,10 @@ mod tests {
         room.copy();
         room.undo();
         room.hand.forget_undone(scope(&room.seen));
-        let keys: crate::scene::AddKeys =
-            serde_json::from_str(r#"{"points": {"position": [[3, 3], [3, 4], [4, 4]]}, "bonds": [{"a": 7, "b": 8}]}"#)
-                .unwrap();
+        let keys: crate::scene::AddKeys = serde_json::from_str(
+            r#"{"points": {"position": [[3, 3], [3, 4], [4, 4]]}, "bonds": [{"a": 7, "b": 8}, {"a": 8, "b": 9}]}"#,
+        )
+        .unwrap();
         room.obey(Order::Give(vec![Do::Add(Box::new(keys))], Some("build")));
         assert_eq!((room.seen.0.point_count(), room.selected()), (10, vec![0, 1, 2]));
     }
