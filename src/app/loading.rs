@@ -1,6 +1,6 @@
 //! A picture on its way in, read and meshed beside the window: how far it is, and a way to stop it.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
@@ -29,6 +29,8 @@ pub(super) enum Loaded {
 pub(super) struct Loading {
     /// What it is called.
     pub(super) name: String,
+    /// Its file.
+    pub(super) path: PathBuf,
     watch: Watch,
     start: Instant,
     answer: Receiver<Result<Loaded, SceneError>>,
@@ -60,15 +62,15 @@ impl Loading {
         load: impl FnOnce(&Path, &Watch) -> Result<Loaded, SceneError> + Send + 'static,
     ) -> Self {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let (watch, path) = (Watch::default().with_most_points(MOST_POINTS), path.to_owned());
+        let (watch, file) = (Watch::default().with_most_points(MOST_POINTS), path.to_owned());
         let (answers, answer) = channel();
         let seen = watch.clone();
         std::thread::spawn(move || {
             // One that was stopped wants no answer.
-            let _ = answers.send(load(&path, &seen));
+            let _ = answers.send(load(&file, &seen));
             wake();
         });
-        Loading { name, watch, start: Instant::now(), answer }
+        Loading { name, path: path.to_owned(), watch, start: Instant::now(), answer }
     }
 
     /// What came of it; `None` while it is under way, or where it came to nothing.
@@ -120,7 +122,7 @@ mod tests {
     use crate::scene::BodyKeys;
 
     /// A file with a picture of dots, so close that they make too many points, as they are or at any spacing.
-    fn dots(folder: &Path, side: u32, each: u32) -> std::path::PathBuf {
+    fn dots(folder: &Path, side: u32, each: u32) -> PathBuf {
         let mut picture = Picture::filled(side, side, [255, 255, 255, 0]);
         for (i, pixel) in (0..).zip(picture.rgba.chunks_exact_mut(4)) {
             let [x, y] = [i % side, i / side].map(|at| f64::from(at % each) - 0.5 * f64::from(each));

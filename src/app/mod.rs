@@ -24,6 +24,7 @@ pub mod player;
 mod plots;
 pub mod pointer;
 mod preferences;
+mod recent;
 pub mod rehearsal;
 mod resting;
 mod saving;

@@ -26,10 +26,10 @@ pub(super) struct Saving {
 }
 
 impl Saving {
-    /// Opens the dialog over `window` for a recording of a scene.
-    pub(super) fn new(window: &Window, scene: &str, wake: impl Fn() + Send + 'static) -> Self {
+    /// Opens the dialog over `window` in a folder, for a recording of a scene.
+    pub(super) fn new(window: &Window, (begins, scene): (&Path, &str), wake: impl Fn() + Send + 'static) -> Self {
         let name = format!("{}.json", plain(scene));
-        let dialog = AsyncFileDialog::new().set_title("Save").set_parent(window);
+        let dialog = AsyncFileDialog::new().set_title("Save").set_parent(window).set_directory(begins);
         let chosen = dialog.set_file_name(name).add_filter("Scenes and recordings", &["json", "jsonl"]).save_file();
         let (sender, receiver) = channel();
         let start = Instant::now();
@@ -56,16 +56,16 @@ impl Saving {
     }
 }
 
-/// Where files go that nobody named a place for: beside the `last` one, else to the user's documents, else home, else to where the program was
-/// started.
-pub(super) fn folder(last: Option<&Path>) -> PathBuf {
-    let beside = last.and_then(Path::parent).map(Path::to_owned);
+/// Where files go that nobody named a place for: to the folder that was used last, else to the user's documents, else home, else to where the
+/// program was started.
+pub(super) fn folder(used: Option<&Path>) -> PathBuf {
+    let used = used.map(Path::to_owned);
     let home = etcetera::home_dir().ok();
     let documents = home.as_deref().map(|home| {
         let named = std::env::var_os("XDG_CONFIG_HOME").map_or_else(|| home.join(".config"), PathBuf::from);
         documents(home, std::fs::read_to_string(named.join("user-dirs.dirs")).ok().as_deref())
     });
-    let all = [beside, documents, home, std::env::current_dir().ok()];
+    let all = [used, documents, home, std::env::current_dir().ok()];
     all.into_iter().flatten().find(|folder| folder.is_dir()).unwrap_or_default()
 }
 
@@ -99,11 +99,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn files_go_beside_the_last_one_or_to_the_documents_that_the_desktop_names() {
+    fn files_go_to_the_folder_that_was_used_last_or_to_the_documents_that_the_desktop_names() {
         let folder = tempfile::tempdir().unwrap();
-        let last = folder.path().join("mine.json");
-        assert_eq!(super::folder(Some(&last)), folder.path());
-        let elsewhere = super::folder(Some(&folder.path().join("gone/mine.json")));
+        assert_eq!(super::folder(Some(folder.path())), folder.path());
+        let elsewhere = super::folder(Some(&folder.path().join("gone")));
         assert!(elsewhere.is_absolute() && elsewhere.is_dir(), "{elsewhere:?}");
         let home = Path::new("/home/ada");
         for (list, is) in [

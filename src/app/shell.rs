@@ -94,7 +94,7 @@ const PATIENCE: f64 = 0.9;
 /// Size of a window where there is room `[logical px]`, its share of the screen where there is not, and the least that it can have.
 const SIZE: [f64; 2] = [1180.0, 800.0];
 const SHARE: [f64; 2] = [0.92, 0.84];
-const LEAST: [f64; 2] = [400.0, 300.0];
+const LEAST: [f64; 2] = [480.0, 360.0];
 /// A scene that is made sooner than this needs no window to wait in.
 const QUICK: Duration = Duration::from_millis(300);
 /// How often it is looked whether a hidden window can be seen again: not all systems tell.

@@ -41,6 +41,8 @@ pub(super) struct Wish {
     pub(super) by: [f64; 3],
     /// It may be there though a part of it is out of view.
     pub(super) is_meant: bool,
+    /// It is beside what it is of, at whichever side has room.
+    pub(super) is_beside: bool,
     /// How the world is looked at.
     pub(super) camera: Camera,
     /// What panels leave free of the picture: left and upper, right and lower end `[px]`.

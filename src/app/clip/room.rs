@@ -37,7 +37,8 @@ pub(super) fn place(clip: &Clip, history: &History, wish: &Wish) -> Result<Place
 }
 
 fn in_plane(clip: &Clip, world: &dyn Dynamics, wish: &Wish) -> Result<Place, String> {
-    let wanted = Wanted { by: DVec3::from(wish.by).truncate(), is_meant: wish.is_meant, seen: wish.seen() };
+    let Wish { is_meant, is_beside, .. } = *wish;
+    let wanted = Wanted { by: DVec3::from(wish.by).truncate(), is_meant, is_beside, seen: wish.seen() };
     let Some(shape) = clip.keys.shape(0) else { return Ok(Place { by: wish.by, lies_in: None }) };
     let places: Vec<DVec2> = shape.places.iter().copied().map(DVec2::from).collect();
     let own = Drawing::bodies(&places, shape.bonds.into_iter(), shape.triangles.into_iter())

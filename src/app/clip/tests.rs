@@ -16,7 +16,7 @@ fn stage(text: &str) -> Stage {
 /// 12 m wide and 8 m high, all of it free of panels.
 fn wish(by: [f64; 3], is_meant: bool) -> Wish {
     let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 8.0 }, [1200, 800]);
-    Wish { name: "duplicate", by, is_meant, camera, free: [[0.0; 2], [1200.0, 800.0]] }
+    Wish { name: "duplicate", by, is_meant, is_beside: !is_meant, camera, free: [[0.0; 2], [1200.0, 800.0]] }
 }
 
 /// A copy of points and obstacles comes. Returns what it is, and what is said of it.

@@ -17,17 +17,20 @@ pub(in crate::app) const ENDINGS: [&str; 17] = [
 /// Nobody closes a dialog sooner `[s]`: one that ends within this time was never shown.
 pub(in crate::app) const LEAST_SHOWN: Duration = Duration::from_millis(1000);
 
-/// Opens the dialog over `window`, in the folder of a file and with that file, where it is still there. One that is closed without a choice finds nothing.
+/// Opens the dialog over `window`, in a folder and with the newest file, where that lies in it. One that is closed without a choice finds nothing.
 ///
 /// Errors: no program that could show it.
-pub(in crate::app) fn open(window: &Window, last: Option<&Path>, wake: impl Fn() + Send + 'static) -> Fetch {
+pub(in crate::app) fn open(
+    window: &Window,
+    (begins, newest): (&Path, Option<&Path>),
+    wake: impl Fn() + Send + 'static,
+) -> Fetch {
     let upper = ENDINGS.map(str::to_uppercase);
     let endings: Vec<&str> = ENDINGS.into_iter().chain(upper.iter().map(String::as_str)).collect();
     let mut dialog = AsyncFileDialog::new().set_title("Open a scene, a recording or a picture").set_parent(window);
-    if let Some((folder, name)) = last.and_then(|last| Some((last.parent()?, last.file_name()?)))
-        && folder.is_dir()
-    {
-        dialog = dialog.set_directory(folder).set_file_name(name.to_string_lossy());
+    dialog = dialog.set_directory(begins);
+    if let Some(name) = newest.filter(|newest| newest.parent() == Some(begins)).and_then(Path::file_name) {
+        dialog = dialog.set_file_name(name.to_string_lossy());
     }
     let chosen = dialog.add_filter("Scenes and pictures", &endings).add_filter("All files", &["*"]).pick_file();
     let start = Instant::now();

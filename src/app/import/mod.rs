@@ -64,6 +64,8 @@ pub(super) struct Import {
     forecast: Option<Result<Forecast, String>>,
     /// What is shown of a picture that is not painted.
     texture: Option<egui::TextureHandle>,
+    /// It has just been opened: the panel is at its top.
+    is_fresh: bool,
 }
 
 impl Import {
@@ -129,14 +131,15 @@ impl Import {
         if let Some(painting) = &mut self.painting {
             painting.lift();
         }
-        self.body = None;
+        (self.body, self.is_fresh) = (None, true);
     }
 
     fn new(name: String, picture: Arc<Picture>, wake: impl Fn() + Send + 'static, wish: Wish) -> Self {
         let mut worker = Worker::new(name.clone(), wake);
         worker.ask(&picture, wish);
         let ground = picture::ground(&picture);
-        Import { name, picture, ground, painting: None, wish, body: None, worker, forecast: None, texture: None }
+        let (forecast, texture, is_fresh) = (None, None, true);
+        Import { name, picture, ground, painting: None, wish, body: None, worker, forecast, texture, is_fresh }
     }
 
     /// Takes what the worker has made. Returns whether there is something new to show.

@@ -41,16 +41,19 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
         let below = if can_add { 0.0 } else { LINE };
         let tall = (room.y - BESIDE - below).max(LEAST_TALL);
         let broad = room.x - MARGINS;
+        // Where another one was scrolled to says nothing of this one.
+        let is_fresh = std::mem::take(&mut import.is_fresh);
+        let from_top = |area: egui::ScrollArea| if is_fresh { area.scroll_offset(egui::Vec2::ZERO) } else { area };
         if room.x >= WIDE && tall >= preview::LEAST + TOOLS {
             // The picture stays, whatever is looked for beside it.
             ui.horizontal_top(|ui| {
                 ui.vertical(|ui| picture(ui, import, preview::LARGEST.min(tall - TOOLS)));
                 let beside = egui::ScrollArea::vertical().max_height(tall).min_scrolled_height(tall);
-                beside.show(ui, |ui| ui.vertical(|ui| sliders(ui, import)));
+                from_top(beside).show(ui, |ui| ui.vertical(|ui| sliders(ui, import)));
             });
         } else {
             let all = egui::ScrollArea::both().max_height(tall).max_width(broad);
-            all.min_scrolled_height(tall).min_scrolled_width(broad).show(ui, |ui| {
+            from_top(all.min_scrolled_height(tall).min_scrolled_width(broad)).show(ui, |ui| {
                 ui.set_max_width(broad);
                 picture(ui, import, preview::LARGEST.min(broad));
                 sliders(ui, import);
@@ -170,4 +173,35 @@ fn buttons(ui: &mut egui::Ui, import: &Import, can_add: bool) -> Option<Answer> 
         ui.weak("Bodies of pictures lie in the plane: beside a scene in space it opens by itself.");
     }
     answer
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use egui_kittest::Harness;
+    use egui_kittest::kittest::Queryable as _;
+
+    use super::*;
+
+    /// The last of what is scrolled.
+    const LAST: &str = "parts as bodies of their own";
+
+    #[test]
+    fn a_canvas_that_is_opened_again_is_at_its_top() {
+        for size in [[500.0, 400.0], [900.0, 400.0]] {
+            let import = Import::of_canvas(|| ()).unwrap();
+            let shown = |ui: &mut egui::Ui, import: &mut Import| _ = import.show(ui.ctx(), true);
+            let mut panel = Harness::builder().with_size(size).build_ui_state(shown, import);
+            panel.run_steps(6);
+            let at = |panel: &Harness<'_, Import>| panel.get_by_label(LAST).rect().top();
+            let top = at(&panel);
+            assert!(top > size[1], "all of it has no room: {top}");
+            panel.get_by_label(LAST).scroll_to_me();
+            panel.run_steps(30);
+            assert!(at(&panel) < size[1], "scrolled to: {}", at(&panel));
+            panel.state_mut().put_away();
+            panel.run_steps(30);
+            assert!((at(&panel) - top).abs() < 1.0, "{size:?}: {} in place of {top}", at(&panel));
+        }
+    }
 }

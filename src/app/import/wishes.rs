@@ -6,8 +6,8 @@ use egui::Slider;
 
 use super::Wish;
 use crate::app::lengths::length;
-use crate::app::panels::ranged;
 use crate::app::panels::theme::as_high_as_buttons;
+use crate::app::panels::{ranged, ticks};
 use crate::picture::{Ground, Picture, Settings, Size, Strokes, Threshold};
 use crate::scene::{Matter, PatternName};
 
@@ -100,15 +100,15 @@ fn size(ui: &mut egui::Ui, settings: &mut Settings) {
 fn cut(ui: &mut egui::Ui, settings: &mut Settings) {
     let is_whole = settings.threshold == Threshold::Whole;
     let mut is_automatic = is_whole || settings.threshold == Threshold::Otsu;
-    ui.checkbox(&mut is_automatic, "threshold where the picture splits best");
+    ticks::check(ui, &mut is_automatic, "threshold where the picture splits best");
     let mut threshold = if let Threshold::At(at) = settings.threshold { at } else { 0.5 };
     let of_threshold = |ui: &mut egui::Ui| slider(ui, (&mut threshold, 0.01..=0.99), ("threshold", ""), false);
     ui.add_enabled_ui(!is_automatic, of_threshold);
     if !is_whole {
         settings.threshold = if is_automatic { Threshold::Otsu } else { Threshold::At(threshold) };
     }
-    ui.checkbox(&mut settings.invert, "invert: what is light or clear is the body");
-    ui.checkbox(&mut settings.fill_holes, "fill holes");
+    ticks::check(ui, &mut settings.invert, "invert: what is light or clear is the body");
+    ticks::check(ui, &mut settings.fill_holes, "fill holes");
     slider(ui, (&mut settings.min_area, 0.0..=10_000.0), ("least area", " px²"), true);
     let blur = Slider::new(&mut settings.blur, 0..=8).suffix(" px").text("blur, for grainy pictures");
     ranged::slider(ui, blur, 0.0..=8.0, " px");
@@ -166,7 +166,7 @@ fn body(ui: &mut egui::Ui, wish: &mut Wish) {
         slider(ui, (&mut wish.young, 100.0..=100_000.0), ("stiffness", " N/m"), true);
     });
     slider(ui, (&mut wish.height, 0.2..=10.0), ("height", " m"), true);
-    ui.add_enabled(moves, egui::Checkbox::new(&mut wish.apart, "parts as bodies of their own"));
+    ticks::check_if(ui, moves, &mut wish.apart, "parts as bodies of their own");
 }
 
 #[cfg(test)]

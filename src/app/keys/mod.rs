@@ -1,10 +1,12 @@
 //! Keys and what they do: one table, which the program shows (F1), docs/window.md prints and the tests compare.
 
+mod groups;
 mod table;
 
 use winit::keyboard::{Key, ModifiersState, NamedKey, PhysicalKey};
 
 use super::action::Action;
+pub use groups::{Group, Row, found};
 pub use table::{TABLE, by_mouse};
 
 /// A key as it is pressed.

@@ -6,7 +6,7 @@ use egui::{Area, Color32, Id, LayerId, Order, Popup, Rect, RichText, Sense, Ui, 
 
 use super::icons::{self, Icon};
 use super::theme::{colors, floating};
-use super::{Facts, Wish, legend};
+use super::{Facts, Wish, legend, ticks};
 use crate::render::Color;
 use crate::scene::{BesideKeys, MOST_BESIDE, SolverName};
 
@@ -230,7 +230,7 @@ pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
         }
         if !facts.neighbors.is_empty() {
             let mut tints = facts.tints_distance;
-            if ui.checkbox(&mut tints, "colour by the distance").changed() {
+            if ticks::check(ui, &mut tints, "colour by the distance").changed() {
                 wishes.push(Wish::TintDistance(tints));
             }
             ui.separator();

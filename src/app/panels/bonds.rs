@@ -3,8 +3,8 @@
 use egui::{DragValue, RichText, Ui};
 
 use super::material::{Sink, row};
-use super::ranged;
 use super::theme::colors;
+use super::{ranged, ticks};
 use crate::app::matter::{Matter, MatterChange, NEVER};
 use crate::sim::Limit;
 
@@ -63,7 +63,7 @@ pub(super) fn breaks(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     let Some(span) = matter.breaks else { return };
     let mut tears = span.least < NEVER;
     row(ui, "", |ui, _| {
-        let by = ui.checkbox(&mut tears, "tears");
+        let by = ticks::check(ui, &mut tears, "tears");
         if by.changed() {
             sink.set(&by, MatterChange::Breaks(if tears { BREAKS } else { NEVER }));
         }

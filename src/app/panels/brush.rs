@@ -4,7 +4,7 @@ use egui::{Area, DragValue, Id, Rect, RichText, Slider, Ui};
 
 use super::material::{WIDTH, gives_way, presets, sagging, short};
 use super::theme::{colors, floating};
-use super::{Facts, Wish, ranged};
+use super::{Facts, Wish, low, ranged, ticks};
 use crate::app::matter::{Painted, Switched};
 use crate::app::tools::{Brush, RADII};
 
@@ -14,15 +14,17 @@ const LEAST: f64 = 0.1;
 /// Width of the check boxes with their names `[points]`.
 const NAMES: f32 = 98.0;
 
-pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: &Facts, wishes: &mut Vec<Wish>) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let mut brush = facts.brush;
     Area::new(Id::unique("brush")).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
-            ui.set_width(WIDTH);
-            ui.spacing_mut().slider_width = 120.0;
-            ui.label(RichText::new("Material brush").color(colors(ui).text).strong());
-            all(ui, &mut brush, facts, wishes);
+            low::within(ui, room, |ui| {
+                ui.set_width(WIDTH);
+                ui.spacing_mut().slider_width = 120.0;
+                ui.label(RichText::new("Material brush").color(colors(ui).text).strong());
+                all(ui, &mut brush, facts, wishes);
+            })
         });
     });
     if brush != facts.brush {
@@ -97,7 +99,7 @@ fn switch(ui: &mut Ui, name: &str, is_on: &mut bool) -> Id {
     let layout = egui::Layout::left_to_right(egui::Align::Center);
     let switch = ui.allocate_ui_with_layout(size, layout, |ui| {
         ui.set_min_size(size);
-        ui.checkbox(is_on, name).id
+        ticks::check(ui, is_on, name).id
     });
     switch.inner
 }
@@ -123,7 +125,8 @@ mod tests {
             let mut wishes = Vec::new();
             let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
             let tools = Rect::from_min_size(Pos2::new(10.0, 80.0), vec2(50.0, 400.0));
-            let mut output = self.context.run_ui(input, |ui| show(ui.ctx(), tools, &self.facts, &mut wishes));
+            let places = (tools, Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0)));
+            let mut output = self.context.run_ui(input, |ui| show(ui.ctx(), places, &self.facts, &mut wishes));
             output.textures_delta.clear();
             if let Some(Wish::Brush(brush)) = wishes.pop() {
                 self.facts.brush = brush;

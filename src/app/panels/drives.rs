@@ -1,9 +1,9 @@
 //! What the tools for muscles and motors make, beside the tools.
 
-use egui::{Area, Checkbox, ComboBox, Id, Rect, RichText, Slider, Ui};
+use egui::{Area, ComboBox, Id, Rect, RichText, Slider, Ui};
 
 use super::theme::{colors, floating};
-use super::{Facts, Wish, ranged};
+use super::{Facts, Wish, low, ranged, ticks};
 use crate::app::action::Tool;
 use crate::app::tools::Drives;
 use crate::scene::KeyName;
@@ -20,19 +20,21 @@ const LENGTHS: [f64; 2] = [0.2, 3.0];
 const QUICKEST: f64 = 0.2;
 
 /// Shows it at the right of the tools.
-pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: &Facts, wishes: &mut Vec<Wish>) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let mut drives = facts.drives;
     Area::new(Id::unique("drives")).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
-            ui.set_width(WIDTH);
-            // Low enough for what lies below it in the smallest window.
-            ui.spacing_mut().item_spacing.y = GAP;
-            ui.spacing_mut().slider_width = 100.0;
-            match facts.tool {
-                Tool::Muscle => of_muscle(ui, &mut drives),
-                _ => of_motor(ui, &mut drives),
-            }
+            low::within(ui, room, |ui| {
+                ui.set_width(WIDTH);
+                // Low enough for what lies below it in the smallest window.
+                ui.spacing_mut().item_spacing.y = GAP;
+                ui.spacing_mut().slider_width = 100.0;
+                match facts.tool {
+                    Tool::Muscle => of_muscle(ui, &mut drives),
+                    _ => of_motor(ui, &mut drives),
+                }
+            })
         });
     });
     if drives != facts.drives {
@@ -47,9 +49,9 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
     slider(ui, "stretch", &mut muscle.amplitude, -MOST[0]..=MOST[0], "");
     let follows = muscle.has_wave || muscle.key.is_none();
     ui.horizontal(|ui| {
-        ui.add(Checkbox::new(&mut muscle.has_wave, "wave"));
+        ticks::check(ui, &mut muscle.has_wave, "wave");
         if follows {
-            ui.add(Checkbox::new(&mut muscle.runs, "along the stroke")).on_hover_text(
+            ticks::check(ui, &mut muscle.runs, "along the stroke").on_hover_text(
                 "a worm whose underside is stroked crawls the way of the stroke; without, all muscles of a stroke move as one",
             );
         }
@@ -71,7 +73,7 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     ui.label(RichText::new("Hinge and motor").color(colors(ui).text).strong());
     ui.label(RichText::new("click the middle of a wheel, or any body").color(colors(ui).weak));
     let mut is_on = motor.is_on.unwrap_or(false);
-    if ui.add(Checkbox::new(&mut is_on, "motor")).changed() {
+    if ticks::check(ui, &mut is_on, "motor").changed() {
         motor.is_on = Some(is_on);
     }
     if motor.is_on.is_none() {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use egui::{Pos2, Rect, pos2};
 
-use super::{At, Facts, Laid, Neighbor, PanelState, Sheet, places, show, theme};
+use super::{At, Cover, Facts, Laid, Neighbor, PanelState, Sheet, places, show, theme};
 use crate::app::action::Tool;
 use crate::app::matter::Matter;
 use crate::app::plots::Plots;
@@ -14,8 +14,8 @@ use crate::render::Overlay;
 /// The last is that of 3840x2160 pixels where a point has two.
 const SIZES: [[f32; 2]; 5] = [[1280.0, 720.0], [820.0, 600.0], [1024.0, 600.0], [720.0, 1280.0], [1920.0, 1080.0]];
 
-/// What floats, and what is left for bodies, after sizes were found and panels faded in.
-fn laid(size: [f32; 2], state: &mut PanelState, facts: &Facts) -> (Vec<Rect>, Laid) {
+/// Panels after sizes were found and they faded in, and what they leave.
+fn shown(size: [f32; 2], state: &mut PanelState, facts: &Facts) -> (egui::Context, Laid) {
     let context = egui::Context::default();
     theme::apply(&context, Default::default());
     let input =
@@ -25,6 +25,12 @@ fn laid(size: [f32; 2], state: &mut PanelState, facts: &Facts) -> (Vec<Rect>, La
         let mut output = context.run_ui(input.clone(), |ui| left = show(ui, state, facts).1);
         output.textures_delta.clear();
     }
+    (context, left)
+}
+
+/// What floats, and what is left for bodies.
+fn laid(size: [f32; 2], state: &mut PanelState, facts: &Facts) -> (Vec<Rect>, Laid) {
+    let (context, left) = shown(size, state, facts);
     let all = places::covered(&context, 1.0);
     (all.into_iter().map(|[a, b, c, d]| Rect::from_min_max(pos2(a, b), pos2(c, d)).shrink(1.0)).collect(), left)
 }
@@ -158,7 +164,7 @@ fn what_is_said_lies_over_no_title_of_worlds_side_by_side() {
             state.notes.warn("a body lay inside an obstacle: it is led out of it slowly".to_owned());
         }
         if refused {
-            state.notes.refuse("there is no room for it in view".to_owned());
+            state.notes.refuse("there is no room for it in view".to_owned(), Cover::default());
         }
         let facts = Facts { neighbors: [66.0, 394.0, 787.0].map(world).to_vec(), ..facts(Tool::Hand) };
         let (all, _) = laid(SIZES[0], &mut state, &facts);
@@ -207,5 +213,19 @@ fn a_sheet_and_a_canvas_have_the_window_for_themselves() {
     assert_eq!(count(&mut open(), true), 0, "the canvas alone, which is none of the panels");
     for sheet in [Sheet::Help, Sheet::Gallery, Sheet::SaveTo] {
         assert_eq!(count(&mut PanelState { sheet: Some(sheet), ..open() }, true), 1, "{sheet:?}");
+    }
+}
+
+#[test]
+fn plots_that_float_take_nothing_from_the_view_and_those_at_an_edge_do() {
+    for (size, lie_at_edge) in [(SIZES[0], false), (SIZES[4], false), (SIZES[3], true)] {
+        let facts = Facts { matter: Some(matter()), ..facts(Tool::Select) };
+        let taken = |has_plots: bool| {
+            let plots = has_plots.then(|| Plots::new(1.0));
+            let (context, left) = shown(size, &mut PanelState { plots, ..PanelState::default() }, &facts);
+            (places::read(&context, 1.0).len(), left.has_plots_at_edge)
+        };
+        let (before, _) = taken(false);
+        assert_eq!(taken(true), (before + usize::from(lie_at_edge), lie_at_edge), "{size:?}");
     }
 }

@@ -9,7 +9,7 @@ use egui::{
 use super::bonds::{breaks, kinds, limits};
 use super::settings::Setting;
 use super::theme::{as_high_as_buttons, colors, floating};
-use super::{Facts, PanelState, Wish, described, ranged, ways};
+use super::{Facts, PanelState, Wish, described, ranged, ticks, ways};
 use crate::app::action::Action;
 use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, Overload, Preset, Span};
@@ -437,7 +437,7 @@ fn penalty(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     row(ui, "", |ui, _| {
         let mut is_soft = now.is_some();
         let words = "what gets into it is pushed out, the harder the deeper it is, in place of contact";
-        let by = ui.checkbox(&mut is_soft, "soft ground").on_hover_text(words);
+        let by = ticks::check(ui, &mut is_soft, "soft ground").on_hover_text(words);
         if by.changed() {
             sink.set(&by, MatterChange::Penalty(is_soft.then_some(PUSHES)));
         }
@@ -453,7 +453,7 @@ fn visible(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     row(ui, "", |ui, _| {
         let mut is_shown = matter.hidden == 0;
         let words = "what is hidden moves as before; the tool that selects shows its outline";
-        let by = ui.checkbox(&mut is_shown, "visible").on_hover_text(words);
+        let by = ticks::check(ui, &mut is_shown, "visible").on_hover_text(words);
         if by.changed() {
             sink.set(&by, MatterChange::Visible(is_shown));
         }

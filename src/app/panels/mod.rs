@@ -10,6 +10,7 @@ mod brush;
 mod color;
 #[cfg(test)]
 mod column_tests;
+mod complaint;
 #[cfg(test)]
 mod cut_tests;
 mod dial;
@@ -26,6 +27,7 @@ mod legend;
 mod lessons;
 #[cfg(test)]
 mod lessons_tests;
+mod low;
 mod material;
 #[cfg(test)]
 mod material_tests;
@@ -45,12 +47,14 @@ mod presses;
 mod primitives;
 mod push;
 pub(super) mod ranged;
+mod reopen;
 mod save_to;
 mod settings;
 #[cfg(test)]
 mod settings_tests;
 mod sheet;
 pub(super) mod theme;
+pub(super) mod ticks;
 mod top;
 mod transport;
 mod typed;
@@ -73,6 +77,7 @@ use crate::scene::{BesideKeys, PrecisionName, SolverName};
 use crate::sim::Key;
 pub(super) use asking::{Question, show as ask};
 pub(super) use beside::{Misfits, Neighbor, solvers};
+pub(super) use complaint::Cover;
 pub(super) use finding::names as found_scenes;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
@@ -174,6 +179,8 @@ pub(super) enum Wish {
     PutOffLeftover,
     /// A file is opened by its name.
     OpenFile(String),
+    /// One of those that were opened or saved last.
+    OpenRecent(PathBuf),
 }
 
 /// What lies over the world.
@@ -226,12 +233,16 @@ pub(super) struct PanelState {
     pub(super) hides_hud: bool,
     /// What is looked for in the gallery.
     pub(super) search: String,
+    /// What is looked for among the keys.
+    pub(super) keys_search: String,
     /// The scene that Enter opens in the gallery, by its place among those that are found.
     pub(super) chosen: usize,
     /// Sessions that were cut off, the newest first.
     pub(super) leftovers: Vec<String>,
     /// The name of a file that is to be written or opened.
     pub(super) path: String,
+    /// Files that were opened or saved, the newest first.
+    pub(super) recent: Vec<PathBuf>,
     /// What is said of the name of a file that is to be opened.
     pub(super) open_from: OpenFrom,
     /// What is said of the name of a file that is to be written.
@@ -348,7 +359,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let mut places = Places::new(room, is_covered);
     places.has_numbers = facts.look.has_grid && facts.dimensions == 2;
     if has_panels {
-        places.bar = Some(top::show(&context, room, facts, &mut wishes));
+        places.bar = Some(top::show(&context, (room, &state.recent), facts, &mut wishes));
     }
     // What lies at the right edge, from there on: the settings, then the lessons. Where there is no room for both, lessons wait.
     let stands_upright = places.is_upright();
@@ -418,6 +429,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         column_low = rooms.half.filter(|_| column.is_some());
     }
     held::show(&context, places.low(), facts);
+    state.notes.lie_under(Cover::of(state.sheet, facts.waits && !facts.asks));
     state.notes.show(&context, &places, facts, &mut wishes);
     let mut titles_end = 0.0;
     if !state.hides_hud && !is_covered {
@@ -444,7 +456,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     });
     let is_shared = !facts.neighbors.is_empty() && has_panels;
     let size = places.size(all_edge, is_shared, strip);
-    (wishes, Laid { size, corner: places.corner(&context), column, column_low, titles: beside::row(facts), free })
+    let has_plots_at_edge = has_plots && (stands_upright || are_stacked || are_docked);
+    let (corner, titles) = (places.corner(&context), beside::row(facts));
+    (wishes, Laid { size, corner, column, column_low, has_plots_at_edge, titles, free })
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.

@@ -3,7 +3,10 @@
 
 use std::time::Duration;
 
-use egui::{Button, Color32, Context, Id, Label, Popup, PopupCloseBehavior, Rect, RectAlign, RichText, Sense, Ui};
+use egui::{
+    Align, Button, Color32, Context, Id, Label, Layout, Popup, PopupCloseBehavior, Rect, RectAlign, RichText, Sense,
+    Ui, vec2,
+};
 
 use super::theme::colors;
 use super::{Facts, Wish, short};
@@ -50,21 +53,36 @@ impl Tone {
 
 /// From this width on the bar has room for words that say what others are about `[points]`.
 pub(super) const ROOMY: f32 = 420.0;
+/// Width of the short line, whatever it says: with those words and without, where there is room for either, and its share of the room where
+/// there is not `[points]`.
+const SHORT: [f32; 2] = [224.0, 150.0];
+const SHARE: f32 = 0.4;
 
 /// A button: its words, what it does, and what is asked for.
 type Offer = (&'static str, &'static str, Wish);
 
 /// Shows the short line in the bar below: resting on it reads the others, a click opens them above it until something else is pressed, Esc is, or
-/// they were there for long enough to be read.
+/// they were there for long enough to be read. It takes the same room where there is nothing to say: what stands beside it stays where it is.
 pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
-    let lines = lines(&facts.figures);
-    if lines.is_empty() {
-        return;
-    }
-    let (words, tone) = in_short(&facts.figures, lines.len());
+    let room = ui.available_width();
+    let is_roomy = room >= ROOMY;
+    let width = SHORT[usize::from(!is_roomy)].min(SHARE * room);
+    let size = vec2(width, ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
+        ui.set_min_width(width);
+        let lines = lines(&facts.figures);
+        if !lines.is_empty() {
+            in_bar(ui, &facts.figures, (lines, is_roomy), wishes);
+        }
+    });
+}
+
+/// The same, in a room of its own.
+fn in_bar(ui: &mut Ui, figures: &Figures, (lines, is_roomy): (Vec<Line>, bool), wishes: &mut Vec<Wish>) {
+    let (words, tone) = in_short(figures, lines.len());
     // What it is about, where the line of time has room beside that.
-    let words = if ui.available_width() < ROOMY { words } else { format!("physics: {words}") };
-    let button = ui.add(Button::new(RichText::new(words).color(tone.color(ui))));
+    let words = if is_roomy { format!("physics: {words}") } else { words };
+    let button = ui.add(Button::new(RichText::new(words).color(tone.color(ui))).truncate());
     let button = button.on_hover_ui(|ui| {
         ui.set_max_width(WIDTH);
         for Line { words, tone, .. } in &lines {

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use egui::{Align2, Area, Button, Id, Label, Rect, RichText};
 
 use super::beside::titles_end;
+use super::complaint::{Complaint, Cover};
 use super::hud::STRETCHED;
 use super::places::{APART, Places, kept_in};
 use super::theme::{colors, floating};
@@ -26,9 +27,9 @@ const OF_REACH: &str = "further apart than the bonds between them reach";
 #[derive(Debug, Default)]
 pub(in crate::app) struct Notes {
     /// What went wrong, or should be known: until it is closed.
-    complaint: Option<String>,
-    /// When that was said, where it is of something that was refused and goes by itself.
-    refused: Option<Instant>,
+    complaint: Option<Complaint>,
+    /// What lies over the world.
+    over: Cover,
     /// A session that was cut off, which can be gone on with.
     pub(in crate::app) offer: Option<String>,
     /// What was just done, and when.
@@ -64,25 +65,40 @@ const HINT: &str = "press and drag: grab it, throw it";
 const HINT_SIZE: egui::Vec2 = egui::vec2(220.0, 28.0);
 
 impl Notes {
-    /// Says what went wrong, or should be known, until it is closed.
-    pub(in crate::app) fn complain(&mut self, line: String) {
-        (self.complaint, self.refused) = (Some(line), None);
+    /// Says what went wrong while this lay over the world: until it is closed, or something else lies there.
+    pub(in crate::app) fn complain(&mut self, line: String, over: Cover) {
+        self.complaint = Some(Complaint::of_deed(line, over, None));
     }
 
     /// Says why something was not done: until something else is tried, or for a while.
-    pub(in crate::app) fn refuse(&mut self, line: String) {
-        (self.complaint, self.refused) = (Some(line), Some(Instant::now()));
+    pub(in crate::app) fn refuse(&mut self, line: String, over: Cover) {
+        self.complaint = Some(Complaint::of_deed(line, over, Some(Instant::now())));
+    }
+
+    /// Says what should be known of the scene: until it is closed, and not over what lies over the scene.
+    pub(in crate::app) fn tell(&mut self, line: String) {
+        self.complaint = Some(Complaint::of_scene(line));
+    }
+
+    /// This lies over the world: what was said of something else there goes.
+    pub(super) fn lie_under(&mut self, over: Cover) {
+        self.complaint.take_if(|complaint| complaint.is_past(over));
+        self.over = over;
     }
 
     /// What went wrong is read. Returns whether anything was said of it.
     pub(in crate::app) fn close(&mut self) -> bool {
-        self.refused = None;
         self.complaint.take().is_some()
+    }
+
+    /// Since when something is said that was refused.
+    fn refused(&self) -> Option<Instant> {
+        self.complaint.as_ref().and_then(|complaint| complaint.refused)
     }
 
     /// Something else is tried: what was refused before is said no more.
     pub(in crate::app) fn go_on(&mut self) {
-        if self.refused.is_some() {
+        if self.refused().is_some() {
             self.close();
         }
     }
@@ -125,19 +141,21 @@ impl Notes {
     pub(in crate::app) fn until(&self) -> Option<Instant> {
         let ends = |(_, since): &(String, Instant), long| since.checked_add(long);
         let done = self.done.iter().filter_map(|done| ends(done, MOMENT));
-        let refused = self.refused.and_then(|since| since.checked_add(REFUSED));
+        let refused = self.refused().and_then(|since| since.checked_add(REFUSED));
         done.chain(refused).chain(self.warnings.iter().filter_map(|warning| ends(warning, WARNING))).min()
     }
 
     /// Says it below the buttons, one below another, where nothing else is.
     pub(super) fn show(&mut self, context: &egui::Context, places: &Places, facts: &Facts, wishes: &mut Vec<Wish>) {
         self.done.take_if(|(_, since)| since.elapsed() >= MOMENT);
-        if self.refused.is_some_and(|since| since.elapsed() >= REFUSED) {
+        if self.refused().is_some_and(|since| since.elapsed() >= REFUSED) {
             self.close();
         }
         let is_so = |line: &str, since: &Instant| !is_of_reach(line) || is_stretched(facts) || since.elapsed() < MOMENT;
         self.warnings.retain(|(line, since)| since.elapsed() < WARNING && is_so(line, since));
         let mut top = places.bar_bottom().max(places.room.top() + APART);
+        let complaint = self.complaint.as_ref().filter(|complaint| complaint.is_said(self.over));
+        let complaint = complaint.map(|complaint| complaint.line.clone());
         let is_caption_due = self.complaint.is_none() && self.done.is_none();
         let caption =
             facts.caption.filter(|_| is_caption_due && self.has_caption && self.offer.is_none() && !places.is_covered);
@@ -153,7 +171,7 @@ impl Notes {
         if !self.warnings.is_empty() {
             top = words(context, (places, top), WARNED, |ui| warned(ui, &mut self.warnings));
         }
-        if let Some(complaint) = &self.complaint {
+        if let Some(complaint) = complaint {
             top = words(context, (places, top), COMPLAINT, |ui| {
                 ui.horizontal(|ui| {
                     is_read = ui.button("Close").clicked();
@@ -272,6 +290,7 @@ fn words(context: &egui::Context, (places, top): (&Places, f32), name: &str, add
 
 #[cfg(test)]
 mod tests {
+    use super::super::Sheet;
     use super::*;
 
     #[test]
@@ -288,11 +307,8 @@ mod tests {
     /// Which of what is said is on top where it stands, with a sheet in the middle or without.
     fn on_top(sheet: Option<Rect>) -> Vec<&'static str> {
         let context = egui::Context::default();
-        let mut notes = Notes {
-            complaint: Some("it went wrong".to_owned()),
-            offer: Some("a session was cut off".to_owned()),
-            ..Notes::default()
-        };
+        let mut notes = Notes { offer: Some("a session was cut off".to_owned()), ..Notes::default() };
+        notes.complain("it went wrong".to_owned(), Cover::default());
         for _ in 0..30 {
             let screen_rect = Some(Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 720.0)));
             let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
@@ -324,18 +340,52 @@ mod tests {
         }
     }
 
+    fn complaint(notes: &Notes) -> Option<&str> {
+        notes.complaint.as_ref().map(|complaint| &*complaint.line)
+    }
+
     #[test]
     fn what_was_refused_goes_with_the_next_try_or_by_itself_and_what_went_wrong_stays() {
         let mut notes = Notes::default();
-        notes.refuse("no room".to_owned());
+        notes.refuse("no room".to_owned(), Cover::Nothing);
         assert!(notes.until().is_some_and(|until| until <= Instant::now() + REFUSED), "it goes by itself");
         notes.go_on();
-        assert_eq!((notes.complaint.as_deref(), notes.until()), (None, None));
-        notes.refuse("no room".to_owned());
-        notes.complain("the disk is full".to_owned());
+        assert_eq!((complaint(&notes), notes.until()), (None, None));
+        notes.refuse("no room".to_owned(), Cover::Nothing);
+        notes.complain("the disk is full".to_owned(), Cover::Nothing);
         notes.go_on();
-        assert_eq!((notes.complaint.as_deref(), notes.until()), (Some("the disk is full"), None));
+        assert_eq!((complaint(&notes), notes.until()), (Some("the disk is full"), None));
         assert!(notes.close() && !notes.close());
+    }
+
+    #[test]
+    fn a_complaint_goes_with_the_dialog_that_it_was_made_in_and_with_the_next_one() {
+        let dialogs =
+            [Cover::Sheet(Sheet::OpenFrom), Cover::Sheet(Sheet::SaveTo), Cover::Sheet(Sheet::Help), Cover::Import];
+        for own in dialogs.into_iter().chain([Cover::Nothing]) {
+            for next in dialogs.into_iter().chain([Cover::Nothing]).filter(|next| *next != own) {
+                let mut notes = Notes::default();
+                notes.lie_under(own);
+                notes.complain("it cannot be read".to_owned(), own);
+                notes.lie_under(own);
+                assert_eq!(complaint(&notes), Some("it cannot be read"), "{own:?}");
+                notes.lie_under(next);
+                assert_eq!(complaint(&notes), None, "of {own:?} over {next:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_to_be_known_of_a_scene_waits_below_what_lies_over_it() {
+        let mut notes = Notes::default();
+        notes.tell("bodies pass through each other".to_owned());
+        let is_said = |notes: &Notes| notes.complaint.as_ref().map(|complaint| complaint.is_said(notes.over));
+        for (over, says) in [(Cover::Nothing, true), (Cover::Sheet(Sheet::Gallery), false), (Cover::Import, false)] {
+            notes.lie_under(over);
+            assert_eq!(is_said(&notes), Some(says), "{over:?}");
+        }
+        notes.lie_under(Cover::Nothing);
+        assert_eq!(is_said(&notes), Some(true), "and is there again");
     }
 
     #[test]

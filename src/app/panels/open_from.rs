@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{Align, Button, Key, Label, Layout, RichText, Role, ScrollArea, TextEdit, WidgetInfo};
 
+use super::save_to::WIDE;
 use super::theme::colors;
 use super::typed::takes_words;
 use super::{PanelState, Wish, sheet};
@@ -13,8 +14,10 @@ use crate::app::fetch::ENDINGS;
 const NO_NAME: &str = "write a name first, or choose one from the list";
 /// So many files are listed at most.
 const MOST: usize = 200;
-/// Height of the list `[points]`.
+/// Height of the list, and of the rest of the sheet `[points]`.
 const HIGH: f32 = 220.0;
+const BESIDE: f32 = 110.0;
+const LEAST: f32 = 48.0;
 
 /// What the sheet keeps.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -38,7 +41,9 @@ impl OpenFrom {
 
 pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut Vec<Wish>) {
     let stays = sheet::show(context, "open from", "Open", |ui| {
-        ui.set_width(460.0);
+        // So much stands beside the list.
+        let [width, high] = sheet::fitting(context, [WIDE, HIGH + BESIDE]);
+        ui.set_width(width);
         // Tab completes: it leads nowhere else here.
         let completes = ui.input_mut(|input| input.consume_key(egui::Modifiers::NONE, Key::Tab));
         let hint = "the path of a scene, a recording or a picture";
@@ -64,11 +69,11 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
             to_end(ui, &mut field.state, &state.path);
             field.response.request_focus();
         }
-        list(ui, &names, state, wishes);
+        list(ui, (&names, high - BESIDE), state, wishes);
         // Its line is there before it is, so that the buttons stay where they are.
         let fault = state.open_from.fault.as_deref().unwrap_or(" ");
         ui.add(Label::new(RichText::new(fault).color(colors(ui).away)).wrap());
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             let open = Button::new(RichText::new("Open").color(colors(ui).on_accent)).fill(colors(ui).accent);
             match ui.add(open).clicked() || is_entered {
                 true if state.path.trim().is_empty() => state.open_from.fault = Some(NO_NAME.to_owned()),
@@ -99,8 +104,9 @@ fn to_end(ui: &egui::Ui, state: &mut egui::text_edit::TextEditState, text: &str)
 }
 
 /// What begins as the name does: a click takes it, a second one opens it. The list stays as it is until one goes on writing.
-fn list(ui: &mut egui::Ui, names: &[String], state: &mut PanelState, wishes: &mut Vec<Wish>) {
-    let scroll = ScrollArea::vertical().max_height(HIGH).min_scrolled_height(HIGH).auto_shrink(false);
+fn list(ui: &mut egui::Ui, (names, high): (&[String], f32), state: &mut PanelState, wishes: &mut Vec<Wish>) {
+    let high = high.max(LEAST);
+    let scroll = ScrollArea::vertical().max_height(high).min_scrolled_height(high).auto_shrink(false);
     // A row is pressed wherever one presses on it.
     scroll.show(ui, |ui| {
         ui.with_layout(Layout::top_down_justified(Align::LEFT), |ui| {

@@ -5,7 +5,7 @@ use egui::{Align2, Area, Id, LayerId, Order, Rect, RectAlign, Tooltip};
 use super::icons::{self, Icon};
 use super::places::ToolRooms;
 use super::theme::floating;
-use super::{Facts, PanelState, Wish, brush, described, drives, material, primitives, push};
+use super::{Facts, PanelState, Wish, brush, described, drives, low, material, primitives, push};
 use crate::app::action::{Action, Tool};
 use crate::app::tools::PushWay;
 
@@ -89,33 +89,37 @@ pub(super) fn show(
     wishes: &mut Vec<Wish>,
 ) -> Option<[f32; 2]> {
     let id = Id::unique("tools");
+    let part = rooms.left.with_max_y(rooms.lowest);
     let height = context.memory(|memory| memory.area_rect(id)).map_or(HEIGHT, |rect| rect.height());
     // In the middle, but above plots that lie there and below the buttons.
     let middle = rooms.tools.center().y.min(rooms.lowest - 0.5 * height).max(rooms.left.top() + 0.5 * height);
     let place = Area::new(id).anchor(Align2::LEFT_CENTER, [10.0, middle - context.content_rect().center().y]);
     let shown = place.show(context, |ui| {
         floating(ui).show(ui, |ui| {
-            ui.spacing_mut().item_spacing.y = 3.0;
-            let blows = facts.tool == Tool::Push && facts.push == PushWay::Wind;
-            for tool in Tool::ALL {
-                let (sign, name) = words(tool);
-                let lack = match tool {
-                    Tool::Muscle => facts.no_muscles.as_deref(),
-                    Tool::Motor => facts.no_motors.as_deref(),
-                    _ => None,
-                };
-                let is_on = tool == facts.tool && !blows;
-                choice(ui, (sign, name), Action::Take(tool), (lack, is_on), wishes);
-            }
-            choice(ui, (Icon::Wind, WIND), Action::Wind, (None, blows), wishes);
+            low::within(ui, part, |ui| {
+                ui.spacing_mut().item_spacing.y = 3.0;
+                let blows = facts.tool == Tool::Push && facts.push == PushWay::Wind;
+                for tool in Tool::ALL {
+                    let (sign, name) = words(tool);
+                    let lack = match tool {
+                        Tool::Muscle => facts.no_muscles.as_deref(),
+                        Tool::Motor => facts.no_motors.as_deref(),
+                        _ => None,
+                    };
+                    let is_on = tool == facts.tool && !blows;
+                    choice(ui, (sign, name), Action::Take(tool), (lack, is_on), wishes);
+                }
+                choice(ui, (Icon::Wind, WIND), Action::Wind, (None, blows), wishes);
+            })
         });
     });
     if facts.tool == Tool::Build {
         primitives::show(context, (shown.response.rect, rooms.left), facts, wishes);
     }
     let tools = beside(context, shown.response.rect, rooms.left, facts.tool);
+    let part = rooms.left.with_max_y(rooms.left.bottom().min(rooms.tools.bottom()));
     if matches!(facts.tool, Tool::Muscle | Tool::Motor) {
-        drives::show(context, tools, facts, wishes);
+        drives::show(context, (tools, part), facts, wishes);
     }
     match facts.tool {
         Tool::Select => {
@@ -128,8 +132,8 @@ pub(super) fn show(
                 wishes,
             ));
         }
-        Tool::Push => push::show(context, tools, facts, wishes),
-        Tool::Paint => brush::show(context, tools, facts, wishes),
+        Tool::Push => push::show(context, (tools, part), facts, wishes),
+        Tool::Paint => brush::show(context, (tools, part), facts, wishes),
         _ => {}
     }
     None

@@ -2,8 +2,8 @@
 
 use egui::{Response, Slider, SliderClamping, Ui};
 
-use super::ranged;
 use super::settings::Sink;
+use super::{ranged, ticks};
 use crate::app::player::{Scenery, Shown};
 use crate::history::{Do, OneOrEach, SetKeys, Walls, Weather};
 use crate::scene::{BodyPart, BoundsKeys, ContactKeys, Meeting, OfBody, Parameter, Target, Vector, WindKeys};
@@ -60,7 +60,7 @@ pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &Scene
         let Some(mut to) = value.or(waits.then_some(least)) else { continue };
         if parameter.target.is_switch() {
             let mut meets = to > 0.0;
-            let by = ui.checkbox(&mut meets, &parameter.label);
+            let by = ticks::check(ui, &mut meets, &parameter.label);
             if by.changed() {
                 set(&by, &parameter.target, f64::from(u8::from(meets)), scene, sink);
             }

@@ -45,6 +45,8 @@ pub(in crate::app) struct Laid {
     pub(in crate::app) column: Option<[f32; 2]>,
     /// How low that reaches at most, in windows higher than wide; `None`: as low as there is room `[points]`.
     pub(in crate::app) column_low: Option<f32>,
+    /// Plots lie at an edge, or above a lesson: they do not float where there is room.
+    pub(in crate::app) has_plots_at_edge: bool,
     /// Height of what stands above each of several worlds `[points]`.
     pub(in crate::app) titles: f32,
     /// Where nothing lies over it for long `[points]`; `None`: a sheet lies over all of it for now.
@@ -322,19 +324,19 @@ fn areas(context: &Context) -> Vec<(LayerId, Rect)> {
     })
 }
 
-/// What is read while one looks at the world, and lies over it: settings, lessons, plots that were not dragged there, what is selected.
-const READ: [&str; 6] = ["settings", "lessons", "plots", "plots above", "plots below", "matter"];
+/// What is read while one looks at the world, and lies over it: settings, lessons, plots at an edge, what is selected. Plots that float find a
+/// place beside bodies by themselves.
+const READ: [&str; 5] = ["settings", "lessons", "plots above", "plots below", "matter"];
 
 /// Where what is read lies over the world: left, top, right and bottom of each `[px]`.
-pub(in crate::app) fn read(context: &Context, (scale, has_plots): (f32, bool)) -> Vec<[f64; 4]> {
-    let is_meant = |name: &&str| has_plots || *name != "plots";
+pub(in crate::app) fn read(context: &Context, scale: f32) -> Vec<[f64; 4]> {
     let rect = |name: &str| {
         let id = egui::Id::unique(name);
         let is_shown = context.memory(|memory| memory.areas().is_visible(&LayerId::new(Order::Middle, id)));
         context.memory(|memory| memory.area_rect(id)).filter(|_| is_shown)
     };
     let corners = |rect: Rect| [rect.left(), rect.top(), rect.right(), rect.bottom()];
-    let all = READ.into_iter().filter(is_meant).filter_map(rect).map(corners);
+    let all = READ.into_iter().filter_map(rect).map(corners);
     all.map(|rect| rect.map(|side| f64::from((side * scale).round()))).collect()
 }
 

@@ -1,11 +1,11 @@
 //! What the tool for building makes, beside the tools.
 
 use egui::epaint::PathShape;
-use egui::{Area, Id, Painter, Pos2, Rect, Shape, Stroke, Ui};
+use egui::{Area, Id, Painter, Pos2, Rect, RectAlign, Response, Shape, Stroke, Tooltip, Ui};
 
 use super::icons::{self, Icon};
 use super::theme::floating;
-use super::{Facts, Wish};
+use super::{Facts, Wish, ticks};
 use crate::app::action::Primitive;
 use crate::app::tools::{Link, is_of_space};
 
@@ -41,6 +41,9 @@ fn words(primitive: Primitive) -> &'static str {
 const ROW: f32 = 38.0;
 const FRAME: f32 = 10.0;
 
+/// From the edge of the panel to what is said of what stands in it `[points]`.
+const TO_TOOLTIP: f32 = 6.0;
+
 /// How many stand in a row, where there is so much height for all `[points]`.
 fn columns(height: f32) -> usize {
     let rows = |columns: &usize| Primitive::ALL.len().div_ceil(*columns) as f32;
@@ -51,7 +54,9 @@ fn columns(height: f32) -> usize {
 pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: &Facts, wishes: &mut Vec<Wish>) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let columns = columns(room.bottom() - corner.y);
-    Area::new(Id::unique("primitives")).fixed_pos(corner).show(context, |ui| {
+    let id = Id::unique("primitives");
+    let edge = context.memory(|memory| memory.area_rect(id)).map_or(corner.x, |panel| panel.right());
+    Area::new(id).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
             let is_there = |primitive: &Primitive| facts.dimensions != 3 || is_of_space(*primitive);
@@ -59,18 +64,18 @@ pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: 
             for row in all.chunks(columns) {
                 ui.horizontal(|ui| {
                     ui.spacing_mut().item_spacing.x = 4.0;
-                    row.iter().for_each(|&primitive| choice(ui, primitive, facts, wishes));
+                    row.iter().for_each(|&primitive| choice(ui, (primitive, edge), facts, wishes));
                 });
             }
             if facts.primitive == Primitive::Bonds {
-                links(ui, facts, wishes);
+                links(ui, edge, facts, wishes);
             }
         });
     });
 }
 
 /// What drawn bonds are made of.
-fn links(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+fn links(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
     let mut links = facts.links;
     ui.separator();
     for link in Link::ALL {
@@ -79,19 +84,28 @@ fn links(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
             Link::Spring => "as soft as a soft box",
             Link::String => "gets no longer, and goes slack",
         };
-        ui.radio_value(&mut links.link, link, link.name()).on_hover_text(words);
+        say(&ticks::one_of(ui, &mut links.link, link, link.name()), edge, words);
     }
     let said = "a loop that is closed becomes a soft body (Shift does the same)";
-    ui.checkbox(&mut links.fills, "fill loops").on_hover_text(said);
+    say(&ticks::check(ui, &mut links.fills, "fill loops"), edge, said);
     if links != facts.links {
         wishes.push(Wish::Links(links));
     }
 }
 
-fn choice(ui: &mut Ui, primitive: Primitive, facts: &Facts, wishes: &mut Vec<Wish>) {
+/// Says something of a button beside the panel, whose right edge is there: nothing that can be pressed lies below it.
+fn say(button: &Response, edge: f32, words: &str) {
+    let mut tooltip = Tooltip::for_enabled(button);
+    let beside = button.rect.with_max_x(edge.max(button.rect.right()));
+    tooltip.popup = tooltip.popup.anchor(beside).align(RectAlign::RIGHT).gap(TO_TOOLTIP);
+    tooltip.show(|ui| ui.label(words));
+}
+
+fn choice(ui: &mut Ui, (primitive, edge): (Primitive, f32), facts: &Facts, wishes: &mut Vec<Wish>) {
     let is_on = primitive == facts.primitive;
     let button = icons::button(ui, Icon::Primitive(primitive), primitive.name(), icons::TOOL, is_on);
-    if button.on_hover_text(words(primitive)).clicked() {
+    say(&button, edge, words(primitive));
+    if button.clicked() {
         wishes.push(Wish::Build(primitive));
     }
 }
@@ -151,5 +165,33 @@ pub(super) fn paint(painter: &Painter, primitive: Primitive, at: &impl Fn(f32, f
         }
         Primitive::Slope => filled(&[(-1.1, 1.0), (1.1, -0.9), (1.1, 1.0)]),
         Primitive::Polygon => filled(&[(-1.1, -0.3), (-0.1, -1.1), (1.1, -0.5), (0.75, 1.0), (-0.7, 0.9)]),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use egui_kittest::Harness;
+    use egui_kittest::kittest::Queryable as _;
+
+    use super::*;
+
+    /// What is said of each covers neither the others nor the panel that they stand in.
+    #[test]
+    fn what_is_said_of_a_button_lies_beside_the_panel() {
+        let facts = Facts { dimensions: 2, ..Facts::default() };
+        let tools = Rect::from_min_size(Pos2::new(10.0, 100.0), egui::vec2(50.0, 400.0));
+        let room = Rect::from_min_size(Pos2::ZERO, egui::vec2(1280.0, 720.0));
+        let mut harness = Harness::builder().with_size(room.size()).build_ui(move |ui| {
+            show(ui.ctx(), (tools, room), &facts, &mut Vec::new());
+        });
+        harness.run_steps(6);
+        for primitive in Primitive::ALL {
+            harness.get_by_label(primitive.name()).hover();
+            harness.run_steps(12);
+            let said = harness.get_by_label(words(primitive)).rect();
+            let panel = harness.ctx.memory(|memory| memory.area_rect(Id::unique("primitives"))).unwrap();
+            assert!(!said.intersects(panel), "{}: {said} over {panel}", primitive.name());
+        }
     }
 }

@@ -4,7 +4,7 @@ use egui::{Area, Id, Rect, RichText, Slider, SliderClamping};
 
 use super::settings::Setting;
 use super::theme::{colors, floating};
-use super::{Facts, Wish, ranged};
+use super::{Facts, Wish, low, ranged, ticks};
 use crate::app::tools::PushWay;
 use crate::history::{Do, SetKeys, Weather};
 use crate::scene::{Vector, WindKeys};
@@ -38,33 +38,35 @@ fn turbulence(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
 }
 
 /// Shows it at the right of the tools.
-pub(super) fn show(context: &egui::Context, tools: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: &Facts, wishes: &mut Vec<Wish>) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let mut way = facts.push;
     Area::new(Id::unique("push")).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
-            ui.set_width(WIDTH);
-            let is_plane = facts.dimensions == 2;
-            let (title, said) = match way {
-                PushWay::Wind => ("Wind", WIND),
-                PushWay::Speed => ("Velocity", "drag an arrow from a body: it flies off so fast; a click stops it"),
-                _ => ("Force that stays", "drag an arrow from a body; a click on one takes it away"),
-            };
-            ui.label(RichText::new(title).color(colors(ui).text).strong());
-            ui.label(RichText::new(said).color(colors(ui).weak));
-            for other in PushWay::ALL.into_iter().filter(|way| is_plane || *way != PushWay::Turn) {
-                let words = match other {
-                    PushWay::Wind => "wind over all bodies (W)",
-                    PushWay::Point => "on a point",
-                    PushWay::Body => "on the body (Shift)",
-                    PushWay::Turn => "torque on the body (Alt)",
-                    PushWay::Speed => "no force: its velocity",
+            low::within(ui, room, |ui| {
+                ui.set_width(WIDTH);
+                let is_plane = facts.dimensions == 2;
+                let (title, said) = match way {
+                    PushWay::Wind => ("Wind", WIND),
+                    PushWay::Speed => ("Velocity", "drag an arrow from a body: it flies off so fast; a click stops it"),
+                    _ => ("Force that stays", "drag an arrow from a body; a click on one takes it away"),
                 };
-                ui.radio_value(&mut way, other, words);
-            }
-            if way == PushWay::Wind {
-                turbulence(ui, facts, wishes);
-            }
+                ui.label(RichText::new(title).color(colors(ui).text).strong());
+                ui.label(RichText::new(said).color(colors(ui).weak));
+                for other in PushWay::ALL.into_iter().filter(|way| is_plane || *way != PushWay::Turn) {
+                    let words = match other {
+                        PushWay::Wind => "wind over all bodies (W)",
+                        PushWay::Point => "on a point",
+                        PushWay::Body => "on the body (Shift)",
+                        PushWay::Turn => "torque on the body (Alt)",
+                        PushWay::Speed => "no force: its velocity",
+                    };
+                    ticks::one_of(ui, &mut way, other, words);
+                }
+                if way == PushWay::Wind {
+                    turbulence(ui, facts, wishes);
+                }
+            })
         });
     });
     if way != facts.push {

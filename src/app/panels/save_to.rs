@@ -7,7 +7,10 @@ use egui::{Button, Label, RichText, Role, TextEdit, WidgetInfo};
 use super::open_from::meant;
 use super::theme::colors;
 use super::typed::takes_words;
-use super::{PanelState, Wish, sheet};
+use super::{PanelState, Wish, sheet, ticks};
+
+/// Width of the sheet `[points]`.
+pub(super) const WIDE: f32 = 460.0;
 
 /// What the sheet keeps.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,11 +27,11 @@ pub(in crate::app) struct SaveTo {
 
 pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut Vec<Wish>) {
     let stays = sheet::show(context, "save to", "Save", |ui| {
-        ui.set_width(460.0);
+        ui.set_width(sheet::fitting(context, [WIDE, 0.0])[0]);
         let is_all = &mut state.save_to.is_all;
-        ui.radio_value(is_all, false, MOMENT)
+        ticks::one_of(ui, is_all, false, MOMENT)
             .on_hover_text("opened, it goes on from here, without what was done before");
-        ui.radio_value(is_all, true, ALL).on_hover_text("a recording: opened, it is replayed from its start");
+        ticks::one_of(ui, is_all, true, ALL).on_hover_text("a recording: opened, it is replayed from its start");
         ui.add_space(4.0);
         let hint = "the path of the file that is to be written";
         let field = ui.add(TextEdit::singleline(&mut state.path).hint_text(hint).desired_width(f32::INFINITY));
@@ -44,7 +47,7 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         // Its line is there before it is, so that the buttons stay where they are.
         let fault = state.save_to.fault.as_deref().unwrap_or(" ");
         ui.add(Label::new(RichText::new(fault).color(colors(ui).away)).wrap());
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             let words = if state.save_to.asked.is_some() { "Replace it" } else { "Save" };
             let save = Button::new(RichText::new(words).color(colors(ui).on_accent)).fill(colors(ui).accent);
             let is_free = state.save_to.written.is_none();

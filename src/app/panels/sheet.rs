@@ -18,6 +18,16 @@ pub(in crate::app) fn show(context: &Context, id: &str, title: impl Into<String>
     stays
 }
 
+/// What a sheet has beside what stands in it: margins, and room to the edges of the window; above and below it too, title and bar below
+/// `[points]`.
+const BESIDE: [f32; 2] = [44.0, 150.0];
+
+/// So wide and so high what stands in a sheet may be, of what it would be `[points]`: as large as that or as the window lets it.
+pub(super) fn fitting(context: &Context, wanted: [f32; 2]) -> [f32; 2] {
+    let window = context.content_rect().size();
+    [0, 1].map(|axis| wanted[axis].min(window[axis] - BESIDE[axis]).max(40.0))
+}
+
 /// Whether Enter was pressed in the field that a sheet is about. It has the focus as long as nothing else has: a click beside it loses no key.
 pub(super) fn entered(ui: &Ui, field: &Response) -> bool {
     let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
@@ -96,6 +106,25 @@ mod tests {
             assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), []);
             let said = [state.save_to != save_to::SaveTo::default(), state.open_from.fault.is_some()];
             assert_eq!(said, [sheet == Sheet::SaveTo, sheet == Sheet::OpenFrom]);
+        }
+    }
+
+    #[test]
+    fn sheets_for_files_are_whole_in_the_smallest_window() {
+        for (sheet, id) in [(Sheet::SaveTo, "save to"), (Sheet::OpenFrom, "open from")] {
+            let context = Context::default();
+            let mut state = PanelState { sheet: Some(sheet), is_fresh: true, ..PanelState::default() };
+            let window = Rect::from_min_size(Pos2::ZERO, vec2(480.0, 360.0));
+            for _ in 0..6 {
+                let input = egui::RawInput { screen_rect: Some(window), ..egui::RawInput::default() };
+                let mut output = context.run_ui(input, |ui| match sheet {
+                    Sheet::SaveTo => save_to::show(ui.ctx(), &mut state, &mut Vec::new()),
+                    _ => open_from::show(ui.ctx(), &mut state, &mut Vec::new()),
+                });
+                output.textures_delta.clear();
+            }
+            let rect = context.memory(|memory| memory.area_rect(Id::unique(id))).unwrap();
+            assert!(rect.width() <= 480.0 && rect.height() <= 360.0 - BAR, "{sheet:?}: {rect}");
         }
     }
 }

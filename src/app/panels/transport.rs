@@ -262,8 +262,10 @@ mod tests {
 
     #[test]
     fn the_line_of_what_was_seen_stays_where_it_is() {
-        let line = |pace: f64, asleep: bool| {
-            let figures = Figures { time: 3.0, end: 9.0, playing: true, pace, asleep, ..Figures::default() };
+        let moved = |why: Why, islands: usize| Moved { why, islands, since: [0.0; 2] };
+        let with = |pace: f64, asleep: bool, moved: Vec<Moved>| {
+            let movers = Arc::new(Movers { moved, islands: 12, can_be_exact: true });
+            let figures = Figures { time: 3.0, end: 9.0, playing: true, pace, asleep, movers, ..Figures::default() };
             let facts = Facts { figures, pace: 1.0, ..Facts::default() };
             let screen = Rect::from_min_size(egui::Pos2::ZERO, vec2(1180.0, 800.0));
             let input = egui::RawInput { screen_rect: Some(screen), ..egui::RawInput::default() };
@@ -275,8 +277,17 @@ mod tests {
             }
             rect
         };
+        let line = |pace: f64, asleep: bool| with(pace, asleep, Vec::new());
         assert!(line(1.0, false).is_some_and(|rect| rect.width() > 250.0), "{:?}", line(1.0, false));
         assert_eq!(line(1.0, false), line(0.71, false));
         assert_eq!(line(1.0, false), line(1.0, true));
+        let notes = [
+            vec![moved(Why::Contact, 1)],
+            vec![moved(Why::Contact, 1), moved(Why::Budget, 2), moved(Why::Alarm, 1)],
+            vec![moved(Why::NotFinite, 11)],
+        ];
+        for moved in notes {
+            assert_eq!(line(1.0, false), with(1.0, false, moved.clone()), "{moved:?}");
+        }
     }
 }

@@ -6,7 +6,7 @@ use super::asking::points_of;
 use super::{Framing, Session};
 use crate::app::action::{Action, Primitive, Tool};
 use crate::app::count::counted;
-use crate::app::panels::{Opened, Setting, Sheet, Wish, search_id};
+use crate::app::panels::{Cover, Opened, Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
 use crate::app::tools::{Deed, PushWay, is_of_space, strength};
@@ -182,6 +182,10 @@ impl Session {
             Wish::DiscardLeftover(place) => self.discard_leftover(place),
             Wish::PutOffLeftover => self.panels.notes.offer = None,
             Wish::OpenFile(name) => self.open_file(&name),
+            Wish::OpenRecent(path) => {
+                self.wearer = None;
+                self.take_file(&path);
+            }
         }
         self.touch();
     }
@@ -284,6 +288,7 @@ impl Session {
     fn toggle_sheet(&mut self, sheet: Sheet) {
         self.panels.sheet = (self.panels.sheet != Some(sheet)).then_some(sheet);
         self.panels.is_fresh = true;
+        self.panels.keys_search.clear();
         if self.panels.sheet == Some(Sheet::Gallery) {
             // What is typed from now on is looked for, and what lay over the world is put away with it.
             self.panels.search.clear();
@@ -345,6 +350,7 @@ impl Session {
             self.dirty = true;
         }
         if !deed.is_empty() {
+            self.with_scope(|hand, scope| hand.forget_undone(scope));
             self.ask_if_full(points_of(&deed.commands), move |session| session.player.give(deed.commands, deed.edit));
         }
     }
@@ -443,13 +449,18 @@ impl Session {
 
     /// Says why something was not done, until something else is tried.
     pub(super) fn refuse(&mut self, line: &str) {
-        self.panels.notes.refuse(line.to_owned());
+        self.panels.notes.refuse(line.to_owned(), self.lies_over());
         self.touch();
     }
 
     /// Says what went wrong, until it is read.
     pub(super) fn complain(&mut self, line: &str) {
-        self.panels.notes.complain(line.to_owned());
+        self.panels.notes.complain(line.to_owned(), self.lies_over());
         self.touch();
+    }
+
+    /// What lies over the world: what is said now is of that.
+    fn lies_over(&self) -> Cover {
+        Cover::of(self.panels.sheet, self.import.is_some())
     }
 }

@@ -13,11 +13,18 @@ use crate::app::holds_scene;
 use crate::app::opening;
 use crate::app::panels::{OpenFrom, Sheet, meant};
 use crate::app::player::Order;
+use crate::app::saving::folder;
 use crate::history::Start;
 use crate::scene::{Scene, SceneError};
 
 /// What a picture is called that was pasted.
 const PASTED: &str = "pasted picture";
+
+/// What a file is that comes.
+enum Coming {
+    Picture,
+    Scene(Box<Start>),
+}
 
 impl Session {
     /// Whether the scene is one to paint on.
@@ -35,28 +42,48 @@ impl Session {
 
     /// A file was dropped on the window, chosen or pasted: a picture is imported, a scene opens in place of this one.
     pub(in crate::app) fn take_file(&mut self, path: &Path) {
-        let is_picture = Scene::is_picture_file(path);
-        if let Some(points) = self.wearer.take().filter(|_| is_picture) {
-            return self.wear(path, points);
-        }
-        // A picture may hold the scene that it was taken of.
-        if is_picture && !holds_scene(path) {
-            self.loading = Some(Loading::picture(path, self.wake_up()));
-            return self.touch();
-        }
-        match Start::load(&path.to_string_lossy()) {
-            Ok(start) => {
-                self.remember(path);
-                self.open(start);
+        match self.read(path) {
+            Ok(coming) => self.take_in(path, coming),
+            Err(why) => {
+                self.wearer = None;
+                self.complain(&why);
             }
-            Err(error) => self.complain(&error.to_string()),
         }
     }
 
-    /// No dialog can be shown: the path is written in the window.
+    /// What a file is, looked at before anything is done with it.
+    ///
+    /// Errors: in words, why it is neither a picture nor a scene.
+    fn read(&self, path: &Path) -> Result<Coming, String> {
+        let is_picture = Scene::is_picture_file(path);
+        // A picture may hold the scene that it was taken of.
+        if is_picture && (self.wearer.is_some() || !holds_scene(path)) {
+            return Ok(Coming::Picture);
+        }
+        let start = Start::load(&path.to_string_lossy()).map_err(|error| error.to_string())?;
+        Ok(Coming::Scene(Box::new(start)))
+    }
+
+    /// Takes what a file is.
+    fn take_in(&mut self, path: &Path, coming: Coming) {
+        match (self.wearer.take(), coming) {
+            (Some(points), Coming::Picture) => self.wear(path, points),
+            (None, Coming::Picture) => {
+                self.loading = Some(Loading::picture(path, self.wake_up()));
+                self.touch();
+            }
+            (_, Coming::Scene(start)) => {
+                self.remember(path);
+                self.open(*start);
+            }
+        }
+    }
+
+    /// No dialog can be shown: the path is written in the window, beginning as the dialog would.
     fn ask_for_path(&mut self) {
-        let last = self.last_file.as_ref().filter(|last| last.exists());
-        self.panels.path = last.map_or_else(String::new, |last| last.display().to_string());
+        let newest = self.recent.newest().map(|newest| newest.display().to_string());
+        let folder = || self.recent.folder().map(|folder| format!("{}/", folder.display()));
+        self.panels.path = newest.or_else(folder).unwrap_or_default();
         self.panels.open_from = OpenFrom::at(&self.panels.path);
         (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::OpenFrom), true);
         self.touch();
@@ -71,13 +98,18 @@ impl Session {
             Ok(about) if about.is_dir() => Some("that is a folder: go on with the name of a file in it".to_owned()),
             Ok(_) => None,
         };
-        if fault.is_some() {
-            self.panels.open_from.fault = fault;
-            self.panels.is_fresh = true;
-            return self.touch();
+        let coming = fault.map_or_else(|| self.read(&meant), Err);
+        match coming {
+            Ok(coming) => {
+                self.close_sheet();
+                self.take_in(&meant, coming);
+            }
+            // Where the name is asked for it can be mended.
+            Err(why) => {
+                (self.panels.open_from.fault, self.panels.is_fresh) = (Some(why), true);
+                self.touch();
+            }
         }
-        self.close_sheet();
-        self.take_file(&meant);
     }
 
     /// Opens an import; a drawing that lay there is put away.
@@ -130,7 +162,10 @@ impl Session {
         self.wake();
         match self.dialog {
             Some(_) => self.ask_for_path(),
-            None => self.dialog = Some(fetch::open(&self.window, self.last_file.as_deref(), self.wake_up())),
+            None => {
+                let begins = folder(self.recent.folder());
+                self.dialog = Some(fetch::open(&self.window, (&begins, self.recent.newest()), self.wake_up()));
+            }
         }
     }
 
@@ -154,10 +189,9 @@ impl Session {
         if self.import.as_mut().is_some_and(Import::poll) {
             self.touch();
         }
-        let loaded = self.loading.as_ref().and_then(|loading| Some((loading.name.clone(), loading.take()?)));
-        if let Some((name, loaded)) = loaded {
-            self.loading = None;
-            self.take_loaded(name, loaded);
+        let loaded = self.loading.as_ref().and_then(Loading::take);
+        if let Some((loading, loaded)) = self.loading.take_if(|_| loaded.is_some()).zip(loaded) {
+            self.take_loaded((loading.name.clone(), &loading.path), loaded);
         }
         let fetched = [&mut self.dialog, &mut self.pasted].map(|fetch| {
             let found = fetch.as_ref().and_then(Fetch::take);
@@ -211,7 +245,10 @@ impl Session {
     }
 
     /// A picture was read: it opens as a scene, or to be cut out by hand.
-    fn take_loaded(&mut self, name: String, loaded: Result<Loaded, SceneError>) {
+    fn take_loaded(&mut self, (name, path): (String, &Path), loaded: Result<Loaded, SceneError>) {
+        if loaded.is_ok() {
+            self.remember(path);
+        }
         match loaded {
             Ok(Loaded::Scene(scene)) => self.open((*scene).into()),
             Ok(Loaded::Picture(picture, spacing, why)) => {

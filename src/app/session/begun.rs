@@ -13,6 +13,7 @@ use crate::app::opening::{Followed, Over};
 use crate::app::panels::{PanelState, listen, theme};
 use crate::app::player::{Figures, Player};
 use crate::app::pointer::Pointer;
+use crate::app::recent::Recent;
 use crate::app::tools::{Chosen, Hand};
 use crate::app::trailing::{TrailSettings, Trailing};
 use crate::render::{Camera, Look, Palette, RenderError, Tiles, Trails};
@@ -103,7 +104,7 @@ impl Session {
             wearer: None,
             pasted: None,
             saving: None,
-            last_file: None,
+            recent: Recent::default(),
             state_folder: None,
             record: None,
             search: None,

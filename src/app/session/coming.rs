@@ -146,7 +146,7 @@ impl Session {
         let said: Vec<String> = [warning, through, self.taken_keys()].into_iter().flatten().collect();
         match said.is_empty() {
             true => _ = self.panels.notes.close(),
-            false => self.panels.notes.complain(said.join("\n")),
+            false => self.panels.notes.tell(said.join("\n")),
         }
         self.panels.notes.begin();
         if self.player.start().is_replayed() {

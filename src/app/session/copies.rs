@@ -43,7 +43,7 @@ impl Session {
         });
         let Some(row) = row else { return };
         let count = row.last.lock().unwrap_or_else(PoisonError::into_inner).points.len();
-        let wish = self.wish(DUPLICATE, row.by);
+        let wish = Wish { is_beside: true, ..self.wish(DUPLICATE, row.by) };
         self.ask_if_full(count, move |session| {
             let last = Arc::clone(&row.last);
             let copy = move |history: &History| {
@@ -127,7 +127,7 @@ impl Session {
     }
 
     fn wish(&self, name: &'static str, by: [f64; 3]) -> Wish {
-        Wish { name, by, is_meant: false, camera: self.camera_here(), free: self.free_here() }
+        Wish { name, by, is_meant: false, is_beside: false, camera: self.camera_here(), free: self.free_here() }
     }
 
     /// A copy is there: it is selected in place of what was.
@@ -136,7 +136,7 @@ impl Session {
         let Among { points, obstacles, .. } = came;
         self.with_scope(|hand, _| {
             hand.take(Tool::Select);
-            hand.select(Chosen { points, obstacles });
+            hand.select_copy(Chosen { points, obstacles });
         });
         match (said, why) {
             (Some(said), _) => self.panels.notes.warn(said.to_owned()),

@@ -79,8 +79,7 @@ impl Session {
         if was_open && self.panels.sheet.is_none() {
             self.leave_field();
         }
-        let has_plots = !self.panels.plots_at.is_dragged();
-        let read = panels::read_at(&context, (output.pixels_per_point, has_plots));
+        let read = panels::read_at(&context, output.pixels_per_point);
         self.give_world(&laid, output.pixels_per_point, read);
         let covered = panels::covered(&context, output.pixels_per_point);
         // What is placed by its size knows that only when it was shown: it is laid out once more, but not for ever.

@@ -69,7 +69,7 @@ impl Session {
         match self.framed.turn((whole, self.open_panels()), (is_other, is_resized)) {
             // What a sheet lies over is not seen now.
             Turn::Stay if laid.free.is_none() => return,
-            Turn::Stay if !shares => return self.make_way(read),
+            Turn::Stay if !shares => return self.make_way(read, laid.has_plots_at_edge),
             Turn::Stay => {}
             Turn::Keep if shares => self.share_anew(before),
             Turn::Keep => self.camera.resize_still(area),
@@ -79,15 +79,16 @@ impl Session {
     }
 
     /// Where panels open over points the view makes way for them, while they find their sizes, and comes back when they close; not one that
-    /// somebody moved, nor while something is under way in it. What the panel of a tool moves, and what gets larger later, moves nothing.
-    fn make_way(&mut self, taken: Vec<[f64; 4]>) {
+    /// somebody moved, nor while something is under way in it. What the panel of a tool moves, what gets larger later, and plots that float
+    /// where there is room move nothing.
+    fn make_way(&mut self, taken: Vec<[f64; 4]>, has_plots: bool) {
         if self.framing == Framing::Free || self.hand.is_busy() {
             return;
         }
         let panels = &self.panels;
         let tool = self.hand.tool();
         let selects = tool == Tool::Select;
-        let open = [panels.has_settings, panels.lessons.is_open, panels.plots.is_some(), panels.hides_panels, selects];
+        let open = [panels.has_settings, panels.lessons.is_open, has_plots, panels.hides_panels, selects];
         if !self.ways.wait_for(open, tool) || taken == self.ways.taken {
             return;
         }

@@ -106,7 +106,7 @@ impl Session {
                     self.complain(&why);
                 }
             }
-            Note::NotKept(why) => self.complain(&format!(
+            Note::NotKept(why) => self.panels.notes.tell(format!(
                 "what you do here would be lost if the program were killed, until this can be written again: {why}"
             )),
         }

@@ -23,18 +23,24 @@ impl Session {
     /// Opens the system's dialog, unless it is open.
     pub(super) fn browse_to_save(&mut self) {
         if self.saving.is_none() {
-            self.saving = Some(Saving::new(&self.window, self.scene.name(), self.wake_up()));
+            let begins = folder(self.recent.folder());
+            self.saving = Some(Saving::new(&self.window, (&begins, self.scene.name()), self.wake_up()));
         }
     }
 
-    /// The next file is looked for beside this one.
+    /// The next file is looked for beside this one, which is the newest of those that are listed.
     pub(super) fn remember(&mut self, path: &Path) {
-        self.last_file = std::path::absolute(path).ok();
+        self.recent.note(path);
+        let kept = self.state_folder.as_deref().map(|folder| self.recent.save(folder));
+        self.panels.recent = self.recent.files().to_vec();
+        if let Some(Err(why)) = kept {
+            self.panels.notes.warn(format!("the next start does not list this file: {why}"));
+        }
     }
 
     /// A name that no file has, of this ending, where files go that nobody named a place for.
     pub(super) fn free_path(&self, ending: &str) -> PathBuf {
-        free_name(&folder(self.last_file.as_deref()), self.scene.name(), ending)
+        free_name(&folder(self.recent.folder()), self.scene.name(), ending)
     }
 
     /// A path can be written.

@@ -51,6 +51,7 @@ use super::panels::{At, Misfits, PanelState, theme};
 use super::player::{Figures, Order, Player, Shown};
 use super::pointer::Pointer;
 use super::preferences::Preferences;
+use super::recent::Recent;
 use super::resting::Resting;
 use super::saving::Saving;
 use super::thumbnails::Thumbnails;
@@ -192,8 +193,8 @@ pub(super) struct Session {
     wearer: Option<Vec<PointId>>,
     pasted: Option<Fetch>,
     saving: Option<Saving>,
-    /// The last file that was saved or opened: the next one is looked for beside it.
-    last_file: Option<PathBuf>,
+    /// What was saved and opened: the next file is looked for in the folder that was used last.
+    recent: Recent,
     /// Where sessions outlive a killed program, what the next history is recorded to, what is found of earlier ones, and what is left
     /// of them, the newest last.
     state_folder: Option<PathBuf>,
@@ -236,6 +237,8 @@ impl Session {
         let preferred = folder.as_deref().map(Preferences::load).unwrap_or_default();
         self.color(preferred.palette);
         self.trailing.settings = preferred.trails;
+        self.recent = folder.as_deref().map(Recent::load).unwrap_or_default();
+        self.panels.recent = self.recent.files().to_vec();
         self.search = folder.clone().map(|folder| look(folder, self.wake_up()));
         (self.state_folder, self.record) = (folder, record);
     }

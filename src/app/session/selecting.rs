@@ -75,7 +75,10 @@ impl Session {
 
     /// The stepping thread is told whose matter is to be shown, where that is new.
     pub(super) fn inspect(&mut self) {
-        let chosen = self.with_scope(|hand, scope| hand.chosen(scope)).unwrap_or_default();
+        let chosen = self.with_scope(|hand, scope| {
+            hand.settle(scope);
+            hand.chosen(scope).unwrap_or_default()
+        });
         if chosen != self.inspected {
             self.inspected = chosen.clone();
             let Chosen { points, obstacles } = chosen;

@@ -24,6 +24,7 @@ impl Session {
         let done = picture.and_then(|picture| worn(&picture, &points, |point| shown.place(point.index())));
         match done {
             Ok(act) => {
+                self.remember(path);
                 self.player.give(vec![act], Some("picture"));
                 self.dirty = true;
             }

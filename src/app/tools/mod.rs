@@ -58,6 +58,7 @@ mod room;
 #[cfg(test)]
 mod select_tests;
 mod selecting;
+mod selection;
 mod skin;
 #[cfg(test)]
 mod space_tests;
@@ -102,6 +103,7 @@ use region::Region;
 pub(super) use rings::Ring;
 use rings::RingGrip;
 pub(super) use room::Walls;
+use selection::Selection;
 use throw::Throw;
 use wind::Blow;
 
@@ -172,8 +174,8 @@ pub(super) struct Hand {
     /// What the tool for forces makes, and where the arrow of the wind was drawn `[m]`.
     push: PushWay,
     wind_at: Option<DVec3>,
-    /// What is selected, or will be as soon as it is there.
-    chosen: Chosen,
+    /// What is selected.
+    selection: Selection,
     /// A drag beside all bodies is a free stroke, not a box.
     draws_lasso: bool,
     shift: bool,

@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::erase::{delete_points, erase};
 use super::hover::{CALM, strength};
 use super::selecting::is_drag;
+use super::selection::Selection;
 use super::{Chosen, Deed, Doing, Hand, Scope, brush, knot, selecting};
 use crate::app::action::Tool;
 use crate::app::player::Probe;
@@ -101,7 +102,7 @@ impl Hand {
 
     /// Nothing is selected any more.
     pub(in crate::app) fn deselect(&mut self) {
-        self.chosen = Chosen::default();
+        self.selection.set(Chosen::default());
     }
 
     /// Takes away what is led, or what lies under the pixel.
@@ -114,7 +115,7 @@ impl Hand {
             return deed;
         }
         if let Some(chosen) = self.chosen(scope) {
-            self.chosen = Chosen::default();
+            self.selection.take_away(scope);
             return chosen.deleted();
         }
         at.map_or_else(Deed::default, |at| erase(scope, at))
@@ -123,7 +124,7 @@ impl Hand {
     /// A history begins: nothing is held any more, and nothing selected.
     pub(in crate::app) fn let_go(&mut self) {
         self.drop_all();
-        self.chosen = Chosen::default();
+        self.selection = Selection::default();
     }
 
     /// Time was gone through: nothing is held any more; what is selected stays so where it is there.

@@ -20,13 +20,13 @@ const CLICK: f64 = 4.0;
 impl Hand {
     /// A handle is taken; else what lies under the pixel is selected and can be moved; else a region begins.
     pub(super) fn begin_to_select(&mut self, scope: Scope<'_>, at: DVec2) {
-        self.chosen = self.chosen.left(scope);
-        let frame = Frame::of(scope, &self.chosen);
+        let chosen = self.selection.begin(scope);
+        let frame = Frame::of(scope, &chosen);
         if let Some((frame, handle)) = frame.and_then(|frame| Some((frame, frame.handle(scope, at)?))) {
             self.doing = Doing::Handling(frame.grip(scope, handle, at));
             return;
         }
-        let rings = Rings::of(scope, &self.chosen);
+        let rings = Rings::of(scope, &chosen);
         if let Some((rings, ring)) = rings.and_then(|rings| Some((rings, rings.ring(scope, at)?))) {
             self.doing = Doing::Turning(rings.grip(ring, at));
             return;
@@ -37,19 +37,20 @@ impl Hand {
             return;
         };
         if self.shift {
-            self.chosen = self.chosen.joined(&under, true);
+            self.selection.set(chosen.joined(&under, true));
             self.doing = Doing::Nothing;
             return;
         }
-        if !self.chosen.has(&under) {
-            self.chosen = under.clone();
+        if !chosen.has(&under) {
+            self.selection.set(under.clone());
         }
         self.doing = Doing::Moving(scope.hold(at), under);
     }
 
     /// What a press on a pixel takes hold of: of planes of space only what is selected, for a drag over others draws a region.
     fn meant(&self, scope: Scope<'_>, at: DVec2) -> Option<Chosen> {
-        let is_meant = |under: &Chosen| !self.alt && (!under.is_ground(scope) || self.chosen.has(under));
+        let is_chosen = |under: &Chosen| self.selection.now(scope).has(under);
+        let is_meant = |under: &Chosen| !self.alt && (!under.is_ground(scope) || is_chosen(under));
         Chosen::at(scope, at).filter(is_meant)
     }
 
@@ -61,7 +62,7 @@ impl Hand {
     /// What is selected was dragged, or what lies under the pixel clicked: that alone is selected then.
     pub(super) fn end_move(&mut self, scope: Scope<'_>, (hold, to): (Hold, DVec2), under: Chosen) -> Deed {
         if !is_drag(scope, [hold.at, to]) {
-            self.chosen = under;
+            self.selection.set(under);
             return Deed::default();
         }
         let chosen = self.chosen(scope).unwrap_or_default();
@@ -98,25 +99,41 @@ impl Hand {
             true => Chosen::within(scope, |at| region.has(to, at)),
             false => ground().unwrap_or_default(),
         };
-        self.chosen = if self.shift { self.chosen.joined(&found, false) } else { found };
+        self.selection.set(if self.shift { self.selection.now(scope).joined(&found, false) } else { found });
     }
 
     /// These are selected, as soon as they are there.
     pub(in crate::app) fn select(&mut self, chosen: Chosen) {
-        self.chosen = chosen;
+        self.selection.set(chosen);
+    }
+
+    /// The same, of copies of what was selected: that is selected again where they are taken away.
+    pub(in crate::app) fn select_copy(&mut self, copies: Chosen) {
+        self.selection.come(copies);
+    }
+
+    /// What was taken away is selected again, where it has come back.
+    pub(in crate::app) fn settle(&mut self, scope: Scope<'_>) {
+        self.selection.settle(scope);
+    }
+
+    /// Something is done: what undo took away before cannot come back.
+    pub(in crate::app) fn forget_undone(&mut self, scope: Scope<'_>) {
+        self.selection.forget_undone(scope);
     }
 
     /// All bodies and obstacles are selected, with the tool for that.
     pub(in crate::app) fn select_all(&mut self, scope: Scope<'_>) {
-        (self.tool, self.chosen) = (Tool::Select, Chosen::all(scope));
+        self.tool = Tool::Select;
+        self.selection.set(Chosen::all(scope));
     }
 
     /// What is selected and there, if the tool for that is in the hand.
     pub(in crate::app) fn chosen(&self, scope: Scope<'_>) -> Option<Chosen> {
-        if self.tool() != Tool::Select || self.chosen.is_empty() {
+        if self.tool() != Tool::Select {
             return None;
         }
-        Some(self.chosen.left(scope)).filter(|chosen| !chosen.is_empty())
+        Some(self.selection.now(scope)).filter(|chosen| !chosen.is_empty())
     }
 
     /// The handle under a pixel, or the one that is held.

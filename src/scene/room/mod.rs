@@ -33,6 +33,8 @@ pub(crate) struct Wanted {
     pub(crate) by: DVec2,
     /// It may be there though a part of it is out of view.
     pub(crate) is_meant: bool,
+    /// It is beside what lies where it comes from: as far to the right. The other sides are as good, in their order.
+    pub(crate) is_beside: bool,
     /// Lower and upper corner of what is seen `[m]`.
     pub(crate) seen: [DVec2; 2],
 }
@@ -92,11 +94,24 @@ impl Drawing {
 /// How far a thing goes from where it is `[m]`, and how it lies there; `None`: it would be in obstacles or behind walls all over what is seen.
 pub(crate) fn in_view(world: &dyn Dynamics, own: &Drawing, wanted: Wanted) -> Option<(DVec2, Lies)> {
     let Some(search) = Search::new(world, own, (wanted, 0.0), true) else { return Some((wanted.by, Lies::Free)) };
-    if let Some(by) = search.nearest(&search.taken) {
+    // Whoever points into a hollow means it.
+    if wanted.is_meant && search.has_room(&search.taken, [0; 2]) {
+        return Some((wanted.by, Lies::Free));
+    }
+    let filled = search.filled(own);
+    let sides = search.sides(own);
+    let is_free = |side: &&[i64; 2]| search.has_room(&filled, **side);
+    if let Some(&side) = sides.iter().filter(is_free).find(|side| search.may_be(search.way(**side))) {
+        return Some((wanted.by + search.way(side), Lies::Free));
+    }
+    if let Some(by) = search.nearest(&filled) {
         return Some((by, Lies::Free));
     }
-    if search.taken.has_room(&search.thing, search.taken.offset(&search.thing)) {
-        return Some((wanted.by, Lies::OutOfView));
+    if let Some(&side) = sides.iter().find(is_free) {
+        return Some((wanted.by + search.way(side), Lies::OutOfView));
+    }
+    if let Some(by) = search.nearest(&search.taken) {
+        return Some((by, Lies::Free));
     }
     Some((search.nearest(&search.solid)?, Lies::InAnother))
 }
@@ -107,7 +122,7 @@ pub(crate) fn in_view_or_not(world: &dyn Dynamics, own: &Drawing, seen: [DVec2; 
     let Some([low, high]) = own.around() else { return middle };
     let (by, size) = (middle - 0.5 * (low + high), high - low);
     let gap = GAP * size.max_element();
-    let wanted = Wanted { by, is_meant: false, seen };
+    let wanted = Wanted { by, is_meant: false, is_beside: false, seen };
     let all = everything(world).into_iter().fold(seen, |[least, most], at| [least.min(at), most.max(at)]);
     // Beside all that there is there is room.
     let wider = Wanted { seen: [all[0] - 1.5 * size, all[1] + 1.5 * size], ..wanted };
@@ -131,6 +146,8 @@ fn everything(world: &dyn Dynamics) -> Vec<DVec2> {
 /// Where a thing may be among what is there.
 struct Search {
     solid: Raster,
+    bodies: Raster,
+    /// What either of them covers.
     taken: Raster,
     /// What it covers where it is wished, and a little around it.
     thing: Raster,
@@ -150,7 +167,8 @@ impl Search {
         if !(cell > 0.0 && cell.is_finite()) {
             return None;
         }
-        let [solid, taken] = rasters(world, (reach, cell), has_walls);
+        let [solid, bodies] = rasters(world, (reach, cell), has_walls);
+        let taken = solid.clone().with(&bodies);
         let radius = world.contact().and_then(|contact| contact.radius).unwrap_or(0.0);
         let apart = ((2.0 * radius).max(gap) / cell).ceil() + APART;
         let margin = DVec2::splat((apart + 1.0) * cell);
@@ -159,7 +177,39 @@ impl Search {
         let mut thing = Raster::new([low, around[1] + margin + DVec2::splat(cell)], cell);
         own.onto(&mut thing, wanted.by);
         let thing = thing.grown(apart as usize);
-        Some(Search { solid, taken, thing, cell, around, wanted })
+        Some(Search { solid, bodies, taken, thing, cell, around, wanted })
+    }
+
+    /// What is taken, with the hollows of bodies: but for the one that lies about the place that the thing comes from.
+    fn filled(&self, own: &Drawing) -> Raster {
+        let about = own.around().filter(|_| self.wanted.is_beside);
+        // The next cell beside it: not beyond the rim of another.
+        let margin = DVec2::splat(self.cell);
+        self.solid.clone().with(&self.bodies.filled(about.map(|[low, high]| [low - margin, high + margin])))
+    }
+
+    /// How far the places at its sides are from where it is wished, in cells: the wish itself, then left, above and below of where it comes from.
+    fn sides(&self, own: &Drawing) -> Vec<[i64; 2]> {
+        let mut sides = vec![[0; 2]];
+        if let Some([low, high]) = own.around().filter(|_| self.wanted.is_beside) {
+            let (wide, size) = (self.wanted.by.x, high - low);
+            // As far apart from it as at its right.
+            let tall = size.y + (wide - size.x).max(0.0);
+            let places = [DVec2::new(-wide, 0.0), DVec2::new(0.0, tall), DVec2::new(0.0, -tall)];
+            sides.extend(places.map(|by| ((by - self.wanted.by) / self.cell).round().to_array().map(|x| x as i64)));
+        }
+        sides
+    }
+
+    /// So many cells `[m]`.
+    fn way(&self, [x, y]: [i64; 2]) -> DVec2 {
+        self.cell * DVec2::new(x as f64, y as f64)
+    }
+
+    /// Whether nothing of a raster is where it would be, so many cells from where it is wished.
+    fn has_room(&self, raster: &Raster, by: [i64; 2]) -> bool {
+        let from = raster.offset(&self.thing);
+        raster.has_room(&self.thing, [from[0] + by[0], from[1] + by[1]])
     }
 
     /// Whether it may be so far from where it is wished `[m]`.
@@ -174,13 +224,12 @@ impl Search {
 
     /// How far it goes from where it is to the nearest place that has room among these `[m]`.
     fn nearest(&self, raster: &Raster) -> Option<DVec2> {
-        let way = |[x, y]: [i64; 2]| self.cell * DVec2::new(x as f64, y as f64);
-        let by = nearest(raster, &self.thing, |by| self.may_be(way(by)))?;
-        Some(self.wanted.by + way(by))
+        let by = nearest(raster, &self.thing, |by| self.may_be(self.way(by)))?;
+        Some(self.wanted.by + self.way(by))
     }
 }
 
-/// What obstacles and walls cover of a part of the plane, and what bodies do too.
+/// What obstacles and walls cover of a part of the plane, and what bodies do.
 fn rasters(world: &dyn Dynamics, (reach, cell): ([DVec2; 2], f64), has_walls: bool) -> [Raster; 2] {
     let mut solid = Raster::new(reach, cell);
     Drawing::default().with(world.polygons().iter().map(|polygon| polygon.loops.clone())).onto(&mut solid, DVec2::ZERO);
@@ -202,9 +251,9 @@ fn rasters(world: &dyn Dynamics, (reach, cell): ([DVec2; 2], f64), has_walls: bo
     let places: Vec<DVec2> = (0..world.point_count() as u32).map(at).collect();
     let bonds = world.bonds().ends().iter().map(|ends| ends.map(|end| end.0));
     let triangles = world.triangles().iter().map(|corners| corners.map(|corner| corner.0));
-    let mut taken = solid.clone();
-    Drawing::bodies(&places, bonds, triangles).onto(&mut taken, DVec2::ZERO);
-    [solid, taken]
+    let mut covered = Raster::new(reach, cell);
+    Drawing::bodies(&places, bonds, triangles).onto(&mut covered, DVec2::ZERO);
+    [solid, covered]
 }
 
 /// The shortest way in cells on which a thing comes to where it has room.
@@ -293,7 +342,10 @@ mod tests {
 
     #[test]
     fn a_copy_says_how_it_lies() {
-        let wanted = |by: f64, seen: [DVec2; 2]| Wanted { by: DVec2::new(by, 0.0), is_meant: false, seen };
+        let wanted = |by: f64, seen: [DVec2; 2]| {
+            let by = DVec2::new(by, 0.0);
+            Wanted { by, is_meant: false, is_beside: false, seen }
+        };
         let full = world(
             r#", "points": {"position": [[-5, 0], [5, 0], [0, 5], [0, -5]]}, "bonds": [{"a": 0, "b": 1}, {"a": 2, "b": 3}]"#,
         );
@@ -302,5 +354,54 @@ mod tests {
         assert_eq!(in_view(&*full, &square(1.0), wanted(0.0, SEEN)).map(|(_, lies)| lies), Some(Lies::Free));
         let solid = world(r#", "obstacles": [{"box": {"min": [-20, -20], "max": [20, 20]}}]"#);
         assert_eq!(in_view(&*solid, &square(1.0), wanted(0.0, SEEN)), None);
+    }
+
+    /// A square of 1 m about the origin, with what else is there: where its copy comes to be.
+    fn copied(keys: &str, seen: [DVec2; 2], far: f64) -> (DVec2, Lies) {
+        let own = r#"{"polygon": [[[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]]]}"#;
+        let world = world(&format!(r#", "obstacles": [{own}{keys}"#));
+        let wanted = Wanted { by: DVec2::new(far, 0.0), is_meant: false, is_beside: true, seen };
+        in_view(&*world, &square(0.5), wanted).unwrap()
+    }
+
+    #[test]
+    fn a_copy_comes_to_the_first_free_side_right_left_above_below() {
+        let at = |x: f64, y: f64| {
+            let [a, b] = [[x - 0.5, y - 0.5], [x + 0.5, y + 0.5]];
+            format!(r#", {{"box": {{"min": [{}, {}], "max": [{}, {}]}}}}"#, a[0], a[1], b[0], b[1])
+        };
+        let sides = [DVec2::new(1.1, 0.0), DVec2::new(-1.1, 0.0), DVec2::new(0.0, 1.1), DVec2::new(0.0, -1.1)];
+        let mut others = String::new();
+        for side in sides {
+            let (by, lies) = copied(&format!("{others}]"), SEEN, 1.1);
+            assert!(by.distance(side) < 0.04 && lies == Lies::Free, "{by} in place of {side}");
+            others += &at(1.4 * side.x, 1.4 * side.y);
+        }
+        let (by, lies) = copied(&format!("{others}]"), SEEN, 1.1);
+        assert!(lies == Lies::Free && by.abs().max_element() > 1.0, "beside all of them: {by}");
+    }
+
+    #[test]
+    fn a_copy_stays_within_walls_though_that_is_not_at_its_right() {
+        let walls = r#"], "bounds": {"min": [-9, -9], "max": [0.8, 9]}"#;
+        let (by, lies) = copied(walls, SEEN, 1.1);
+        assert!(by.distance(DVec2::new(-1.1, 0.0)) < 0.04 && lies == Lies::Free, "{by}");
+        // Nor is the left in view: it is within the walls.
+        let (by, lies) = copied(walls, [DVec2::splat(-0.7), DVec2::splat(0.7)], 1.1);
+        assert!(by.distance(DVec2::new(-1.1, 0.0)) < 0.04 && lies == Lies::OutOfView, "{by}");
+    }
+
+    #[test]
+    fn a_copy_lies_in_no_hollow_of_another_body_but_in_that_of_its_original() {
+        let ring = |middle: f64| {
+            let corners = [[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]].map(|[x, y]| [x + middle, y]);
+            let bonds = r#"[{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}, {"a": 3, "b": 0}]"#;
+            format!(r#"], "points": {{"position": {corners:?}}}, "bonds": {bonds}"#)
+        };
+        // From 0.65 to 4.65 m: the place at the right is in the hollow.
+        let (by, lies) = copied(&ring(2.65), SEEN, 1.3);
+        assert!(by.distance(DVec2::new(-1.3, 0.0)) < 0.04 && lies == Lies::Free, "{by}");
+        let (by, _) = copied(&ring(0.0), SEEN, 1.3);
+        assert!(by.distance(DVec2::new(1.3, 0.0)) < 0.04, "both lie in it: {by}");
     }
 }

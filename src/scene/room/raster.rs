@@ -115,6 +115,38 @@ impl Raster {
         grown
     }
 
+    /// With what another one of the same cells covers.
+    pub(super) fn with(mut self, other: &Raster) -> Self {
+        self.rows.iter_mut().zip(&other.rows).for_each(|(own, its)| *own |= its);
+        self
+    }
+
+    /// With the hollows of what is covered: all that cannot be got to from the border, nor from a part between two corners `[m]`.
+    pub(super) fn filled(&self, open: Option<[DVec2; 2]>) -> Self {
+        let [width, height] = self.size;
+        let mut reached = Raster { rows: vec![0; self.rows.len()], ..self.clone() };
+        let cell = |at: DVec2| self.within(at).floor().to_array().map(|x| x.max(0.0) as usize);
+        let open = open.map(|corners| corners.map(cell));
+        let is_open = |[x, y]: [usize; 2]| {
+            let is_in =
+                open.is_some_and(|[low, high]| (low[0]..=high[0]).contains(&x) && (low[1]..=high[1]).contains(&y));
+            is_in || x == 0 || y == 0 || x + 1 == width || y + 1 == height
+        };
+        let all = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+        let mut next: Vec<[usize; 2]> = all.filter(|&at| is_open(at)).collect();
+        while let Some([x, y]) = next.pop() {
+            if self.has(x, y) || reached.has(x, y) {
+                continue;
+            }
+            reached.set(x, y);
+            let along = [x.checked_sub(1), (x + 1 < width).then_some(x + 1)].into_iter().flatten().map(|x| [x, y]);
+            let across = [y.checked_sub(1), (y + 1 < height).then_some(y + 1)].into_iter().flatten().map(|y| [x, y]);
+            next.extend(along.chain(across));
+        }
+        reached.rows.iter_mut().for_each(|word| *word = !*word);
+        reached
+    }
+
     /// How many cells the lower corner of another one is from that of this.
     pub(super) fn offset(&self, other: &Raster) -> [i64; 2] {
         self.within(other.low).round().to_array().map(|x| x as i64)
@@ -164,6 +196,24 @@ mod tests {
             }
         }
         assert!(!world.has_room(&thing, [-1, 0]) && !world.has_room(&thing, [231, 0]));
+    }
+
+    #[test]
+    fn hollows_are_filled_but_for_the_one_that_is_open() {
+        let mut world = Raster::new([DVec2::ZERO, DVec2::splat(100.0)], 1.0);
+        let ring = |world: &mut Raster, low: [f64; 2], side: f64| {
+            let corners = square(low, side);
+            (0..4).for_each(|k| world.line([corners[k], corners[(k + 1) % 4]]));
+        };
+        ring(&mut world, [10.5, 10.5], 30.0);
+        ring(&mut world, [60.5, 60.5], 30.0);
+        // A corner is no hollow.
+        world.line([DVec2::new(60.5, 10.5), DVec2::new(90.5, 10.5)]);
+        world.line([DVec2::new(60.5, 10.5), DVec2::new(60.5, 40.5)]);
+        let all = world.filled(None);
+        assert!(all.has(25, 25) && all.has(75, 75) && !all.has(75, 25) && !all.has(99, 99));
+        let one = world.filled(Some([DVec2::splat(20.0), DVec2::splat(24.0)]));
+        assert!(!one.has(35, 35) && one.has(40, 25) && one.has(75, 75));
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use egui::{ComboBox, DragValue, Response, Slider, SliderClamping, Ui};
 
 use super::super::theme::as_high_as_buttons;
-use super::super::{Facts, Wish, dial, ranged};
+use super::super::{Facts, Wish, dial, ranged, ticks};
 use super::Sink;
 use crate::app::player::MethodSetting;
 use crate::history::{AreasOrNone, SetKeys, Walls, Weather};
@@ -127,7 +127,7 @@ pub(super) fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, seen: [[f64; 
     ui.horizontal(|ui| {
         ui.strong("Walls");
         let mut stand = bounds.is_some();
-        let by = ui.add_enabled(stand || can_stand, egui::Checkbox::new(&mut stand, "stand"));
+        let by = ticks::check_if(ui, stand || can_stand, &mut stand, "stand");
         let by = by.on_hover_text("new ones stand around what is seen");
         if by.changed() {
             let these = BoundsKeys {
@@ -185,7 +185,7 @@ const WALLS: [[&str; 2]; 3] = [["left", "right"], ["floor", "top"], ["back", "fr
 pub(super) fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<'_>) {
     let mut meets = contact.is_some();
     ui.strong("Bodies");
-    let by = ui.checkbox(&mut meets, "collide");
+    let by = ticks::check(ui, &mut meets, "collide");
     if by.changed() {
         let keys = SetKeys { contact: Some(Meeting::Is(meets)), ..SetKeys::default() };
         sink.scene(&by, "contact", keys);
@@ -197,9 +197,9 @@ pub(super) fn of_contact(ui: &mut Ui, contact: Option<Contact>, sink: &mut Sink<
 fn of_meeting(ui: &mut Ui, contact: Contact, sink: &mut Sink<'_>) {
     let mut to = contact;
     let all = [
-        ui.checkbox(&mut to.with_others, "with one another")
+        ticks::check(ui, &mut to.with_others, "with one another")
             .on_hover_text("off: each collides with itself alone, and with obstacles"),
-        ui.checkbox(&mut to.with_itself, "with themselves"),
+        ticks::check(ui, &mut to.with_itself, "with themselves"),
         slider(ui, "friction", &mut to.friction, 2.0),
         slider(ui, "restitution", &mut to.restitution, 1.0),
     ];
@@ -226,7 +226,7 @@ pub(super) fn of_areas(ui: &mut Ui, (areas, meets): (Option<Areas>, bool), sink:
         least: Some(least),
     };
     let mut are_kept = before.stiffness.is_infinite();
-    let by = ui.checkbox(&mut are_kept, "areas are kept").on_hover_text("whatever presses on bodies");
+    let by = ticks::check(ui, &mut are_kept, "areas are kept").on_hover_text("whatever presses on bodies");
     if by.changed() {
         let kept = AreaKeys { kind: Some(AreaKindName::Rigid), stiffness: None, least: Some(before.least) };
         set(sink, &by, are_kept.then_some(kept));
@@ -278,11 +278,11 @@ pub(super) fn of_method(ui: &mut Ui, method: &Method, facts: &Facts, sink: &mut 
         sink.method(&by, MethodSetting::Budget(to));
     }
     let (mut sleeps, mut settles) = (method.sleeps, method.settles);
-    let by = ui.checkbox(&mut sleeps, "what rests falls asleep");
+    let by = ticks::check(ui, &mut sleeps, "what rests falls asleep");
     if by.changed() {
         sink.method(&by, MethodSetting::Sleep(sleeps));
     }
-    let by = ui.checkbox(&mut settles, "what lies on others comes to rest");
+    let by = ticks::check(ui, &mut settles, "what lies on others comes to rest");
     if by.changed() {
         sink.method(&by, MethodSetting::Settle(settles));
     }
@@ -372,7 +372,7 @@ fn chosen(
 ) -> Option<(Response, Option<f64>)> {
     let mut is_given = value.is_some();
     ui.horizontal(|ui| {
-        let switch = ui.checkbox(&mut is_given, name).on_hover_text("off: as the rules choose");
+        let switch = ticks::check(ui, &mut is_given, name).on_hover_text("off: as the rules choose");
         if switch.changed() {
             return Some((switch, is_given.then_some(first)));
         }

@@ -2,7 +2,7 @@
 
 use egui::{Response, Ui};
 
-use super::super::Facts;
+use super::super::{Facts, ticks};
 use super::fields::{number, number_within};
 use super::{Pushing, Sink};
 use crate::history::Do;
@@ -89,7 +89,7 @@ fn one_of<T: Copy + PartialEq>(
     ui.horizontal(|ui| {
         ui.label(label);
         for (choice, name, words) in choices {
-            let by = ui.radio(now == choice, name).on_hover_text(words);
+            let by = ticks::radio(ui, now == choice, name).on_hover_text(words);
             let is_new = by.clicked() && now != choice;
             give(is_new.then_some(by), change(choice), sink);
         }

@@ -2,7 +2,7 @@
 
 use egui::{Slider, Ui};
 
-use super::super::{Facts, Wish, parameters, ranged};
+use super::super::{Facts, Wish, parameters, ranged, ticks};
 use super::{Sink, fields, push};
 use crate::app::action::Action;
 use crate::app::trailing::TrailSettings;
@@ -175,14 +175,14 @@ fn of_colors(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
         for (palette, name) in [(Palette::Dark, "dark"), (Palette::Light, "light")] {
             let said = super::described("of panels and world, kept for the next start", Action::Palette);
             let is_on = facts.palette == palette;
-            if ui.radio(is_on, name).on_hover_text(said).clicked() && !is_on {
+            if ticks::radio(ui, is_on, name).on_hover_text(said).clicked() && !is_on {
                 sink.wishes.push(Wish::Act(Action::Palette));
             }
         }
     });
     let mut is_shown = facts.look.has_grid;
     let said = super::described("metres along the lower and the left edge", Action::ToggleGrid);
-    if ui.checkbox(&mut is_shown, "grid and its numbers").on_hover_text(said).changed() {
+    if ticks::check(ui, &mut is_shown, "grid and its numbers").on_hover_text(said).changed() {
         sink.wishes.push(Wish::Act(Action::ToggleGrid));
     }
 }
@@ -193,7 +193,7 @@ fn of_trails(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
     ui.strong("Trails");
     let said =
         super::described("where points have been: those that are probed or selected first", Action::ToggleTrails);
-    if ui.checkbox(&mut is_on, "trails of points").on_hover_text(said).changed() {
+    if ticks::check(ui, &mut is_on, "trails of points").on_hover_text(said).changed() {
         sink.wishes.push(Wish::Act(Action::ToggleTrails));
     }
     ui.spacing_mut().slider_width = 96.0;
