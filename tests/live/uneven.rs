@@ -8,7 +8,7 @@ use super::world;
 /// A heavy box falls on something light: how deep each gets into the other [m], and the most energy beyond the first [J]. `light`: how many
 /// points of the first bodies' outline there are; the box follows them.
 fn deepest(light: &[Value], outline: usize, mass: f64) -> [f64; 2] {
-    let heavy = json!({"make": "box", "width": 0.8, "height": 0.8, "supports": 2, "origin": [0, 1],
+    let heavy = json!({"make": "box", "width": 0.8, "height": 0.8, "supports": 2, "origin": [0, 1.4],
         "material": {"kind": "rigid", "mass": mass}});
     let bodies: Vec<Value> = light.iter().cloned().chain([heavy]).collect();
     let mut world = world(&json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": bodies,

@@ -79,7 +79,7 @@ pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
 
 /// The same, in a room of its own.
 fn in_bar(ui: &mut Ui, figures: &Figures, (lines, is_roomy): (Vec<Line>, bool), wishes: &mut Vec<Wish>) {
-    let (words, tone) = in_short(figures, lines.len());
+    let (words, tone) = in_short(figures, lines.len(), is_roomy);
     // What it is about, where the line of time has room beside that.
     let words = if is_roomy { format!("physics: {words}") } else { words };
     let button = ui.add(Button::new(RichText::new(words).color(tone.color(ui))).truncate());
@@ -132,18 +132,23 @@ fn is_over(context: &Context, id: Id, button: Rect) -> bool {
     left <= 0.0 || is_pressed && !is_on_them
 }
 
-/// How it is computed in a word, and how many notes there are on that.
-fn in_short(figures: &Figures, notes: usize) -> (String, Tone) {
+/// How it is computed in a word, and how many notes there are on that; where there is little room the word alone.
+fn in_short(figures: &Figures, notes: usize, is_roomy: bool) -> (String, Tone) {
     let has = |why: &[Why]| figures.movers.moved.iter().any(|one| why.contains(&one.why));
-    let (word, color) = match () {
-        () if has(&[Why::NotFinite]) => (Some("frozen"), Tone::Away),
-        () if figures.yielded.is_some() => (Some("rougher, to keep up"), Tone::Lead),
-        () if has(&[Why::Budget, Why::Alarm]) => (Some("quick"), Tone::Weak),
-        () if has(&[Why::Contact, Why::Plan]) => (Some("with collisions"), Tone::Weak),
+    let (words, color) = match () {
+        () if has(&[Why::NotFinite]) => (Some(["frozen", "frozen"]), Tone::Away),
+        () if figures.yielded.is_some() => (Some(["rougher, to keep up", "rougher"]), Tone::Lead),
+        () if has(&[Why::Budget, Why::Alarm]) => (Some(["quick", "quick"]), Tone::Weak),
+        () if has(&[Why::Contact, Why::Plan]) => (Some(["with collisions", "collisions"]), Tone::Weak),
         () => (None, Tone::Weak),
     };
     let notes = if notes == 1 { "1 note".to_owned() } else { format!("{notes} notes") };
-    (word.map_or_else(|| notes.clone(), |word| format!("{word}, {notes}")), color)
+    let words = match words {
+        Some([word, _]) if is_roomy => format!("{word}, {notes}"),
+        Some([_, word]) => word.to_owned(),
+        None => notes,
+    };
+    (words, color)
 }
 
 fn lines(figures: &Figures) -> Vec<Line> {
@@ -311,14 +316,15 @@ mod tests {
             let movers = Movers { moved: list, islands: 4, can_be_exact: true };
             Figures { movers: Arc::new(movers), ..Figures::default() }
         };
-        let short = |figures: &Figures| in_short(figures, lines(figures).len()).0;
+        let short = |figures: &Figures| in_short(figures, lines(figures).len(), true).0;
+        let tight = |figures: &Figures| in_short(figures, lines(figures).len(), false).0;
         assert_eq!(short(&with(vec![moved(Why::Contact, 1)])), "with collisions, 1 note");
         assert_eq!(short(&with(vec![moved(Why::Contact, 1), moved(Why::Budget, 1)])), "quick, 2 notes");
         let yielded = Some(Yielded { rung: Rung::Live, since: 1.0, work: None });
         let both = Figures { yielded, ..with(vec![moved(Why::Budget, 1)]) };
         assert_eq!(short(&both), "rougher, to keep up, 2 notes");
         let frozen = Figures { yielded, ..with(vec![moved(Why::Budget, 1), moved(Why::NotFinite, 1)]) };
-        assert_eq!(short(&frozen), "frozen, 3 notes");
+        assert_eq!((short(&frozen), tight(&frozen)), ("frozen, 3 notes".to_owned(), "frozen".to_owned()));
         let acts = Acts { settles: true, ..Acts::default() };
         assert_eq!(short(&Figures { acts, ..Figures::default() }), "1 note");
     }

@@ -10,6 +10,7 @@ use super::areas;
 use super::cluster::{Cluster, Common};
 use super::pair::{Beside, MENDED, Pair, beside, left};
 use super::rigid::Change;
+use super::tree;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
@@ -35,6 +36,7 @@ pub(super) fn lift<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     }
     let (mut pairs, active) = (std::mem::take(&mut state.pairs), std::mem::take(&mut state.active));
     state.counts.work += 15 * active.len() as u64;
+    let mut is_lifted = false;
     let heavy: Vec<Touch> = active.iter().filter_map(|&number| Touch::of(state, &pairs, number)).collect();
     if !heavy.is_empty() {
         let own = state.own();
@@ -48,16 +50,25 @@ pub(super) fn lift<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
             let mut on_planes = std::mem::take(&mut state.on_planes);
             on_planes.iter_mut().for_each(|on| on.press(state, common));
             state.on_planes = on_planes;
-            state.counts.work += 25 * obstacles.len() as u64 + 30 * u64::from(SWEEPS) * heavy.len() as u64;
+            state.counts.work += 25 * (obstacles.len() + heavy.len()) as u64;
             if round == 0 {
                 heavy.iter().for_each(|touch| touch.mend(state, &pairs));
             }
+            if !heavy.iter().any(|touch| touch.is_deep(state, &pairs)) {
+                continue;
+            }
+            state.counts.work += 30 * u64::from(SWEEPS) * heavy.len() as u64;
+            is_lifted = true;
             for _ in 0..SWEEPS {
                 heavy.iter().zip(&mut pushed).for_each(|(touch, pushed)| touch.press(state, &pairs, pushed));
             }
         }
     }
     (state.pairs, state.active) = (pairs, active);
+    if is_lifted {
+        state.straighten_rigs();
+        tree::straighten(state, common, true);
+    }
 }
 
 /// A touch of something heavy and something light.
@@ -81,6 +92,13 @@ impl Touch {
         let is_of_point = of_point * heavier < of_edge;
         let is_any = is_of_point && of_point > S::ZERO || of_edge > S::ZERO && of_edge * heavier < of_point;
         is_any.then_some(Touch { pair: number, is_of_point })
+    }
+
+    /// Whether the two are nearer than they may be, what was so before the substep included.
+    fn is_deep<S: Real>(self, state: &Cluster<S>, pairs: &[Pair<S>]) -> bool {
+        let pair = &pairs[self.pair as usize];
+        let found = beside(places(pair).map(|i| state.now[i]), pair.side);
+        found.is_some_and(|found| pair.distance - found.gap > S::from_f64(SLACK) * pair.distance)
     }
 
     /// Inverse mass of the heavy one along a direction `[1/kg]`.
@@ -129,9 +147,6 @@ impl Touch {
         let [p, a, b] = places(pair);
         let Some(Beside { at, normal, gap }) = beside([p, a, b].map(|i| state.now[i]), pair.side) else { return };
         let lacking = pair.distance - pair.old - gap;
-        if lacking <= S::from_f64(SLACK) * pair.distance && *pushed == [S::ZERO; 2] {
-            return;
-        }
         let of_edge = add(scale(state.way[a], S::ONE - at), scale(state.way[b], at));
         let own = if self.is_of_point { state.way[p] } else { scale(of_edge, -S::ONE) };
         let comes = (-dot(own, normal)).max(S::ZERO);
