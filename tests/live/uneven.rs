@@ -1,6 +1,7 @@
 //! What is heavy on what is light: it presses that flat, or rests on it, but does not get into it.
 
 use serde_json::{Value, json};
+use wobble::sim::Sample;
 
 use super::heap::inside;
 use super::world;
@@ -48,4 +49,23 @@ fn a_light_soft_disc_is_pressed_flat_but_not_pierced() {
     let [depth, gained] = deepest(&[light], outline, 70.0);
     assert!(depth < 0.02, "{depth} m deep");
     assert!(gained < 1.0, "{gained} J");
+}
+
+/// What is light rests on nothing: it goes on with what struck it, and nothing is lifted, though others in the heap rest on the floor.
+#[test]
+fn in_flight_what_is_heavy_and_what_is_light_share_their_momentum() {
+    let at = |x: f64, y: f64, v: f64, mass: f64| {
+        json!({"make": "box", "width": 0.4, "height": 0.4, "supports": 2, "origin": [x, y], "velocity": [v, 0],
+            "material": {"kind": "rigid", "mass": mass}})
+    };
+    let mut world = world(&json!({"wobble": 1, "contact": {"friction": 0}, "gravity": [0, 0],
+        "bodies": [at(0.0, 1.0, 4.0, 50.0), at(0.5, 1.1, 0.0, 0.5), at(1.0, 1.0, -1.0, 0.5)]}));
+    let masses = world.masses().to_vec();
+    let momentum = |sample: &Sample| crate::common::physics::momentum(sample, &masses);
+    let start = momentum(&world.sample(0.0));
+    while world.time() < 0.5 {
+        world.step();
+    }
+    let end = momentum(&world.sample(world.time()));
+    assert!((0..2).all(|k| (end[k] - start[k]).abs() < 1e-9 * start[0]), "{start:?} {end:?}");
 }

@@ -1,13 +1,15 @@
 //! What is heavy sinks no further into what is light than that gives way.
 //!
 //! A light body between a heavy one and a floor takes the push of each whole and bears neither: passes over contacts push it to and fro, as often
-//! as the one is heavier than the other, and press its triangles flat. So after them these are opened, and the light body put out of
-//! obstacles, once more; what is left of an overlap then is taken from the heavy one alone, which is stopped by it, and lifted slowly and
-//! without speed where that is not enough. What bears it in truth is the floor: nothing is done to what leans on none.
+//! as the one is heavier than the other, and press its triangles flat and its bonds short. So after them these are opened and held, and the
+//! light body put out of obstacles, once more; what is left of an overlap then is taken from the heavy one alone, which is stopped by it, and
+//! lifted slowly and without speed where that is not enough. What bears it in truth is the floor: nothing is done where the light body rests
+//! on none.
 //! Source of the idea: shock propagation, in E. Guendelman and others, Nonconvex Rigid Bodies with Stacking, 2003.
 
 use super::areas;
-use super::cluster::{Cluster, Common};
+use super::bonds;
+use super::cluster::{Cluster, Common, OBSTACLE};
 use super::pair::{Beside, MENDED, Pair, beside, left};
 use super::rigid::Change;
 use super::tree;
@@ -31,44 +33,94 @@ pub(super) fn is_uneven<S: Real>(w: &[S]) -> bool {
 
 /// Lifts what is heavy out of what is light, once all passes are over.
 pub(super) fn lift<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    if !state.is_uneven || !state.leans() {
+    if !state.is_uneven {
         return;
     }
-    let (mut pairs, active) = (std::mem::take(&mut state.pairs), std::mem::take(&mut state.active));
-    state.counts.work += 15 * active.len() as u64;
+    state.counts.work += 15 * state.active.len() as u64;
+    let mut heavy: Vec<Touch> = state.active.iter().filter_map(|&number| Touch::of(state, number)).collect();
+    if heavy.is_empty() {
+        return;
+    }
+    let levels = levels(state);
+    heavy.retain(|touch| touch.is_borne(state, &levels));
+    if heavy.is_empty() {
+        return;
+    }
+    let mut pushed = vec![[S::ZERO; 2]; heavy.len()];
     let mut is_lifted = false;
-    let heavy: Vec<Touch> = active.iter().filter_map(|&number| Touch::of(state, &pairs, number)).collect();
-    if !heavy.is_empty() {
-        let own = state.own();
-        let is_obstacle = |pair: &Pair<S>| pair.p.max(pair.a) as usize >= own;
-        let obstacles: Vec<u32> =
-            active.iter().copied().filter(|&number| is_obstacle(&pairs[number as usize])).collect();
-        let mut pushed = vec![[S::ZERO; 2]; heavy.len()];
-        for round in 0..ROUNDS {
-            areas::unfold(state, common);
-            obstacles.iter().for_each(|&number| _ = pairs[number as usize].press(state, S::ZERO));
-            let mut on_planes = std::mem::take(&mut state.on_planes);
-            on_planes.iter_mut().for_each(|on| on.press(state, common));
-            state.on_planes = on_planes;
-            state.counts.work += 25 * (obstacles.len() + heavy.len()) as u64;
-            if round == 0 {
-                heavy.iter().for_each(|touch| touch.mend(state, &pairs));
-            }
-            if !heavy.iter().any(|touch| touch.is_deep(state, &pairs)) {
-                continue;
-            }
-            state.counts.work += 30 * u64::from(SWEEPS) * heavy.len() as u64;
+    for round in 0..ROUNDS {
+        // What gave way to what lies on it comes back.
+        areas::unfold(state, common);
+        bonds::hold_again(state);
+        state.press_obstacles(common);
+        let pairs = std::mem::take(&mut state.pairs);
+        if round == 0 {
+            heavy.iter().for_each(|touch| touch.mend(state, &pairs));
+        }
+        state.counts.work += 25 * heavy.len() as u64;
+        if heavy.iter().any(|touch| touch.is_deep(state, &pairs)) {
             is_lifted = true;
+            state.counts.work += 30 * u64::from(SWEEPS) * heavy.len() as u64;
             for _ in 0..SWEEPS {
                 heavy.iter().zip(&mut pushed).for_each(|(touch, pushed)| touch.press(state, &pairs, pushed));
             }
         }
+        state.pairs = pairs;
     }
-    (state.pairs, state.active) = (pairs, active);
     if is_lifted {
         state.straighten_rigs();
         tree::straighten(state, common, true);
     }
+}
+
+impl<S: Real> Cluster<S> {
+    /// One pass over contacts with obstacles.
+    fn press_obstacles(&mut self, common: &Common<S>) {
+        let (mut pairs, own) = (std::mem::take(&mut self.pairs), self.own());
+        let active = std::mem::take(&mut self.active);
+        self.counts.work += 2 * active.len() as u64;
+        for &number in &active {
+            let pair = &mut pairs[number as usize];
+            if pair.p.max(pair.a) as usize >= own {
+                self.counts.work += 25;
+                pair.press(self, S::ZERO);
+            }
+        }
+        (self.pairs, self.active) = (pairs, active);
+        let mut on_planes = std::mem::take(&mut self.on_planes);
+        on_planes.iter_mut().for_each(|on| on.press(self, common));
+        self.on_planes = on_planes;
+    }
+}
+
+/// Over how many others each body of a cluster rests on what does not move: 0 on an obstacle or a pin of its own; `u32::MAX`: on nothing.
+fn levels<S: Real>(state: &Cluster<S>) -> Vec<u32> {
+    let mut levels = vec![u32::MAX; state.bodies.len()];
+    let mut couples: Vec<[u32; 2]> = Vec::new();
+    let pressed =
+        state.active.iter().map(|&number| &state.pairs[number as usize]).filter(|pair| pair.pressed > S::ZERO);
+    for pair in pressed {
+        match [pair.p, pair.a].map(|i| state.body_of[i as usize]) {
+            [OBSTACLE, body] | [body, OBSTACLE] => levels[body as usize] = 0,
+            [a, b] if a != b => couples.extend([[a, b], [b, a]]),
+            _ => {}
+        }
+    }
+    let on_planes = state.on_planes.iter().filter(|on| on.pressed > S::ZERO).map(|on| on.p as usize);
+    let pinned = (0..state.own()).filter(|&i| state.w[i] == S::ZERO);
+    on_planes.chain(pinned).for_each(|i| levels[state.body_of[i] as usize] = 0);
+    couples.sort_unstable();
+    couples.dedup();
+    let mut changes = true;
+    while changes {
+        changes = false;
+        for &[a, b] in &couples {
+            let over = levels[a as usize].saturating_add(1);
+            changes |= over < levels[b as usize];
+            levels[b as usize] = levels[b as usize].min(over);
+        }
+    }
+    levels
 }
 
 /// A touch of something heavy and something light.
@@ -80,8 +132,8 @@ struct Touch {
 }
 
 impl Touch {
-    fn of<S: Real>(state: &Cluster<S>, pairs: &[Pair<S>], number: u32) -> Option<Self> {
-        let pair = &pairs[number as usize];
+    fn of<S: Real>(state: &Cluster<S>, number: u32) -> Option<Self> {
+        let pair = &state.pairs[number as usize];
         let [p, a, b] = places(pair);
         if pair.pressed == S::ZERO || p.max(a) >= state.own() {
             return None;
@@ -92,6 +144,14 @@ impl Touch {
         let is_of_point = of_point * heavier < of_edge;
         let is_any = is_of_point && of_point > S::ZERO || of_edge > S::ZERO && of_edge * heavier < of_point;
         is_any.then_some(Touch { pair: number, is_of_point })
+    }
+
+    /// Whether the light one rests on something, and not on the heavy one.
+    fn is_borne<S: Real>(self, state: &Cluster<S>, levels: &[u32]) -> bool {
+        let pair = &state.pairs[self.pair as usize];
+        let [of_point, of_edge] = [pair.p, pair.a].map(|i| levels[state.body_of[i as usize] as usize]);
+        let [heavy, light] = if self.is_of_point { [of_point, of_edge] } else { [of_edge, of_point] };
+        light < u32::MAX && light <= heavy
     }
 
     /// Whether the two are nearer than they may be, what was so before the substep included.

@@ -25,8 +25,9 @@ const BORNE: f64 = 0.5;
 const MOST_CRUSHED: f64 = 0.05;
 /// Angle by which a bond may turn in a substep, about, without being asked what that takes: less than 1e-3 of the speed in a second.
 const TURNED: f64 = 5e-4;
-/// Share of an error that a bond takes away at once from which on it is hard.
-const HARD: f64 = 0.99;
+/// Share of an error that a bond takes away at once from which on it is hard; and where some points are much heavier than others: what bears them
+/// is pressed short by each pass.
+const HARD: [f64; 2] = [0.99, 0.5];
 
 /// Whether a spring whose ends swing like this may be a force in substeps of `h` `[s]`: by bounds on the square of the fastest oscillation
 /// `[1/s^2]` and on the fastest decay `[1/s]`.
@@ -157,8 +158,8 @@ impl<S: Real> Hold<S> {
     }
 
     /// It gives hardly at all: what moves its ends again is to be answered in the same substep.
-    fn is_hard(&self, w: &[S]) -> bool {
-        (S::ONE + self.drag) * (w[self.a as usize] + w[self.b as usize]) * self.inverse >= S::from_f64(HARD)
+    fn is_hard(&self, w: &[S], least: S) -> bool {
+        (S::ONE + self.drag) * (w[self.a as usize] + w[self.b as usize]) * self.inverse >= least
     }
 
     fn entry(&self) -> Entry<S> {
@@ -192,6 +193,7 @@ fn is_crushed<S: Real>(link: &Link<S>, now: &[[S; 2]]) -> bool {
 pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S) {
     let members = state.members(common);
     let may_swing = !state.is_violent && !part::owes(state);
+    let least_hard = S::from_f64(HARD[usize::from(state.is_uneven)]);
     let Cluster {
         pulls, odd_pulls, firm, slow, is_all_rigid, hard, holds, w, settles, by_forces, now, frame_of, ..
     } = state;
@@ -237,7 +239,7 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
             *is_all_rigid &= hold.is_rigid;
             let list = if hold.is_relaxed { &mut *slow } else { &mut *firm };
             list.push(hold.entry());
-            if hold.is_hard(w) {
+            if hold.is_hard(w, least_hard) {
                 hard.push(hold.entry());
             }
         }
