@@ -51,21 +51,47 @@ fn a_light_soft_disc_is_pressed_flat_but_not_pierced() {
     assert!(gained < 1.0, "{gained} J");
 }
 
-/// What is light rests on nothing: it goes on with what struck it, and nothing is lifted, though others in the heap rest on the floor.
+/// Heavy bodies that squeeze a light one from both sides, over a floor without friction: nothing but them acts along it.
 #[test]
-fn in_flight_what_is_heavy_and_what_is_light_share_their_momentum() {
-    let at = |x: f64, y: f64, v: f64, mass: f64| {
-        json!({"make": "box", "width": 0.4, "height": 0.4, "supports": 2, "origin": [x, y], "velocity": [v, 0],
-            "material": {"kind": "rigid", "mass": mass}})
-    };
-    let mut world = world(&json!({"wobble": 1, "contact": {"friction": 0}, "gravity": [0, 0],
-        "bodies": [at(0.0, 1.0, 4.0, 50.0), at(0.5, 1.1, 0.0, 0.5), at(1.0, 1.0, -1.0, 0.5)]}));
-    let masses = world.masses().to_vec();
-    let momentum = |sample: &Sample| crate::common::physics::momentum(sample, &masses);
-    let start = momentum(&world.sample(0.0));
-    while world.time() < 0.5 {
-        world.step();
+fn what_is_squeezed_from_both_sides_takes_no_momentum() {
+    let disc = |x: f64, y: f64, v: f64, mass: f64| json!({"make": "disc", "radius": 0.3, "spacing": 0.2, "origin": [x, y], "velocity": [v, 0], "material": {"mass": mass}});
+    let floor = json!({"make": "box", "width": 2, "height": 0.5, "supports": 2, "origin": [-0.2, 0.27], "material": {"mass": 2}});
+    // On the floor, and above a light box that lies there.
+    for (y, below) in [(0.31, None), (1.2, Some(floor))] {
+        let three = [disc(-1.0, y, 5.0, 30.0), disc(-0.2, y, 0.0, 1.0), disc(0.7, y, -4.0, 30.0)];
+        let bodies: Vec<Value> = three.into_iter().chain(below).collect();
+        let mut world =
+            world(&json!({"wobble": 1, "contact": {"friction": 0}, "gravity": [0, -9.81], "bodies": bodies,
+            "bounds": {"min": [-40, 0], "max": [40, 19]}}));
+        let masses = world.masses().to_vec();
+        let along = |sample: &Sample| crate::common::physics::momentum(sample, &masses)[0];
+        let start = along(&world.sample(0.0));
+        while world.time() < 0.3 {
+            world.step();
+        }
+        assert!(world.counters().contacts > 0, "they meet");
+        let end = along(&world.sample(world.time()));
+        assert!((end - start).abs() < 0.01 * start, "at {y} m: {start} kg m/s, {end} after it");
     }
-    let end = momentum(&world.sample(world.time()));
-    assert!((0..2).all(|k| (end[k] - start[k]).abs() < 1e-9 * start[0]), "{start:?} {end:?}");
+}
+
+#[test]
+fn a_platform_that_is_pinned_bears_as_a_floor_does() {
+    let boxed = |y: f64, size: [f64; 2], mass: f64| json!({"make": "box", "width": size[0], "height": size[1], "supports": 2, "origin": [0, y], "material": {"mass": mass}});
+    let mut platform = boxed(1.0, [6.0, 0.4], 1.0);
+    platform["pinned"] = json!([0, 1, 2, 3]);
+    let mut world = world(&json!({"wobble": 1, "gravity": [0, -9.81], "contact": true,
+        "bodies": [platform, boxed(1.4, [1.0, 0.3], 1.0), boxed(2.0, [1.0, 0.3], 1000.0)]}));
+    let mut depth: f64 = 0.0;
+    while world.time() < 2.0 {
+        world.step();
+        let at = world.sample(world.time()).position;
+        let (light, heavy) = (&at[4..8], &at[8..]);
+        depth = heavy
+            .iter()
+            .map(|&x| inside(light, x))
+            .chain(light.iter().map(|&x| inside(heavy, x)))
+            .fold(depth, f64::max);
+    }
+    assert!(depth < 0.02, "{depth} m deep");
 }

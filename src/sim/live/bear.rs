@@ -2,37 +2,42 @@
 //!
 //! A light body between a heavy one and a floor takes the push of each whole and bears neither: passes over contacts push it to and fro, as often
 //! as the one is heavier than the other, and press its triangles flat and its bonds short. So after them these are opened and held, and the
-//! light body put out of obstacles, once more; what is left of an overlap then is taken from the heavy one alone, which is stopped by it, and
-//! lifted slowly and without speed where that is not enough. What bears it in truth is the floor: nothing is done where the light body rests
-//! on none.
+//! light body put out of obstacles, once more; then the heavy one is stopped where it would go on into it, as by an obstacle that moves as
+//! the light one does. What stops it in truth is what stands behind: nothing is done where the light body is not pressed the other way, by an
+//! obstacle or by what is so itself, and the momentum of others stays.
 //! Source of the idea: shock propagation, in E. Guendelman and others, Nonconvex Rigid Bodies with Stacking, 2003.
 
 use super::areas;
 use super::bonds;
 use super::cluster::{Cluster, Common, OBSTACLE};
-use super::pair::{Beside, MENDED, Pair, beside, left};
-use super::rigid::Change;
+use super::pair::{Beside, Pair, beside, left};
+use super::rigid::{Change, Frame};
 use super::tree;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub, zero};
+use crate::sim::vector::{add, dot, scale, sub};
 
 /// How many times as heavy the one has to be.
 const HEAVIER: f64 = 8.0;
 /// Share of their distance by which two may be nearer.
 const SLACK: f64 = 0.1;
-/// How often light bodies are opened and what lies on them is lifted, and sweeps over that: its touches hang together where it is rigid.
+/// How often light bodies are opened and what lies on them is stopped, and sweeps over that: its touches hang together where it is rigid.
 const ROUNDS: u32 = 2;
 const SWEEPS: u32 = 8;
+/// Least cosine between what presses a light body on one side and on the other.
+const OPPOSITE: f64 = 0.5;
+/// Pushes on a body that are told apart: those of as many directions.
+const DIRECTIONS: u32 = 16;
 
-/// Whether points of these inverse masses `[1/kg]` are uneven enough; those that are held count for none.
-pub(super) fn is_uneven<S: Real>(w: &[S]) -> bool {
-    let free = || w.iter().copied().filter(|&w| w > S::ZERO);
-    let (least, most) = (free().fold(S::INFINITY, S::min), free().fold(S::ZERO, S::max));
-    most > least * S::from_f64(HEAVIER)
+/// Whether some of its points, or bodies that move as one, are so much heavier than others; those that are held count for none.
+pub(super) fn is_uneven<S: Real>(state: &Cluster<S>) -> bool {
+    let loose = (0..state.own()).filter(|&i| !state.is_of_rigid([i, i])).map(|i| state.w[i].to_f64());
+    let all = loose.chain(state.frames.iter().map(Frame::ease)).filter(|&w| w > 0.0);
+    let (least, most) = all.fold((f64::INFINITY, 0.0_f64), |(least, most), w| (least.min(w), most.max(w)));
+    most > least * HEAVIER
 }
 
-/// Lifts what is heavy out of what is light, once all passes are over.
-pub(super) fn lift<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+/// Stops what is heavy at what is light, once all passes are over.
+pub(super) fn stop<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     if !state.is_uneven {
         return;
     }
@@ -41,25 +46,22 @@ pub(super) fn lift<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     if heavy.is_empty() {
         return;
     }
-    let levels = levels(state);
-    heavy.retain(|touch| touch.is_borne(state, &levels));
+    let props = Props::of(state);
+    heavy.retain(|touch| touch.is_borne(state, &props));
     if heavy.is_empty() {
         return;
     }
     let mut pushed = vec![[S::ZERO; 2]; heavy.len()];
-    let mut is_lifted = false;
-    for round in 0..ROUNDS {
+    let mut is_stopped = false;
+    for _ in 0..ROUNDS {
         // What gave way to what lies on it comes back.
         areas::unfold(state, common);
         bonds::hold_again(state);
         state.press_obstacles(common);
         let pairs = std::mem::take(&mut state.pairs);
-        if round == 0 {
-            heavy.iter().for_each(|touch| touch.mend(state, &pairs));
-        }
         state.counts.work += 25 * heavy.len() as u64;
         if heavy.iter().any(|touch| touch.is_deep(state, &pairs)) {
-            is_lifted = true;
+            is_stopped = true;
             state.counts.work += 30 * u64::from(SWEEPS) * heavy.len() as u64;
             for _ in 0..SWEEPS {
                 heavy.iter().zip(&mut pushed).for_each(|(touch, pushed)| touch.press(state, &pairs, pushed));
@@ -67,7 +69,7 @@ pub(super) fn lift<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         }
         state.pairs = pairs;
     }
-    if is_lifted {
+    if is_stopped {
         state.straighten_rigs();
         tree::straighten(state, common, true);
     }
@@ -93,34 +95,63 @@ impl<S: Real> Cluster<S> {
     }
 }
 
-/// Over how many others each body of a cluster rests on what does not move: 0 on an obstacle or a pin of its own; `u32::MAX`: on nothing.
-fn levels<S: Real>(state: &Cluster<S>) -> Vec<u32> {
-    let mut levels = vec![u32::MAX; state.bodies.len()];
-    let mut couples: Vec<[u32; 2]> = Vec::new();
-    let pressed =
-        state.active.iter().map(|&number| &state.pairs[number as usize]).filter(|pair| pair.pressed > S::ZERO);
-    for pair in pressed {
-        match [pair.p, pair.a].map(|i| state.body_of[i as usize]) {
-            [OBSTACLE, body] | [body, OBSTACLE] => levels[body as usize] = 0,
-            [a, b] if a != b => couples.extend([[a, b], [b, a]]),
-            _ => {}
+/// In which directions each body of a cluster is pressed by what does not move, or by what is itself pressed so: a bit for each direction.
+struct Props(Vec<u32>);
+
+impl Props {
+    fn of<S: Real>(state: &Cluster<S>) -> Self {
+        let mut props = Props(vec![0; state.bodies.len()]);
+        for on in state.on_planes.iter().filter(|on| on.pressed > S::ZERO) {
+            props.add(state.body_of[on.p as usize], on.normal);
         }
-    }
-    let on_planes = state.on_planes.iter().filter(|on| on.pressed > S::ZERO).map(|on| on.p as usize);
-    let pinned = (0..state.own()).filter(|&i| state.w[i] == S::ZERO);
-    on_planes.chain(pinned).for_each(|i| levels[state.body_of[i] as usize] = 0);
-    couples.sort_unstable();
-    couples.dedup();
-    let mut changes = true;
-    while changes {
-        changes = false;
-        for &[a, b] in &couples {
-            let over = levels[a as usize].saturating_add(1);
-            changes |= over < levels[b as usize];
-            levels[b as usize] = levels[b as usize].min(over);
+        // What is pinned is held in all directions.
+        for i in (0..state.own()).filter(|&i| state.w[i] == S::ZERO) {
+            props.0[state.body_of[i] as usize] = u32::MAX;
         }
+        let pressed = state.active.iter().map(|&number| &state.pairs[number as usize]);
+        let pushes: Vec<Push<S>> =
+            pressed.filter(|pair| pair.pressed > S::ZERO).flat_map(|pair| pushes(state, pair)).collect();
+        let mut changes = true;
+        while changes {
+            changes = false;
+            for &([by, on], way) in &pushes {
+                if by == OBSTACLE || props.has(by, way) {
+                    changes |= props.add(on, way);
+                }
+            }
+        }
+        props
     }
-    levels
+
+    /// A body is pressed this way. Returns whether that is new.
+    fn add<S: Real>(&mut self, body: u32, way: [S; 2]) -> bool {
+        let angle = libm::atan2(way[1].to_f64(), way[0].to_f64()) / std::f64::consts::TAU + 1.0;
+        let bit = 1 << ((angle * f64::from(DIRECTIONS) + 0.5) as u32 % DIRECTIONS);
+        let known = &mut self.0[body as usize];
+        let is_new = *known & bit == 0;
+        *known |= bit;
+        is_new
+    }
+
+    /// Whether a body is pressed about this way.
+    fn has<S: Real>(&self, body: u32, way: [S; 2]) -> bool {
+        (0..DIRECTIONS).filter(|bit| self.0[body as usize] >> bit & 1 == 1).any(|bit| {
+            let angle = std::f64::consts::TAU * f64::from(bit) / f64::from(DIRECTIONS);
+            libm::cos(angle) * way[0].to_f64() + libm::sin(angle) * way[1].to_f64() > OPPOSITE
+        })
+    }
+}
+
+/// By which body which one is pushed, and which way.
+type Push<S> = ([u32; 2], [S; 2]);
+
+/// How the two of a pair push each other; obstacles are pushed by nothing.
+fn pushes<S: Real>(state: &Cluster<S>, pair: &Pair<S>) -> impl Iterator<Item = Push<S>> + use<S> {
+    let found = beside(places(pair).map(|i| state.now[i]), pair.side);
+    let [of_point, of_edge] = [pair.p, pair.a].map(|i| state.body_of[i as usize]);
+    let both =
+        found.map(|found| [([of_edge, of_point], found.normal), ([of_point, of_edge], scale(found.normal, -S::ONE))]);
+    both.into_iter().flatten().filter(|([_, on], _)| *on != OBSTACLE)
 }
 
 /// A touch of something heavy and something light.
@@ -146,12 +177,13 @@ impl Touch {
         is_any.then_some(Touch { pair: number, is_of_point })
     }
 
-    /// Whether the light one rests on something, and not on the heavy one.
-    fn is_borne<S: Real>(self, state: &Cluster<S>, levels: &[u32]) -> bool {
+    /// Whether the light one is pressed from behind.
+    fn is_borne<S: Real>(self, state: &Cluster<S>, props: &Props) -> bool {
         let pair = &state.pairs[self.pair as usize];
-        let [of_point, of_edge] = [pair.p, pair.a].map(|i| levels[state.body_of[i as usize] as usize]);
-        let [heavy, light] = if self.is_of_point { [of_point, of_edge] } else { [of_edge, of_point] };
-        light < u32::MAX && light <= heavy
+        let Some(found) = beside(places(pair).map(|i| state.now[i]), pair.side) else { return false };
+        let (light, way) =
+            if self.is_of_point { (pair.a, found.normal) } else { (pair.p, scale(found.normal, -S::ONE)) };
+        props.has(state.body_of[light as usize], way)
     }
 
     /// Whether the two are nearer than they may be, what was so before the substep included.
@@ -168,40 +200,21 @@ impl Touch {
     }
 
     /// Pushes the heavy one alone, out and aside `[kg m]`.
-    fn push<S: Real>(
-        self,
-        state: &mut Cluster<S>,
-        (pair, at): (&Pair<S>, S),
-        [out, aside]: [[S; 2]; 2],
-        change: Change,
-    ) {
+    fn push<S: Real>(self, state: &mut Cluster<S>, (pair, at): (&Pair<S>, S), [out, aside]: [[S; 2]; 2]) {
         let [p, a, b] = places(pair);
         let rest = S::ONE - at;
         let shares = [(p, S::ONE), (a, -rest), (b, -at)];
         let own = if self.is_of_point { &shares[..1] } else { &shares[1..] };
-        if change == Change::Way {
-            state.note_shares(own, pair.restitution, (out, aside));
-        }
+        state.note_shares(own, pair.restitution, (out, aside));
         let push = add(out, aside);
         if self.is_of_point {
-            return state.push_point(p, push, change);
+            return state.push_point(p, push, Change::Way);
         }
         let place = add(scale(state.now[a], rest), scale(state.now[b], at));
-        state.push_edge(([a, b], at, place), scale(push, -S::ONE), change);
+        state.push_edge(([a, b], at, place), scale(push, -S::ONE), Change::Way);
     }
 
-    /// What was there before the substep comes out slowly and without speed.
-    fn mend<S: Real>(self, state: &mut Cluster<S>, pairs: &[Pair<S>]) {
-        let pair = &pairs[self.pair as usize];
-        let far = (pair.old * S::from_f64(MENDED)).min(state.gentle);
-        let found = beside(places(pair).map(|i| state.now[i]), pair.side);
-        if let Some(Beside { at, normal, .. }) = found.filter(|_| far > S::ZERO) {
-            let push = scale(normal, far / self.weight(state, pair, (at, normal)));
-            self.push(state, (pair, at), [push, zero()], Change::Place);
-        }
-    }
-
-    /// What is new is stopped at once, and rubs; what that leaves is lifted as slowly as overlaps are mended. `pushed`: out and aside `[kg m]`.
+    /// Stops the heavy one where it would go on into the light one, and rubs it with all that presses it. `pushed`: out and aside `[kg m]`.
     fn press<S: Real>(self, state: &mut Cluster<S>, pairs: &[Pair<S>], pushed: &mut [S; 2]) {
         let pair = &pairs[self.pair as usize];
         let [p, a, b] = places(pair);
@@ -210,19 +223,14 @@ impl Touch {
         let of_edge = add(scale(state.way[a], S::ONE - at), scale(state.way[b], at));
         let own = if self.is_of_point { state.way[p] } else { scale(of_edge, -S::ONE) };
         let comes = (-dot(own, normal)).max(S::ZERO);
-        let weight = self.weight(state, pair, (at, normal));
         let was = *pushed;
-        pushed[0] = (was[0] + lacking.min(comes) / weight).max(S::ZERO);
+        pushed[0] = (was[0] + lacking.min(comes) / self.weight(state, pair, (at, normal))).max(S::ZERO);
         let along = left(normal);
-        let most = pair.friction * pushed[0];
+        let most = pair.friction * (pair.pressed + pushed[0]);
         let slides = dot(sub(state.way[p], of_edge), along);
-        pushed[1] = (was[1] - slides / self.weight(state, pair, (at, along))).max(-most).min(most);
-        let (out, aside) = (scale(normal, pushed[0] - was[0]), scale(along, pushed[1] - was[1]));
-        self.push(state, (pair, at), [out, aside], Change::Way);
-        let slow = (lacking - comes).min(state.gentle / S::from_f64(f64::from(ROUNDS * SWEEPS)));
-        if slow > S::ZERO {
-            self.push(state, (pair, at), [scale(normal, slow / weight), zero()], Change::Place);
-        }
+        let rubs = pair.rubbed + was[1] - slides / self.weight(state, pair, (at, along));
+        pushed[1] = rubs.max(-most).min(most) - pair.rubbed;
+        self.push(state, (pair, at), [scale(normal, pushed[0] - was[0]), scale(along, pushed[1] - was[1])]);
     }
 }
 

@@ -249,7 +249,7 @@ impl<S: Real> Live<S> {
         for list in [&mut cluster.promised, &mut cluster.gone, &mut cluster.goes] {
             *list = vec![S::ZERO; cluster.now.len()];
         }
-        cluster.is_uneven = bear::is_uneven(&cluster.w);
+        cluster.is_uneven = bear::is_uneven(&cluster);
         cluster.mend_rigs();
         cluster
     }

@@ -7,7 +7,7 @@ use crate::sim::vector::{add, dot, scale, sub};
 
 /// Share of an overlap of skins that was there before a substep that is mended in it, without speed; obstacles put points out at once, but for
 /// what began in them.
-pub(super) const MENDED: f64 = 0.2;
+const MENDED: f64 = 0.2;
 
 /// Share of the speed of two bodies at which parts of one body are led out of each other: joints may hold them there, and what leads against joints
 /// creeps over its floor for ever.

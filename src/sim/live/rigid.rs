@@ -89,6 +89,11 @@ impl Frame {
         }
     }
 
+    /// Of its mass `[1/kg]`.
+    pub(super) fn ease(&self) -> f64 {
+        self.inverse[0]
+    }
+
     pub(super) fn place(&self) -> Place {
         self.now
     }

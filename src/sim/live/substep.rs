@@ -83,7 +83,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
         state.press(common, pushed);
         state.straighten_rigs();
     }
-    bear::lift(state, common);
+    bear::stop(state, common);
     super::truncate::cut(state);
     super::circle::cut(state, common);
     state.follow_sides();
