@@ -17,16 +17,16 @@ use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
 /// How many times as heavy the one has to be.
-const HEAVIER: f64 = 8.0;
+const HEAVIER: f64 = 16.0;
 /// Share of their distance by which two may be nearer.
 const SLACK: f64 = 0.1;
 /// How often light bodies are opened and what lies on them is stopped, and sweeps over that: its touches hang together where it is rigid.
 const ROUNDS: u32 = 2;
 const SWEEPS: u32 = 8;
 /// Least cosine between what presses a light body on one side and on the other.
-const OPPOSITE: f64 = 0.5;
+const OPPOSITE: f64 = 0.85;
 /// Pushes on a body that are told apart: those of as many directions.
-const DIRECTIONS: u32 = 16;
+const DIRECTIONS: u32 = 32;
 
 /// Whether some of its points, or bodies that move as one, are so much heavier than others; those that are held count for none.
 pub(super) fn is_uneven<S: Real>(state: &Cluster<S>) -> bool {
@@ -76,14 +76,14 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
 }
 
 impl<S: Real> Cluster<S> {
-    /// One pass over contacts with obstacles.
+    /// One pass over contacts with what does not move.
     fn press_obstacles(&mut self, common: &Common<S>) {
-        let (mut pairs, own) = (std::mem::take(&mut self.pairs), self.own());
-        let active = std::mem::take(&mut self.active);
+        let (mut pairs, active) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.active));
         self.counts.work += 2 * active.len() as u64;
         for &number in &active {
             let pair = &mut pairs[number as usize];
-            if pair.p.max(pair.a) as usize >= own {
+            let [is_point_fixed, a, b] = places(pair).map(|i| self.w[i] == S::ZERO);
+            if is_point_fixed || a && b {
                 self.counts.work += 25;
                 pair.press(self, S::ZERO);
             }
