@@ -143,7 +143,7 @@ fn beside_a_scene_in_space_it_is_said_that_a_picture_opens_by_itself() {
 #[test]
 fn why_nothing_can_be_brought_is_said_beside_the_buttons_that_are_off() {
     let mut screen = Screen::of(blot());
-    screen.import.wish.settings.threshold = Threshold::At(0.01);
+    screen.import.wish.settings.threshold = Threshold::At(0.99);
     // What is wished for is cut out from the next frame on.
     let before = screen.import.wish;
     screen.import.worker.ask(&screen.import.picture, before);
