@@ -8,7 +8,7 @@ use super::action::{Action, Tool};
 use super::matter::{Among, MatterChange, Overload, overload};
 use super::panels::{self, Facts, Met, PanelState, Pushing, Setting, Settings, Sheet, Wish, parameters, theme};
 use super::player::{Note, Order, Shown, Stage};
-use super::tools::{PushWay, no_motors, no_muscles};
+use super::tools::{PushWay, lack_of, no_motors, no_muscles};
 use crate::history::{History, HistoryError};
 use crate::lessons::lessons;
 use crate::render::{Look, Palette};
@@ -67,6 +67,7 @@ impl Rehearsal {
     /// Does what a key would.
     pub fn act(&mut self, action: Action) {
         match action {
+            Action::Take(tool) if lack_of(tool, self.shown.driving).is_some() => {}
             Action::Take(tool) => (self.tool, self.push) = (tool, PushWay::default()),
             Action::Wind => (self.tool, self.push) = (Tool::Push, PushWay::Wind),
             Action::Undo => self.obey(Order::Undo(None)),

@@ -26,9 +26,13 @@ pub(super) struct Saving {
 }
 
 impl Saving {
-    /// Opens the dialog over `window` in a folder, for a recording of a scene.
-    pub(super) fn new(window: &Window, (begins, scene): (&Path, &str), wake: impl Fn() + Send + 'static) -> Self {
-        let name = format!("{}.json", plain(scene));
+    /// Opens the dialog over `window` in a folder, for a scene or a recording of one, of this ending.
+    pub(super) fn new(
+        window: &Window,
+        (begins, scene, ending): (&Path, &str, &str),
+        wake: impl Fn() + Send + 'static,
+    ) -> Self {
+        let name = format!("{}.{ending}", plain(scene));
         let dialog = AsyncFileDialog::new().set_title("Save").set_parent(window).set_directory(begins);
         let chosen = dialog.set_file_name(name).add_filter("Scenes and recordings", &["json", "jsonl"]).save_file();
         let (sender, receiver) = channel();
@@ -56,8 +60,8 @@ impl Saving {
     }
 }
 
-/// Where files go that nobody named a place for: to the folder that was used last, else to the user's documents, else home, else to where the
-/// program was started.
+/// Where files go that nobody named a place for: to the folder that was used last, for what is done, else to the user's documents, else home,
+/// else to where the program was started.
 pub(super) fn folder(used: Option<&Path>) -> PathBuf {
     let used = used.map(Path::to_owned);
     let home = etcetera::home_dir().ok();

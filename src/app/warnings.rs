@@ -16,7 +16,7 @@ pub(super) fn seen(warning: &str) -> &str {
 }
 
 /// Where another solver is chosen.
-const CHOOSE: &str = "choose \"auto\" as the solver in the settings (G)";
+const CHOOSE: &str = "choose \"automatic\" as the solver in the settings (G)";
 
 /// Why something cannot be done, in the words of who plays: what files call keys is named as the window does, and numbers that nobody sees
 /// are left out.

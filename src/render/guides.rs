@@ -71,7 +71,7 @@ pub(super) fn guides(
         && look.has_grid
         && let Some(seen) = seen(camera, center, height)
     {
-        numbers(&mut list, (camera, view.covered), (clip, seen), origin, look);
+        numbers(&mut list, (camera, view.covered, bounds), (clip, seen), origin, look);
     }
     let over = list.len();
     if let Pose::Plane { .. } = camera.pose {
@@ -216,7 +216,7 @@ fn widest(far: f64, steps: [f64; 2], size: f64) -> f64 {
 /// over them. `clip` is left, top, width and height of that part `[px]`, the corners are those of the picture `[m]`.
 fn numbers(
     list: &mut Vec<Guide>,
-    (camera, covered): (&Camera, &[[f32; 4]]),
+    (camera, covered, bounds): (&Camera, &[[f32; 4]], Option<[[f64; 3]; 2]>),
     (clip, (low, high)): ([u32; 4], (DVec2, DVec2)),
     origin: DVec3,
     look: &Look,
@@ -237,7 +237,11 @@ fn numbers(
         let step = between_numbers(lines, metre, apart);
         let wide = widest(far, [step, lines], DIGITS * scale) + GAP * scale;
         let step = if axis == 0 && wide > apart { between_numbers(lines, metre, wide) } else { step };
-        let column = if axis == 1 { column(covered, clip, (EDGE * scale + inset, scale)) } else { 0.0 };
+        let walls = bounds.map(|ends| ends.map(|end| (end[0] - low.x) * metre - EDGE * scale - inset));
+        let column = match axis {
+            1 => beside_walls(column(covered, clip, (EDGE * scale + inset, scale)), walls, scale),
+            _ => 0.0,
+        };
         let (first, last) = ((low[axis] / step).ceil(), (high[axis] / step).floor());
         for line in 0..=((last - first) as i64) {
             let at = (first + line as f64) * step;
@@ -294,6 +298,13 @@ fn column(covered: &[[f32; 4]], clip: [u32; 4], (inset, scale): (f64, f64)) -> f
     all.sort_by(f64::total_cmp);
     let best = all.iter().map(|by| free(*by)).fold(0.0, f64::max);
     all.into_iter().find(|by| free(*by) >= ENOUGH * best).unwrap_or(0.0)
+}
+
+/// The same where a column that makes way for something would lie on a wall: right of that. The places of walls are right of the column at
+/// the edge `[px]`, which the view leaves free.
+fn beside_walls(column: f64, walls: Option<[f64; 2]>, scale: f64) -> f64 {
+    let on = |at: &f64| column > 0.0 && (column - EDGE * scale..column + COLUMN * scale).contains(at);
+    walls.into_iter().flatten().find(on).map_or(column, |at| at + EDGE * scale)
 }
 
 /// Cells of the floor of walls in space along its longer side.
@@ -404,6 +415,16 @@ mod tests {
             at_left.map(|[x, _]| *x).fold(f32::INFINITY, f32::min)
         };
         assert!(x_of(&clear) < 10.0 && x_of(&tall) > 150.0, "all of them in one column");
+        let on_wall = |x: f64| {
+            let bonds = Bonds::default();
+            let bounds = Some([[x, -3.0, 0.0], [x + 4.0, 3.0, 0.0]]);
+            let view = View { covered: &[[0.0, 60.0, 150.0, 380.0]], bounds, ..View::empty(&bonds, 2) };
+            let (all, [below, over, _]) = drawn(&view, &camera, DVec3::ZERO, &Look::default());
+            let ends = all[below..below + over].iter().flat_map(|guide| [guide.a, guide.b]);
+            x_of(&ends.map(|[x, y, ..]| [320.0 + 60.0 * x, 240.0 - 60.0 * y]).collect::<Vec<_>>())
+        };
+        assert!(on_wall(-2.5) > 171.0, "right of a wall at 170: {}", on_wall(-2.5));
+        assert_eq!(on_wall(0.0), x_of(&tall), "one that lies elsewhere moves none");
     }
 
     #[test]

@@ -173,8 +173,8 @@ impl Default for Look {
             grid: hex(0xff_ff_ff, 0.04),
             axis: hex(0xff_ff_ff, 0.11),
             number: hex(0x9a_a8_bf, 1.0),
-            wall: hex(0x5b_6b_84, 1.0),
-            obstacle: hex(0x26_30_41, 1.0),
+            wall: hex(0x6e_80_9c, 1.0),
+            obstacle: hex(0x30_3d_53, 1.0),
             bond: hex(0x8f_a6_c2, 1.0),
             rope: hex(0xd8_bb_8c, 1.0),
             strain: STRAIN_COLORS,
@@ -293,6 +293,11 @@ mod tests {
             {
                 assert!(on_ground(color) >= 3.0, "{palette:?}: {color:?}: {}", on_ground(color));
             }
+            // Obstacles are large: their inside is seen by less, and their rim stands out from it.
+            let least = if palette == Palette::Dark { 1.6 } else { 1.35 };
+            assert!(on_ground(look.obstacle) >= least, "{palette:?}: {}", on_ground(look.obstacle));
+            let rim = contrast(look.wall, look.obstacle);
+            assert!(rim >= 2.4, "{palette:?}: {rim}");
             assert_eq!(look.colored(palette.other()).colored(palette), look);
         }
     }

@@ -245,7 +245,7 @@ fn wording(message: &str) -> String {
     let expected = match expected {
         "f64" => "a number",
         "u32" => "a whole number from 0 to 4294967295",
-        "u64" => "a whole number from 0 to 18446744073709551615",
+        "u64" => "a whole number, 0 or more",
         "a string" | "str" => "a string",
         "a boolean" => "true or false",
         "a sequence" => "a list",

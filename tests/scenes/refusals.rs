@@ -45,10 +45,7 @@ fn texts_that_are_no_scene() {
             "{ \"zork\": 1,\n\"wobble\": 2 }",
             "x.json:2: wobble: is version 2: this program reads version 1, so write \"wobble\": 1 or get a newer wobble",
         ),
-        (
-            "{ \"wobble\": \"1\" }",
-            "x.json:1: wobble: is string \"1\": give a whole number from 0 to 18446744073709551615",
-        ),
+        ("{ \"wobble\": \"1\" }", "x.json:1: wobble: is string \"1\": give a whole number, 0 or more"),
     ] {
         assert_eq!(refusal(text), message, "{text}");
     }

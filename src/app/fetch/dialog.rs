@@ -9,9 +9,9 @@ use winit::window::Window;
 use super::{Fetch, Found};
 
 /// Endings of scenes and pictures. What a file is, its content says.
-pub(in crate::app) const ENDINGS: [&str; 17] = [
-    "json", "png", "jpg", "jpeg", "gif", "bmp", "webp", "tif", "tiff", "pnm", "pbm", "pgm", "ppm", "pam", "tga", "ico",
-    "qoi",
+pub(in crate::app) const ENDINGS: [&str; 18] = [
+    "json", "jsonl", "png", "jpg", "jpeg", "gif", "bmp", "webp", "tif", "tiff", "pnm", "pbm", "pgm", "ppm", "pam",
+    "tga", "ico", "qoi",
 ];
 
 /// Nobody closes a dialog sooner `[s]`: one that ends within this time was never shown.

@@ -66,6 +66,8 @@ pub(super) struct Import {
     texture: Option<egui::TextureHandle>,
     /// It has just been opened: the panel is at its top.
     is_fresh: bool,
+    /// Enter was pressed: the first button of the panel answers.
+    is_entered: bool,
 }
 
 impl Import {
@@ -139,7 +141,13 @@ impl Import {
         worker.ask(&picture, wish);
         let ground = picture::ground(&picture);
         let (forecast, texture, is_fresh) = (None, None, true);
-        Import { name, picture, ground, painting: None, wish, body: None, worker, forecast, texture, is_fresh }
+        let (painting, body, is_entered) = (None, None, false);
+        Import { name, picture, ground, painting, wish, body, worker, forecast, texture, is_fresh, is_entered }
+    }
+
+    /// Enter was pressed, which no field took: it does what the first button does.
+    pub(super) fn enter(&mut self) {
+        self.is_entered = true;
     }
 
     /// Takes what the worker has made. Returns whether there is something new to show.

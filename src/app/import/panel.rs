@@ -38,7 +38,8 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
         if let Some(painting) = &mut import.painting {
             painting.keys(ui.ctx());
         }
-        let below = if can_add { 0.0 } else { LINE };
+        // Whether it says why there is nothing or not, the picture stays as large as it is.
+        let below = LINE * f32::from(!can_add) + LINE * f32::from(import.painting.is_none());
         let tall = (room.y - BESIDE - below).max(LEAST_TALL);
         let broad = room.x - MARGINS;
         // Where another one was scrolled to says nothing of this one.
@@ -80,7 +81,7 @@ fn sliders(ui: &mut egui::Ui, import: &mut Import) {
     ui.set_width(290.0);
     wishes::show(ui, &mut import.wish, (&import.picture, import.ground));
     ui.separator();
-    words(ui, import.forecast.as_ref(), import.painting.is_some());
+    words(ui, import.forecast.as_ref());
     // Always there, so that nothing moves under the pointer.
     let at_work = import.worker.at_work.as_ref().map(|(watch, since)| (watch.stage(), since.elapsed()));
     let bar = match at_work.filter(|(_, since)| *since > PATIENCE) {
@@ -93,17 +94,24 @@ fn sliders(ui: &mut egui::Ui, import: &mut Import) {
     }
 }
 
-fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>, is_painted: bool) {
+/// Why there is nothing to bring, and whether something is wrong: on a canvas there is nothing at first.
+fn refusal(import: &Import) -> Option<(String, bool)> {
+    match &import.forecast {
+        Some(Err(error)) if import.is_canvas() && error.starts_with("there is nothing in the picture") => {
+            Some(("draw something on the canvas".to_owned(), false))
+        }
+        Some(Err(error)) => Some((error.clone(), true)),
+        _ => None,
+    }
+}
+
+fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>) {
     match forecast {
         None => {
             ui.weak("cutting it out …");
         }
-        Some(Err(error)) if is_painted && error.starts_with("there is nothing in the picture") => {
-            ui.weak("draw something on the canvas");
-        }
-        Some(Err(error)) => {
-            ui.colored_label(theme::colors(ui).away, error);
-        }
+        // Said beside the buttons.
+        Some(Err(_)) => {}
         Some(Ok(Forecast { outlines, corners, .. })) if *corners > 0 => {
             let outlines = if *outlines == 1 { "one outline".to_owned() } else { format!("{outlines} outlines") };
             ui.label(format!("{corners} corners in {outlines}"));
@@ -137,7 +145,7 @@ fn time(ms: f64) -> String {
 }
 
 /// The first choice stands out: what leaves the scene as it is, and gives it the body.
-fn buttons(ui: &mut egui::Ui, import: &Import, can_add: bool) -> Option<Answer> {
+fn buttons(ui: &mut egui::Ui, import: &mut Import, can_add: bool) -> Option<Answer> {
     let is_ready = matches!(import.forecast, Some(Ok(_)));
     let is_obstacle = import.wish.matter == Matter::Fixed;
     let add = ("Add to this scene", "it goes where there is room", Answer::Add, can_add);
@@ -151,9 +159,8 @@ fn buttons(ui: &mut egui::Ui, import: &Import, can_add: bool) -> Option<Answer> 
     };
     let count = if import.body.is_some() && !is_obstacle { 3 } else { 2 };
     let mut answer = None;
-    // Where nothing else takes the key.
-    let enters =
-        ui.memory(|memory| memory.focused().is_none()) && ui.input(|input| input.key_pressed(egui::Key::Enter));
+    let enters = std::mem::take(&mut import.is_entered);
+    let fault = refusal(import);
     ui.horizontal_wrapped(|ui| {
         for (k, &(label, hint, choice, is_enabled)) in choices[..count].iter().enumerate() {
             let button = egui::Button::new(label);
@@ -167,6 +174,11 @@ fn buttons(ui: &mut egui::Ui, import: &Import, can_add: bool) -> Option<Answer> 
         let close = if import.has_work() { ("Close", "Esc; N brings the drawing back") } else { ("Cancel", "Esc") };
         if ui.button(close.0).on_hover_text(close.1).clicked() {
             answer = Some(Answer::Cancel);
+        }
+        // Beside the buttons that are off for it: the words of what is found may be scrolled out of view.
+        if let Some((fault, is_wrong)) = fault {
+            let color = if is_wrong { theme::colors(ui).away } else { ui.visuals().weak_text_color() };
+            ui.add(egui::Label::new(egui::RichText::new(fault).color(color)).wrap());
         }
     });
     if !can_add {

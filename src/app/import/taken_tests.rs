@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Shape};
 
-use super::Import;
+use super::{Answer, Import};
 use crate::picture::{Picture, Size, Threshold};
 
 /// An opaque grey picture, whose lightness is told by where its pixels are, from 0 to 1 along both sides.
@@ -35,12 +35,13 @@ struct Screen {
     import: Import,
     /// The scene beside it takes bodies.
     can_add: bool,
+    answer: Option<Answer>,
 }
 
 impl Screen {
     fn of(picture: Arc<Picture>) -> Self {
         let import = Import::of_picture("picture".to_owned(), picture, || ());
-        let mut screen = Screen { context: egui::Context::default(), import, can_add: true };
+        let mut screen = Screen { context: egui::Context::default(), import, can_add: true, answer: None };
         screen.settle();
         screen
     }
@@ -59,7 +60,8 @@ impl Screen {
     fn frame(&mut self, events: Vec<Event>) -> Vec<Shape> {
         let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, egui::vec2(1280.0, 720.0)));
         let input = egui::RawInput { screen_rect, events, ..Default::default() };
-        let mut output = self.context.run_ui(input, |ui| _ = self.import.show(ui.ctx(), self.can_add));
+        let show = |ui: &mut egui::Ui| self.answer = self.import.show(ui.ctx(), self.can_add).or(self.answer);
+        let mut output = self.context.run_ui(input, show);
         output.textures_delta.clear();
         output.shapes.into_iter().map(|clipped| clipped.shape).collect()
     }
@@ -136,4 +138,34 @@ fn beside_a_scene_in_space_it_is_said_that_a_picture_opens_by_itself() {
     screen.frame(Vec::new());
     let place = screen.says(words).unwrap();
     assert!(Rect::from_min_size(Pos2::ZERO, egui::vec2(1280.0, 720.0)).contains(place), "it is in view: {place:?}");
+}
+
+#[test]
+fn why_nothing_can_be_brought_is_said_beside_the_buttons_that_are_off() {
+    let mut screen = Screen::of(blot());
+    screen.import.wish.settings.threshold = Threshold::At(0.99);
+    // What is wished for is cut out from the next frame on.
+    let before = screen.import.wish;
+    screen.import.worker.ask(&screen.import.picture, before);
+    screen.settle();
+    let why = screen.import.forecast.as_ref().and_then(|made| made.as_ref().err()).cloned().unwrap();
+    let (said, add) = (screen.says(&why).unwrap(), screen.says("Add to this scene").unwrap());
+    assert!((said.y - add.y).abs() < 60.0, "{why} at {said:?}, the button at {add:?}");
+    screen.import.enter();
+    screen.frame(Vec::new());
+    assert_eq!(screen.answer, None, "nothing to bring");
+}
+
+#[test]
+fn enter_does_what_the_first_button_does() {
+    let mut screen = Screen::of(blot());
+    screen.import.enter();
+    screen.frame(Vec::new());
+    assert_eq!(screen.answer.take(), Some(Answer::Add));
+    screen.frame(Vec::new());
+    assert_eq!(screen.answer, None, "once");
+    screen.can_add = false;
+    screen.import.enter();
+    screen.frame(Vec::new());
+    assert_eq!(screen.answer, Some(Answer::Open));
 }

@@ -114,7 +114,7 @@ pub static TABLE: &[Binding] = &[
     binding("Ctrl+S", "save the scene as it stands, or all that was done as a recording", &[(Ctrl("s"), Action::Save)]),
     binding(
         "F2",
-        "a screenshot, beside the last file or among your documents",
+        "a screenshot, beside the last file that was saved, or among your documents",
         &[(Named(NamedKey::F2), Action::Screenshot)],
     ),
     binding(

@@ -173,6 +173,11 @@ pub(super) fn why_not(facts: &Facts, solver: SolverName) -> Option<&str> {
     facts.misfits.iter().find(|(other, _)| *other == solver).and_then(|(_, why)| why.as_deref())
 }
 
+/// Whether the scene is run by a solver now: beside itself it would show nothing.
+fn runs_by(facts: &Facts, solver: SolverName) -> bool {
+    facts.settings.scene.method.as_ref().is_some_and(|method| method.solver.name().parse() == Ok(solver))
+}
+
 fn is_open(facts: &Facts, solver: SolverName) -> bool {
     why_not(facts, solver).is_none()
 }
@@ -192,13 +197,13 @@ fn others(ui: &mut Ui, facts: &Facts) {
     let others: Vec<(SolverName, String)> =
         solvers().filter_map(|solver| Some((solver, reason(why_not(facts, solver)?)))).collect();
     let Some(((_, first), rest)) = others.split_first() else { return };
-    let count = if rest.is_empty() { "one".to_owned() } else { others.len().to_string() };
+    let count = if rest.is_empty() { "one method".to_owned() } else { format!("{} methods", others.len()) };
     let alike = |why: &str| others.iter().filter(|(_, other)| other == why).count();
     let most = others.iter().map(|(_, why)| why.as_str()).max_by_key(|why| alike(why)).unwrap_or(first);
-    let why = if alike(most) == others.len() { most.to_owned() } else { format!("{most}, …") };
+    let why = if alike(most) == others.len() { most.to_owned() } else { format!("most often because it {most}") };
     ui.separator();
     ui.set_max_width(WIDEST);
-    ui.menu_button(RichText::new(format!("{count} cannot run it: {why}")).color(colors(ui).weak), |ui| {
+    ui.menu_button(RichText::new(format!("{count} cannot run this scene: {why}")).color(colors(ui).weak), |ui| {
         for (solver, why) in others {
             ui.label(RichText::new(solver.words()).color(colors(ui).text));
             ui.label(RichText::new(why).color(colors(ui).weak).size(12.0));
@@ -207,9 +212,9 @@ fn others(ui: &mut Ui, facts: &Facts) {
 }
 
 /// Of why a solver cannot run the scene what is no advice for its file, without its name: "knows no contact".
-fn reason(why: &str) -> String {
+pub(super) fn reason(why: &str) -> String {
     let why = why.split(": ").next().unwrap_or(why);
-    let named = why.split_once("solver `").and_then(|(before, rest)| Some((before, rest.split_once("` ")?.1)));
+    let named = why.split_once("solver ").and_then(|(before, rest)| Some((before, rest.split_once(' ')?.1)));
     match named {
         Some(("", reason)) => reason.to_owned(),
         Some((before, after)) => format!("{before}it {after}"),
@@ -244,7 +249,7 @@ pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
         if choice(ui, facts, reference, "a reference: fine steps, 64 bits") {
             wishes.push(Wish::Beside(None));
         }
-        for solver in solvers().filter(|solver| is_open(facts, *solver)) {
+        for solver in solvers().filter(|solver| is_open(facts, *solver) && !runs_by(facts, *solver)) {
             if choice(ui, facts, solver, solver.words()) {
                 wishes.push(Wish::Beside(Some(BesideKeys::by(solver))));
             }

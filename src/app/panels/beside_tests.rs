@@ -5,8 +5,9 @@ use egui::{Event, Pos2, Shape, vec2};
 
 use super::pointer::click;
 use super::{Facts, Neighbor, Wish, beside};
+use crate::app::player::{Shown, Stage};
 use crate::render::Look;
-use crate::scene::{BesideKeys, SolverName};
+use crate::scene::{BesideKeys, Scene, SolverName};
 
 /// What is written in a frame, and where.
 type Written = Vec<(String, Pos2)>;
@@ -72,6 +73,33 @@ fn the_menu_puts_worlds_there_and_takes_them_away() {
 }
 
 #[test]
+fn the_method_in_use_is_not_offered_beside_itself() {
+    let scene =
+        Scene::parse(r#"{"wobble": 1, "bodies": [{"make": "rope", "count": 3, "to": [0, 1]}]}"#, "x.json").unwrap();
+    let mut facts = Facts::default();
+    let offered = |facts: &Facts| {
+        let context = egui::Context::default();
+        let written = settled(&context, facts);
+        let at = written.iter().find(|(text, _)| text == "Compare…").unwrap().1;
+        click(at).into_iter().for_each(|events| _ = frame(&context, facts, events));
+        settled(&context, facts).iter().any(|(text, _)| text == SolverName::Auto.words())
+    };
+    assert!(offered(&facts));
+    let mut shown = Shown::default();
+    Stage::new(scene.into()).unwrap().show(&mut shown);
+    facts.settings.scene = shown.settings;
+    assert!(!offered(&facts), "automatic beside automatic shows nothing");
+}
+
+#[test]
+fn solvers_are_named_once_where_it_is_said_why_they_cannot_run_a_scene() {
+    for name in ["path", "`path`"] {
+        assert_eq!(beside::reason(&format!("solver {name} knows no contact: leave it out")), "knows no contact");
+    }
+    assert_eq!(beside::reason("a bond is rigid, which solver rk4 refuses"), "a bond is rigid, which it refuses");
+}
+
+#[test]
 fn what_the_scene_refuses_is_folded_behind_a_line_that_says_why() {
     let refused = |name: &str| Some(format!("solver `{name}` knows no contact: leave `solver` or `contact` out"));
     let misfits = [(SolverName::Rk4, refused("rk4")), (SolverName::Euler, refused("euler")), (SolverName::Rk2, None)];
@@ -86,7 +114,7 @@ fn what_the_scene_refuses_is_folded_behind_a_line_that_says_why() {
     let has = |written: &Written, words: &str| written.iter().any(|(text, _)| text == words);
     let menu = open("Compare…");
     assert!(!has(&menu, "Runge-Kutta, order 4") && has(&menu, "Runge-Kutta, order 2"), "{menu:?}");
-    let folded = open("2 cannot run it: knows no contact");
+    let folded = open("2 methods cannot run this scene: knows no contact");
     assert!(has(&folded, "Runge-Kutta, order 4") && has(&folded, "knows no contact"), "{folded:?}");
     assert_eq!(
         choose(&facts, ["Compare…", "Runge-Kutta, order 2"]),

@@ -119,6 +119,25 @@ fn the_column_of_a_tools_panel_is_where_that_stands() {
     }
     let mut state = PanelState::default();
     assert_eq!(laid([1280.0, 720.0], &mut state, &facts(Tool::Hand)).1.column, None);
+    // The others stand beside the tools, whatever opens at the right edge.
+    for tool in [Tool::Motor, Tool::Muscle, Tool::Push, Tool::Paint] {
+        let mut state = PanelState { has_settings: true, ..PanelState::default() };
+        let (all, laid) = laid([1280.0, 720.0], &mut state, &facts(tool));
+        let [from, to] = laid.column.unwrap();
+        let stands = |one: &Rect| (one.left() - from).abs() < 3.0 && (one.right() - to).abs() < 3.0;
+        assert!(to < 640.0 && all.iter().any(stands), "{tool:?}: it stands not from {from} to {to}: {all:?}");
+    }
+}
+
+#[test]
+fn in_a_small_window_what_is_selected_covers_no_button() {
+    for size in [[480.0, 400.0], [480.0, 360.0], [600.0, 480.0]] {
+        let facts = Facts { matter: Some(matter()), ..facts(Tool::Select) };
+        let (context, _) = shown(size, &mut PanelState::default(), &facts);
+        let lies = |name: &str| context.memory(|memory| memory.area_rect(egui::Id::unique(name))).unwrap();
+        let (panel, bar) = (lies("matter"), lies("scene"));
+        assert!(!panel.shrink(1.0).intersects(bar.shrink(1.0)), "{size:?}: {panel} over {bar}");
+    }
 }
 
 #[test]

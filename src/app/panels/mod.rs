@@ -15,6 +15,7 @@ mod complaint;
 mod cut_tests;
 mod dial;
 mod drives;
+mod fewer;
 mod finding;
 mod gallery;
 mod held;
@@ -427,6 +428,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         let rooms = places.of_tools(plotted, all_edge);
         column = palette::show(&context, &rooms, state, facts, &mut wishes);
         column_low = rooms.half.filter(|_| column.is_some());
+        // The others have a place beside the tools, which they keep while they are there.
+        let of_tool = || palette::of_tool(&context, facts.tool).filter(|_| facts.tool != Tool::Select);
+        column = column.or_else(|| of_tool().map(|at| [at.left(), at.right()]));
     }
     held::show(&context, places.low(), facts);
     state.notes.lie_under(Cover::of(state.sheet, facts.waits && !facts.asks));

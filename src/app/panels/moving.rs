@@ -8,6 +8,7 @@ use egui::{
     Ui, vec2,
 };
 
+use super::fewer::that_fits;
 use super::theme::colors;
 use super::{Facts, Wish, short};
 use crate::app::player::{Acts, Figures, Moved, Movers, Rung, Yielded};
@@ -81,7 +82,10 @@ pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
 fn in_bar(ui: &mut Ui, figures: &Figures, (lines, is_roomy): (Vec<Line>, bool), wishes: &mut Vec<Wish>) {
     let (words, tone) = in_short(figures, lines.len(), is_roomy);
     // What it is about, where the line of time has room beside that.
-    let words = if is_roomy { format!("physics: {words}") } else { words };
+    let about = if is_roomy { format!("physics: {words}") } else { words.clone() };
+    let room = ui.available_width() - 2.0 * ui.spacing().button_padding.x - 2.0;
+    let less = std::iter::successors(Some(about), |more| Some(more.rsplit_once(", ")?.0.to_owned()));
+    let words = that_fits(ui, less.chain([words, notes_in_words(lines.len()), lines.len().to_string()]), room);
     let button = ui.add(Button::new(RichText::new(words).color(tone.color(ui))).truncate());
     let button = button.on_hover_ui(|ui| {
         ui.set_max_width(WIDTH);
@@ -142,13 +146,17 @@ fn in_short(figures: &Figures, notes: usize, is_roomy: bool) -> (String, Tone) {
         () if has(&[Why::Contact, Why::Plan]) => (Some(["with collisions", "collisions"]), Tone::Weak),
         () => (None, Tone::Weak),
     };
-    let notes = if notes == 1 { "1 note".to_owned() } else { format!("{notes} notes") };
+    let notes = notes_in_words(notes);
     let words = match words {
         Some([word, _]) if is_roomy => format!("{word}, {notes}"),
         Some([_, word]) => word.to_owned(),
         None => notes,
     };
     (words, color)
+}
+
+fn notes_in_words(notes: usize) -> String {
+    if notes == 1 { "1 note".to_owned() } else { format!("{notes} notes") }
 }
 
 fn lines(figures: &Figures) -> Vec<Line> {

@@ -2,6 +2,7 @@
 
 use egui::{Context, LayerId, Order, Rect, pos2};
 
+use super::material::WHOLE;
 use super::{GAP, TOOLS};
 
 /// Along the lower edge lie the numbers of the grid `[points]`.
@@ -132,7 +133,10 @@ impl Places {
         let at_right = plots.filter(|plots| plots.right() > end - NEAR);
         let above = at_right.filter(|plots| plots.center().y < self.room.center().y);
         let right = beside(at_right.is_some() && above.is_none());
-        let top = above.map_or(self.right, |plots| plots.bottom() + APART);
+        // Where the buttons go as far as what is selected is shown, that begins below them.
+        let is_below = self.bar.is_some_and(|bar| bar.right() + APART > end - WHOLE);
+        let first = if is_below { self.right.max(high) } else { self.right };
+        let top = above.map_or(first, |plots| plots.bottom() + APART);
         let right = right.with_max_x(end).with_min_y(top.min(right.bottom() - 160.0));
         let lies_below = plots.filter(|plots| plots.left() < self.room.left() + TOOLS);
         let lowest = lies_below.map_or(low, |plots| low.min(plots.top() - APART));

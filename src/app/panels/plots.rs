@@ -267,10 +267,18 @@ fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>
         if ui.button("Close").on_hover_text(described("close the plots", Action::Plots)).clicked() {
             wishes.push(Wish::Act(Action::Plots));
         }
-        if ui.button("CSV").on_hover_text("a table, beside the last file or among your documents").clicked() {
+        if ui
+            .button("CSV")
+            .on_hover_text("a table, beside the last file that was saved, or among your documents")
+            .clicked()
+        {
             wishes.push(Wish::WriteTable);
         }
-        if ui.button("SVG").on_hover_text("this plot, beside the last file or among your documents").clicked() {
+        if ui
+            .button("SVG")
+            .on_hover_text("this plot, beside the last file that was saved, or among your documents")
+            .clicked()
+        {
             wishes.push(Wish::WriteFigure);
         }
     });
@@ -324,7 +332,8 @@ fn legend(ui: &mut Ui, plots: &mut Plots) {
 
 /// Which quantity of the probes is plotted, and of a coordinate whether against how fast it changes.
 fn quantities(ui: &mut Ui, plots: &mut Plots) {
-    let orbit = |quantity: Quantity| format!("{} across, its velocity up", quantity.words()[0]);
+    let orbit = |quantity: Quantity| format!("phase portrait of {}", quantity.words()[0]);
+    let axes = |quantity: Quantity| format!("{} across, its velocity up", quantity.words()[0]);
     let is_orbit = plots.subject == Subject::Orbit;
     let shown = if is_orbit { orbit(plots.quantity) } else { plots.quantity.words()[0].to_owned() };
     let all: Vec<Quantity> = plots.quantities().collect();
@@ -336,7 +345,8 @@ fn quantities(ui: &mut Ui, plots: &mut Plots) {
             }
         }
         for &quantity in all.iter().filter(|quantity| quantity.rate().is_some()) {
-            if ui.selectable_label(is_orbit && plots.quantity == quantity, orbit(quantity)).clicked() {
+            let label = ui.selectable_label(is_orbit && plots.quantity == quantity, orbit(quantity));
+            if label.on_hover_text(axes(quantity)).clicked() {
                 plots.choose_orbit(quantity);
             }
         }

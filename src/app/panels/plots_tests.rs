@@ -196,7 +196,7 @@ fn a_probe_is_plotted_against_its_own_velocity() {
     let mut one = Screen::new(1);
     let first = colors(&one.context).probes[0];
     one.click("speed");
-    one.click("y across, its velocity up");
+    one.click("phase portrait of y");
     assert_eq!((one.plots.subject, one.plots.quantity), (Subject::Orbit, Quantity::Y));
     assert!(one.curve(first) > 50, "{}", one.curve(first));
     one.click("probe");
@@ -204,7 +204,7 @@ fn a_probe_is_plotted_against_its_own_velocity() {
     let drawn = super::figure(&one.plots);
     assert!(drawn.contains("velocity y [m/s]") && drawn.contains("y [m]"), "{drawn}");
     // Another quantity is one over time again.
-    one.click("y across, its velocity up");
+    one.click("phase portrait of y");
     one.click("velocity x");
     assert_eq!((one.plots.subject, one.plots.quantity), (Subject::Probes, Quantity::VelocityX));
 }

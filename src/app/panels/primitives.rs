@@ -86,8 +86,8 @@ fn links(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
         };
         say(&ticks::one_of(ui, &mut links.link, link, link.name()), edge, words);
     }
-    let said = "a loop that is closed becomes a soft body (Shift does the same)";
-    say(&ticks::check(ui, &mut links.fills, "fill loops"), edge, said);
+    let said = "a loop that is closed becomes a soft body between its sides (Shift does the same); off, it has its sides alone";
+    say(&ticks::check(ui, &mut links.fills, "loops become soft"), edge, said);
     if links != facts.links {
         wishes.push(Wish::Links(links));
     }

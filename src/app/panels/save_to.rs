@@ -28,10 +28,16 @@ pub(in crate::app) struct SaveTo {
 pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut Vec<Wish>) {
     let stays = sheet::show(context, "save to", "Save", |ui| {
         ui.set_width(sheet::fitting(context, [WIDE, 0.0])[0]);
+        let was_all = state.save_to.is_all;
         let is_all = &mut state.save_to.is_all;
         ticks::one_of(ui, is_all, false, MOMENT)
             .on_hover_text("opened, it goes on from here, without what was done before");
         ticks::one_of(ui, is_all, true, ALL).on_hover_text("a recording: opened, it is replayed from its start");
+        if *is_all != was_all {
+            // What is named for the one is named for the other, but for its ending.
+            state.path = state.save_to.renamed(&state.path);
+            state.save_to.begin();
+        }
         ui.add_space(4.0);
         let hint = "the path of the file that is to be written";
         let field = ui.add(TextEdit::singleline(&mut state.path).hint_text(hint).desired_width(f32::INFINITY));
@@ -63,7 +69,7 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
             if ui.button("Cancel").clicked() {
                 state.sheet = None;
             }
-            ui.weak(".json is added if left out");
+            ui.weak(format!(".{} is added if left out", state.save_to.ending()));
         });
     });
     if !stays {
@@ -79,7 +85,7 @@ const ALL: &str = "all that was done, as a recording";
 
 /// What is written is to be the path: its ending is added where it has none, so that one sees what is written.
 pub(in crate::app) fn ask(state: &mut PanelState, wishes: &mut Vec<Wish>) {
-    let path = with_ending(meant(state.path.trim()));
+    let path = with_ending(meant(state.path.trim()), state.save_to.ending());
     state.path = path.display().to_string();
     match state.save_to.ask(path) {
         Some(path) => wishes.push(Wish::SaveTo(path)),
@@ -87,10 +93,10 @@ pub(in crate::app) fn ask(state: &mut PanelState, wishes: &mut Vec<Wish>) {
     }
 }
 
-/// A path with the ending of a recording, where it has no other.
-fn with_ending(path: PathBuf) -> PathBuf {
+/// A path with an ending, where it has no other.
+fn with_ending(path: PathBuf, ending: &str) -> PathBuf {
     let is_bare = path.extension().is_none() && path.file_name().is_some() && !path.is_dir();
-    if is_bare { path.with_extension(ENDINGS[0]) } else { path }
+    if is_bare { path.with_extension(ending) } else { path }
 }
 
 /// Whether a path ends as a recording does.
@@ -98,13 +104,26 @@ pub(in crate::app) fn is_recording(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ENDINGS.iter().any(|known| ending == *known))
 }
 
-/// What recordings end in.
+/// What scenes end in, and recordings; either may end as the other.
 const ENDINGS: [&str; 2] = ["json", "jsonl"];
 
 impl SaveTo {
     /// Another path: what was said of the last one goes.
     pub(in crate::app) fn begin(&mut self) {
         (self.fault, self.asked, self.written) = (None, None, None);
+    }
+
+    /// What a file of what is chosen ends in.
+    pub(in crate::app) fn ending(&self) -> &'static str {
+        ENDINGS[usize::from(self.is_all)]
+    }
+
+    /// A path with that ending in place of the other.
+    fn renamed(&self, path: &str) -> String {
+        match ENDINGS.iter().find_map(|known| path.strip_suffix(&format!(".{known}"))) {
+            Some(bare) => format!("{bare}.{}", self.ending()),
+            None => path.to_owned(),
+        }
     }
 
     /// A file begins to be written.
@@ -170,9 +189,9 @@ mod tests {
         assert!(state.fault.as_deref().is_some_and(|fault| fault.contains("once more")));
         assert_eq!(state.ask(old.clone()), Some(old.clone()), "asked for again");
         assert_eq!(state.ask(old), None, "and the next time it is asked anew");
-        assert_eq!(with_ending(folder.path().join("mine")), folder.path().join("mine.json"));
+        assert_eq!(with_ending(folder.path().join("mine"), "json"), folder.path().join("mine.json"));
         for kept in [folder.path().to_owned(), folder.path().join("a.jsonl"), folder.path().join("a.png")] {
-            assert_eq!(with_ending(kept.clone()), kept);
+            assert_eq!(with_ending(kept.clone(), "json"), kept);
         }
         for (path, words) in [
             (folder.path().to_owned(), "is a folder"),
@@ -183,6 +202,17 @@ mod tests {
             assert!(state.fault.as_deref().is_some_and(|fault| fault.contains(words)), "{:?}", state.fault);
         }
         assert!(!folder.path().join("no").exists());
+    }
+
+    #[test]
+    fn a_recording_ends_otherwise_than_a_scene() {
+        let [scene, recording] = [false, true].map(|is_all| SaveTo { is_all, ..SaveTo::default() });
+        assert_eq!([scene.ending(), recording.ending()], ["json", "jsonl"]);
+        assert_eq!(recording.renamed("/a/wobble-x-001.json"), "/a/wobble-x-001.jsonl");
+        assert_eq!(scene.renamed("/a/wobble-x-001.jsonl"), "/a/wobble-x-001.json");
+        assert_eq!(recording.renamed("/a/mine"), "/a/mine", "what has no ending gets it when it is written");
+        assert_eq!(with_ending(PathBuf::from("mine"), recording.ending()), PathBuf::from("mine.jsonl"));
+        assert!(!SaveTo::default().is_all, "the next file is of the scene again");
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use egui::{Align, Label, Layout, Rect, RichText, Role, Slider, WidgetInfo, vec2};
 
+use super::fewer::{shorter, that_fits};
 use super::icons::{self, Icon};
 use super::theme::colors;
 use super::{At, Facts, Wish, described, icon, moving, short};
@@ -35,6 +36,7 @@ pub(super) fn show(ui: &mut egui::Ui, left: &mut Option<At>, facts: &Facts, wish
                 ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
                     ui.set_min_width(width);
                     let (words, matters) = state(facts);
+                    let words = that_fits(ui, shorter(&words), width);
                     let words = RichText::new(words).color(if matters { colors(ui).accent } else { colors(ui).weak });
                     ui.add(Label::new(words).truncate());
                 });

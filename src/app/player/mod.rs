@@ -47,7 +47,7 @@ pub use order::{Coming, MethodSetting, Note, Order};
 pub use pace::{LONGEST_FRAME, Pace, SINGLE_STEP, STEPPING_BUDGET};
 pub use rungs::{Rung, Yielded};
 pub(crate) use shown::driven;
-pub use shown::{Figures, Places, Scenery, Shown};
+pub use shown::{Figures, Latest, Places, Scenery, Shown};
 pub use stage::{Stage, too_many_to_meet};
 pub use watch::{Measured, Probe, Probed, Probes, REACH};
 
@@ -83,6 +83,8 @@ pub struct Player {
     start: Start,
     /// What it is recorded to.
     record: Option<PathBuf>,
+    /// What it was saved as last.
+    called: Option<String>,
     thread: JoinHandle<()>,
     orders: Sender<(u64, Order)>,
     desk: Arc<Desk>,
@@ -117,6 +119,7 @@ impl Player {
         Player {
             start,
             record,
+            called: None,
             thread,
             orders,
             desk,
@@ -289,6 +292,16 @@ impl Player {
     /// What was to be saved last is.
     pub fn note_saved(&mut self) {
         self.edits.retain(|edit| *edit > self.saving);
+    }
+
+    /// All of it was saved to a file, by which it is called from now on.
+    pub fn call(&mut self, file: &Path) {
+        self.called = file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    }
+
+    /// What it is called since it was saved.
+    pub fn called(&self) -> Option<&str> {
+        self.called.as_deref()
     }
 
     /// What it is recorded to.

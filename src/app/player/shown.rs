@@ -287,6 +287,15 @@ pub struct Figures {
     pub redoes: Option<String>,
 }
 
+/// From which numbers on points and obstacles are not what they were: those are of what was given last, or of another branch.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Latest {
+    /// How often that was so.
+    pub times: u64,
+    /// The first such number of points and of obstacles.
+    pub from: [u32; 2],
+}
+
 /// A moment of a world, as it is drawn.
 #[derive(Clone, Debug, Default)]
 pub struct Shown {
@@ -304,6 +313,8 @@ pub struct Shown {
     pub motion: u64,
     /// Changes whenever the scenery did.
     pub topology: u64,
+    /// What was given last.
+    pub latest: Latest,
     /// What stands about them.
     pub scenery: Arc<Scenery>,
     /// What can be set of the scene, as it is.

@@ -309,6 +309,9 @@ fn what_was_refused_is_no_work_to_be_saved() {
     wait_for(&mut player, |player| player.waiting_since.is_none());
     player.note_saved();
     assert!(player.is_unsaved(), "what came after the file was asked for");
+    assert_eq!(player.called(), None);
+    player.call(&folder.path().join("swing.json"));
+    assert_eq!(player.called(), Some("swing"));
 }
 
 #[test]

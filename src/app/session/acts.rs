@@ -9,7 +9,7 @@ use crate::app::count::counted;
 use crate::app::panels::{Cover, Opened, Setting, Sheet, Wish, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
-use crate::app::tools::{Deed, PushWay, is_of_space, strength};
+use crate::app::tools::{Deed, PushWay, is_of_space, lack_of, strength};
 use crate::history::Do;
 use crate::scene::{EMPTY, Entry, gallery};
 use crate::sim::{MouseChange, PointId};
@@ -45,6 +45,12 @@ impl Session {
             Action::Undo if self.hand.is_drawing() => self.hand.step_back(),
             Action::StepBack => self.hand.step_back(),
             Action::Finish if self.asked.is_some() => self.answered(0),
+            Action::Finish if self.import.is_some() => {
+                if let Some(import) = &mut self.import {
+                    import.enter();
+                }
+                self.touch();
+            }
             Action::Finish => {
                 let deed = self.with_scope(|hand, scope| hand.finish(scope));
                 self.do_deed(deed);
@@ -243,6 +249,9 @@ impl Session {
 
     /// Takes a tool; one that has no panel which says what to do says so.
     fn take(&mut self, tool: Tool) {
+        if let Some(why) = lack_of(tool, self.shown().driving) {
+            return self.refuse(&why);
+        }
         self.leave_drawing();
         self.hand.take(tool);
         // It is of the hand.
@@ -350,7 +359,6 @@ impl Session {
             self.dirty = true;
         }
         if !deed.is_empty() {
-            self.with_scope(|hand, scope| hand.forget_undone(scope));
             self.ask_if_full(points_of(&deed.commands), move |session| session.player.give(deed.commands, deed.edit));
         }
     }

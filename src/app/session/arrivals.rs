@@ -13,6 +13,7 @@ use crate::app::holds_scene;
 use crate::app::opening;
 use crate::app::panels::{OpenFrom, Sheet, meant};
 use crate::app::player::Order;
+use crate::app::recent::Used;
 use crate::app::saving::folder;
 use crate::history::Start;
 use crate::scene::{Scene, SceneError};
@@ -36,7 +37,8 @@ impl Session {
     pub(in crate::app) fn lets_through(&self, action: Action) -> bool {
         let is_untouched = self.import.as_ref().is_some_and(|import| import.is_canvas() && !import.has_work());
         let is_of_scenes = matches!(action, Action::PreviousScene | Action::NextScene);
-        let is_answer = self.asked.is_some() && action == Action::Finish;
+        let has_answer = self.asked.is_some() || self.import.is_some() && self.panels.sheet.is_none();
+        let is_answer = has_answer && action == Action::Finish;
         action.reaches_through() || is_answer || is_untouched && self.panels.sheet.is_none() && is_of_scenes
     }
 
@@ -73,7 +75,7 @@ impl Session {
                 self.touch();
             }
             (_, Coming::Scene(start)) => {
-                self.remember(path);
+                self.remember(path, Used::Opened);
                 self.open(*start);
             }
         }
@@ -82,7 +84,7 @@ impl Session {
     /// No dialog can be shown: the path is written in the window, beginning as the dialog would.
     fn ask_for_path(&mut self) {
         let newest = self.recent.newest().map(|newest| newest.display().to_string());
-        let folder = || self.recent.folder().map(|folder| format!("{}/", folder.display()));
+        let folder = || self.recent.opened().map(|folder| format!("{}/", folder.display()));
         self.panels.path = newest.or_else(folder).unwrap_or_default();
         self.panels.open_from = OpenFrom::at(&self.panels.path);
         (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::OpenFrom), true);
@@ -163,7 +165,7 @@ impl Session {
         match self.dialog {
             Some(_) => self.ask_for_path(),
             None => {
-                let begins = folder(self.recent.folder());
+                let begins = folder(self.recent.opened());
                 self.dialog = Some(fetch::open(&self.window, (&begins, self.recent.newest()), self.wake_up()));
             }
         }
@@ -247,7 +249,7 @@ impl Session {
     /// A picture was read: it opens as a scene, or to be cut out by hand.
     fn take_loaded(&mut self, (name, path): (String, &Path), loaded: Result<Loaded, SceneError>) {
         if loaded.is_ok() {
-            self.remember(path);
+            self.remember(path, Used::Opened);
         }
         match loaded {
             Ok(Loaded::Scene(scene)) => self.open((*scene).into()),

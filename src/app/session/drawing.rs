@@ -193,6 +193,9 @@ impl Session {
     /// The same, for a step of a lesson or none.
     pub(super) fn title_of(&self, step: Option<At>) -> String {
         let start = self.player.start();
+        if let Some(saved) = self.player.called().filter(|_| step.is_none()) {
+            return saved.to_owned();
+        }
         let heading = step.and_then(At::heading).or_else(|| heading_of(self.scene.name()));
         let name = start.name().or(heading).map(str::to_owned);
         let name = name.or_else(|| self.entry().map(|entry| entry.title.to_owned()));

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::Session;
 use crate::app::panels::{Sheet, is_recording};
 use crate::app::player::{News, Note};
+use crate::app::recent::Used;
 
 impl Session {
     /// Takes what the player has to tell.
@@ -93,8 +94,9 @@ impl Session {
                     self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
                 }
                 if is_recording(&path) {
-                    self.remember(&path);
+                    self.remember(&path, Used::Saved);
                     self.have_saved(true);
+                    self.player.call(&path);
                 }
             }
             Note::NotWritten(why) => {

@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use super::Session;
 use super::trails::AllTrails;
 use crate::app::opening::keys;
-use crate::app::panels::{Sheet, Wish, ask_to_save, is_recording};
+use crate::app::panels::{SaveTo, Sheet, Wish, ask_to_save, is_recording};
 use crate::app::player::Order;
+use crate::app::recent::Used;
 use crate::app::saving::{Chosen, Saving, folder, free_name};
 use crate::render::{Capture, View};
 
@@ -23,14 +24,15 @@ impl Session {
     /// Opens the system's dialog, unless it is open.
     pub(super) fn browse_to_save(&mut self) {
         if self.saving.is_none() {
-            let begins = folder(self.recent.folder());
-            self.saving = Some(Saving::new(&self.window, (&begins, self.scene.name()), self.wake_up()));
+            let begins = folder(self.recent.saved());
+            let ending = self.panels.save_to.ending();
+            self.saving = Some(Saving::new(&self.window, (&begins, self.scene.name(), ending), self.wake_up()));
         }
     }
 
-    /// The next file is looked for beside this one, which is the newest of those that are listed.
-    pub(super) fn remember(&mut self, path: &Path) {
-        self.recent.note(path);
+    /// The next file is looked for, or written, beside this one, which is the newest of those that are listed.
+    pub(super) fn remember(&mut self, path: &Path, used: Used) {
+        self.recent.note(path, used);
         let kept = self.state_folder.as_deref().map(|folder| self.recent.save(folder));
         self.panels.recent = self.recent.files().to_vec();
         if let Some(Err(why)) = kept {
@@ -40,13 +42,14 @@ impl Session {
 
     /// A name that no file has, of this ending, where files go that nobody named a place for.
     pub(super) fn free_path(&self, ending: &str) -> PathBuf {
-        free_name(&folder(self.recent.folder()), self.scene.name(), ending)
+        free_name(&folder(self.recent.saved()), self.scene.name(), ending)
     }
 
     /// A path can be written.
     fn ask_where_to_save(&mut self) {
-        self.panels.save_to.begin();
-        self.panels.path = self.free_path("json").display().to_string();
+        // What was chosen for the last file says nothing of this one.
+        self.panels.save_to = SaveTo::default();
+        self.panels.path = self.free_path(self.panels.save_to.ending()).display().to_string();
         (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
         self.place_hint();
     }

@@ -100,7 +100,7 @@ impl Session {
         probes.into_iter().enumerate().filter_map(|(place, probe)| Some((place, probe?)))
     }
 
-    /// Writes what is plotted as a table, beside the last file or among the documents.
+    /// Writes what is plotted as a table, beside the last file that was saved, or among the documents.
     pub(super) fn write_table(&mut self) {
         let Some(plots) = &self.panels.plots else { return };
         let mut bytes = Vec::new();

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::Session;
 use crate::app::matter::worn;
+use crate::app::recent::Used;
 use crate::app::tools::Chosen;
 use crate::picture::decode;
 use crate::sim::PointId;
@@ -24,7 +25,7 @@ impl Session {
         let done = picture.and_then(|picture| worn(&picture, &points, |point| shown.place(point.index())));
         match done {
             Ok(act) => {
-                self.remember(path);
+                self.remember(path, Used::Opened);
                 self.player.give(vec![act], Some("picture"));
                 self.dirty = true;
             }

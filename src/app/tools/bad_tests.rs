@@ -86,6 +86,7 @@ fn what_is_pinned_is_led_by_its_pin_and_what_is_grabbed_can_be_deleted() {
     assert_eq!(give(&mut stage, deed), None);
     let gone = hand.delete(scope(&seen), None);
     assert_eq!((gone.edit, hand.is_busy()), (Some("delete"), false));
+    assert!(gone.words.as_deref().is_some_and(|words| words.contains("Ctrl+Z")), "{:?}", gone.words);
     assert_eq!(give(&mut stage, gone), None);
     assert!(stage.history().world().grab().is_none(), "nothing hangs on the hand");
     assert_eq!(hand.release(scope(&seen), at(&seen, 0.0, 0.0)), Deed::default());

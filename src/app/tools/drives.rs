@@ -8,8 +8,9 @@ use super::Deed;
 use super::hinge::{Hinge, IN_SPACE, Meant, pins};
 use super::hub::Hub;
 use super::marks::{Mark, Role};
-use super::muscles::MuscleChoice;
+use super::muscles::{MuscleChoice, no_muscles};
 use super::pick::Scope;
+use crate::app::action::Tool;
 use crate::history::{DeleteKeys, Do};
 use crate::scene::{AddKeys, DriveKeys, KeyName};
 use crate::sim::{Angle, AngleDrive, Driving};
@@ -180,8 +181,17 @@ impl Drives {
 pub(in crate::app) fn no_motors(driving: Driving) -> Option<String> {
     let Driving { solver, is_in_space, .. } = driving;
     let knows_none = driving.of_motor().is_some() || solver.form_refusal().is_some();
-    let words = || format!("solver {solver} knows no motors: \"auto\" does");
+    let words = || format!("solver {solver} knows no motors: \"automatic\" does");
     is_in_space.then(|| IN_SPACE.to_owned()).or_else(|| knows_none.then(words))
+}
+
+/// What a scene lacks for a tool, if it cannot be taken there.
+pub(in crate::app) fn lack_of(tool: Tool, driving: Driving) -> Option<String> {
+    match tool {
+        Tool::Muscle => no_muscles(driving),
+        Tool::Motor => no_motors(driving),
+        _ => None,
+    }
 }
 
 /// Where words beside the pointer begin.

@@ -258,8 +258,8 @@ impl Change {
             Change::Shift(by) => format!("{:.2} {:.2} m", by.x, by.y),
             Change::Turn(angle) => format!("{:.0}°", angle.to_degrees()),
             Change::Spin(axis, angle) => Turned::About(axis, angle).words(),
-            Change::Scale([x, y]) if x == y => format!("× {x:.2}"),
-            Change::Scale([x, y]) => format!("{x:.2} × {y:.2}"),
+            Change::Scale([x, y]) if x == y => format!("× {x:.2}{SAME_MASS}"),
+            Change::Scale([x, y]) => format!("{x:.2} × {y:.2}{SAME_MASS}"),
         }
     }
 
@@ -325,6 +325,9 @@ impl Change {
         Deed::edit(name, Do::Move(Box::new(keys)))
     }
 }
+
+/// Said of what is scaled.
+pub(super) const SAME_MASS: &str = ", of the same mass";
 
 /// What is left of a turn `[rad]`, the shorter way round; `None`: nothing.
 fn turn_left(all: f64, done: f64) -> Option<f64> {

@@ -80,7 +80,7 @@ pub(super) use build::{Link, Links, is_of_space};
 pub(super) use chosen::Chosen;
 use cutting::Slash;
 pub(super) use deed::Deed;
-pub(super) use drives::{Drives, no_motors};
+pub(super) use drives::{Drives, lack_of, no_motors};
 pub(super) use erase::clear as clear_bodies;
 use facing::Hold;
 use handles::Grip;

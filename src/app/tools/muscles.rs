@@ -287,7 +287,9 @@ fn words(why: NoDrive) -> String {
         NoDrive::RigidInSpace => "in space a rigid bond is no muscle: springs alone are".to_owned(),
         NoDrive::MeetsInSpace => "in space nothing is a muscle where bodies, balls or boxes meet".to_owned(),
         NoDrive::RigidToTolerance => "a rigid bond is no muscle where a tolerance is kept".to_owned(),
-        NoDrive::RigidBy(solver) => format!("a rigid bond is no muscle by solver {solver}: by \"auto\" it is"),
-        NoDrive::By(solver) | NoDrive::MotorBy(solver) => format!("solver {solver} knows no muscles: \"auto\" does"),
+        NoDrive::RigidBy(solver) => format!("a rigid bond is no muscle by solver {solver}: by \"automatic\" it is"),
+        NoDrive::By(solver) | NoDrive::MotorBy(solver) => {
+            format!("solver {solver} knows no muscles: \"automatic\" does")
+        }
     }
 }

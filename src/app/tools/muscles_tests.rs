@@ -163,6 +163,9 @@ fn what_a_click_would_refuse_is_said_before_it_and_nothing_is_marked() {
             hand.release(scope(&seen), middle)
         };
         assert_eq!(super::no_muscles(seen.0.driving).is_some(), all, "{keys}");
+        // By its key the tool is taken where its button is on, no more.
+        let lack = |tool| super::lack_of(tool, seen.0.driving);
+        assert_eq!((lack(Tool::Muscle).is_some(), lack(Tool::Select)), (all, None), "{keys}");
         let mut stage = Stage::new(scene.into()).unwrap();
         if why.is_empty() {
             assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None, "{keys}");

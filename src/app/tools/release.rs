@@ -105,8 +105,16 @@ impl Hand {
         self.selection.set(Chosen::default());
     }
 
-    /// Takes away what is led, or what lies under the pixel.
+    /// Takes away what is led, what is selected, or what lies under the pixel, and says how it comes back.
     pub(in crate::app) fn delete(&mut self, scope: Scope<'_>, at: Option<DVec2>) -> Deed {
+        let mut deed = self.taken_away(scope, at);
+        if !deed.is_empty() {
+            deed.words.get_or_insert_with(|| "taken away: Ctrl+Z brings it back".to_owned());
+        }
+        deed
+    }
+
+    fn taken_away(&mut self, scope: Scope<'_>, at: Option<DVec2>) -> Deed {
         if let Doing::Grabbing(points) = &self.doing {
             let Some(&point) = points.first() else { return Deed::default() };
             let deed = delete_points(scope.body(point));

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 
 use super::Deed;
 use super::chosen::Chosen;
-use super::handles::Change;
+use super::handles::{Change, SAME_MASS};
 use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_segment};
 use crate::history::{Do, Factors, MoveKeys};
@@ -250,7 +250,7 @@ impl Turned {
     pub(super) fn words(self) -> String {
         match self {
             Turned::About(axis, angle) => format!("{:.0}° about {}", angle.to_degrees(), AXES[axis].2),
-            Turned::By(factor) => format!("× {factor:.2}"),
+            Turned::By(factor) => format!("× {factor:.2}{SAME_MASS}"),
         }
     }
 

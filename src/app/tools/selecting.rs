@@ -117,11 +117,6 @@ impl Hand {
         self.selection.settle(scope);
     }
 
-    /// Something is done: what undo took away before cannot come back.
-    pub(in crate::app) fn forget_undone(&mut self, scope: Scope<'_>) {
-        self.selection.forget_undone(scope);
-    }
-
     /// All bodies and obstacles are selected, with the tool for that.
     pub(in crate::app) fn select_all(&mut self, scope: Scope<'_>) {
         self.tool = Tool::Select;

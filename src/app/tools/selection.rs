@@ -2,6 +2,7 @@
 
 use super::chosen::Chosen;
 use super::pick::Scope;
+use crate::app::player::Latest;
 
 /// So many copies are known with what was selected before them.
 const MOST: usize = 32;
@@ -16,6 +17,10 @@ pub(super) struct Selection {
     /// What is being taken away, and what was: it is selected again where it comes back.
     leaving: Chosen,
     away: Chosen,
+    /// Copies are told of that are not there yet.
+    is_coming: bool,
+    /// How often numbers were given anew, as far as that was seen.
+    latest: u64,
     /// The topology of the world in which that was looked for last.
     looked: Option<u64>,
 }
@@ -30,12 +35,13 @@ impl Selection {
 
     /// The hand chooses this.
     pub(super) fn set(&mut self, chosen: Chosen) {
-        (self.chosen, self.before) = (chosen, Vec::new());
+        (self.chosen, self.before, self.is_coming) = (chosen, Vec::new(), false);
     }
 
     /// Copies come in its place.
     pub(super) fn come(&mut self, copies: Chosen) {
         self.before.push(std::mem::replace(&mut self.chosen, copies));
+        self.is_coming = true;
         if self.before.len() > MOST {
             self.before.remove(0);
         }
@@ -56,8 +62,13 @@ impl Selection {
         self.set(Chosen::default());
     }
 
-    /// What was taken away is selected again where it has come back.
+    /// What was taken away is selected again where it has come back; what was built since with its numbers is not.
     pub(super) fn settle(&mut self, scope: Scope<'_>) {
+        let latest = scope.shown.latest;
+        if std::mem::replace(&mut self.latest, latest.times) != latest.times {
+            self.forget_numbers(latest);
+        }
+        self.is_coming &= self.chosen.left(scope) != self.chosen;
         if !self.leaving.is_empty() && self.leaving.left(scope).is_empty() {
             self.away = self.away.joined(&std::mem::take(&mut self.leaving), false);
         }
@@ -72,17 +83,16 @@ impl Selection {
         }
     }
 
-    /// Something else is done: what undo took away cannot come back, and what comes next has its numbers.
-    pub(super) fn forget_undone(&mut self, scope: Scope<'_>) {
-        let scenery = &scope.shown.scenery;
-        let last = scenery.solid_numbers.iter().chain(&scenery.plane_numbers).max().copied();
-        let known = |chosen: &mut Chosen| {
-            chosen.points.retain(|point| point.index() < scope.shown.point_count());
-            chosen.obstacles.retain(|number| Some(*number) <= last);
+    /// What has numbers anew is not what was selected by them: that cannot come back.
+    fn forget_numbers(&mut self, latest: Latest) {
+        let [points, obstacles] = latest.from;
+        let keep = |chosen: &mut Chosen| {
+            chosen.points.retain(|point| point.0 < points);
+            chosen.obstacles.retain(|number| *number < obstacles);
         };
-        known(&mut self.away);
-        if !self.before.is_empty() && self.chosen.left(scope).is_empty() {
-            self.set(self.now(scope));
+        self.before.iter_mut().chain([&mut self.leaving, &mut self.away]).for_each(keep);
+        if !self.is_coming {
+            keep(&mut self.chosen);
         }
     }
 }
@@ -142,7 +152,6 @@ mod tests {
 
         fn delete(&mut self) {
             let deed = self.hand.delete(scope(&self.seen), None);
-            self.hand.forget_undone(scope(&self.seen));
             assert!(self.selected().is_empty(), "until it is gone it is not taken away twice");
             self.obey(Order::Give(deed.commands, deed.edit));
         }
@@ -216,18 +225,75 @@ mod tests {
         assert!(room.selected().is_empty(), "not the original in its place");
     }
 
+    /// Three points in a row at a place, which become a body of their own.
+    fn built(first: u32, x: f64) -> Vec<Do> {
+        let keys = format!(
+            r#"{{"points": {{"position": [[{x}, 3], [{x}, 4], [{x}, 5]]}}, "bonds": [{{"a": {first}, "b": {}}}, {{"a": {}, "b": {}}}]}}"#,
+            first + 1,
+            first + 1,
+            first + 2
+        );
+        vec![Do::Add(Box::new(serde_json::from_str(&keys).unwrap()))]
+    }
+
     #[test]
-    fn what_has_the_numbers_of_what_undo_took_away_is_not_selected() {
+    fn what_has_the_numbers_of_a_copy_that_undo_took_away_is_not_selected() {
         let mut room = Room::new();
         room.click(0);
         room.copy();
         room.undo();
-        room.hand.forget_undone(scope(&room.seen));
-        let keys: crate::scene::AddKeys = serde_json::from_str(
-            r#"{"points": {"position": [[3, 3], [3, 4], [4, 4]]}, "bonds": [{"a": 7, "b": 8}, {"a": 8, "b": 9}]}"#,
-        )
-        .unwrap();
-        room.obey(Order::Give(vec![Do::Add(Box::new(keys))], Some("build")));
+        room.obey(Order::Give(built(7, 3.0), Some("build")));
         assert_eq!((room.seen.0.point_count(), room.selected()), (10, vec![0, 1, 2]));
+    }
+
+    #[test]
+    fn what_is_built_after_undo_is_not_selected_by_the_numbers_of_what_was() {
+        let comes = |commands: Vec<Do>| {
+            let coming = crate::app::player::Coming { commands, name: "import", came: None };
+            Order::Add(Box::new(move |_| Ok(coming)))
+        };
+        for is_import in [false, true] {
+            let mut room = Room::new();
+            room.obey(Order::Give(built(7, 3.0), Some("build")));
+            room.click(7);
+            assert_eq!(room.selected(), [7, 8, 9]);
+            room.undo();
+            room.redo();
+            assert_eq!(room.selected(), [7, 8, 9], "undone and done again it is");
+            room.undo();
+            assert!(room.selected().is_empty());
+            let next = built(7, 4.0);
+            room.obey(if is_import { comes(next) } else { Order::Give(next, Some("build")) });
+            assert_eq!(room.seen.0.point_count(), 10);
+            assert!(room.selected().is_empty(), "another body has the numbers: {:?}", room.selected());
+            room.click(0);
+            room.undo();
+            room.redo();
+            assert_eq!(room.selected(), [0, 1, 2]);
+        }
+    }
+
+    #[test]
+    fn what_is_built_before_the_next_frame_is_not_selected_either() {
+        let mut room = Room::new();
+        room.obey(Order::Give(built(7, 3.0), Some("build")));
+        room.click(7);
+        // Both are done before anything is seen of them.
+        room.stage.obey(Order::Undo(None));
+        room.stage.obey(Order::Give(built(7, 4.0), Some("build")));
+        room.obey(Order::Give(built(10, 5.0), Some("build")));
+        assert_eq!((room.seen.0.point_count(), room.selected()), (13, Vec::new()));
+    }
+
+    #[test]
+    fn bodies_of_another_branch_are_not_selected_by_the_numbers_of_this_one() {
+        let mut room = Room::new();
+        room.obey(Order::Give(built(7, 3.0), Some("build")));
+        room.undo();
+        room.obey(Order::Give(built(7, 4.0), Some("build")));
+        room.click(7);
+        assert_eq!(room.selected(), [7, 8, 9]);
+        room.obey(Order::ToBranch(0, None));
+        assert_eq!((room.seen.0.point_count(), room.selected()), (10, Vec::new()));
     }
 }

@@ -243,8 +243,9 @@ pub(super) fn of_areas(ui: &mut Ui, (areas, meets): (Option<Areas>, bool), sink:
         set(sink, &by, (stiffness > 0.0).then(|| springs(stiffness, before.least)));
     }
     let mut least = before.least;
-    let by = ui.add_enabled_ui(resists && meets, |ui| slider(ui, "left of each", &mut least, 0.9)).inner;
-    let by = by.on_hover_text("the share of its area that a triangle keeps in any case, where bodies meet");
+    let by = ui.add_enabled_ui(resists && meets, |ui| slider(ui, "least share of area", &mut least, 0.9)).inner;
+    let by =
+        by.on_hover_text("down to this share of its area a triangle may be pressed, and no further, where bodies meet");
     if by.changed() {
         set(sink, &by, Some(springs(before.stiffness, least.clamp(0.0, 0.9))));
     }

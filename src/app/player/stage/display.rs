@@ -75,6 +75,7 @@ impl Stage {
         }
         shown.mix = self.pace.mix(world);
         (shown.motion, shown.topology) = (self.pace.motion, self.sceneries);
+        (shown.latest, self.is_latest_shown) = (self.latest, true);
         shown.scenery = Arc::clone(&self.scenery);
         let mouse = world.mouse();
         if let Some((force, _)) = mouse

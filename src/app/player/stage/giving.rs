@@ -3,6 +3,7 @@
 use super::super::beside::{Companions, reference};
 use super::super::order::{Adder, Coming, Note};
 use super::super::rungs::Rung;
+use super::super::shown::Latest;
 use super::Stage;
 use crate::app::matter::{Among, MatterChange, commands, led};
 use crate::app::warnings::{refused, said};
@@ -52,6 +53,35 @@ impl Stage {
 
     /// Gives commands after those that make bodies meet; alone where these are refused, whose reason is returned then.
     pub(super) fn give_met(
+        &mut self,
+        meeting: Vec<Do>,
+        commands: Vec<Do>,
+        edit: Option<&str>,
+        why: Option<String>,
+    ) -> (Result<Vec<Applied>, Refusal>, Option<String>) {
+        let before = self.next_numbers();
+        let given = self.give_or_meet(meeting, commands, edit, why);
+        if self.next_numbers() != before {
+            self.number_anew(before);
+        }
+        given
+    }
+
+    /// The numbers that the next point and obstacle get.
+    fn next_numbers(&self) -> [u32; 2] {
+        let [point, _, obstacle] = self.history.world().next_numbers();
+        [point, obstacle]
+    }
+
+    /// Points and obstacles from these numbers on are others than those that had them before.
+    pub(super) fn number_anew(&mut self, from: [u32; 2]) {
+        let Latest { times, from: last } = self.latest;
+        // Of several that nobody saw by themselves the first counts.
+        let from = if self.is_latest_shown { from } else { [0, 1].map(|k| from[k].min(last[k])) };
+        (self.latest, self.is_latest_shown) = (Latest { times: times + 1, from }, false);
+    }
+
+    fn give_or_meet(
         &mut self,
         meeting: Vec<Do>,
         commands: Vec<Do>,

@@ -15,7 +15,7 @@ use super::order::{Note, Order};
 use super::pace::Pace;
 use super::rungs::{Rungs, Yielded};
 use super::save::{self, Seen};
-use super::shown::Scenery;
+use super::shown::{Latest, Scenery};
 use super::softness::Relaxed;
 use super::watch::Watch;
 use crate::app::matter::{Among, Matter};
@@ -40,6 +40,9 @@ pub struct Stage {
     sceneries: u64,
     /// How many pictures bodies had been given then.
     worn: usize,
+    /// What was given last, and whether that was shown since.
+    latest: Latest,
+    is_latest_shown: bool,
     energy: f64,
     /// The mean velocity of what is inspected `[m/s]`.
     velocity: Option<[f64; 3]>,
@@ -121,6 +124,8 @@ impl Stage {
             topology: None,
             sceneries: 0,
             worn: 0,
+            latest: Latest::default(),
+            is_latest_shown: true,
             energy: 0.0,
             velocity: None,
             movers: Arc::default(),
@@ -275,6 +280,7 @@ impl Stage {
             }
             Order::ToBranch(number, cursor) => {
                 self.history.to_branch(number);
+                self.number_anew([0; 2]);
                 self.pace.gone_for_good(&self.history, cursor);
                 None
             }
