@@ -71,7 +71,7 @@ fn what_is_squeezed_from_both_sides_takes_no_momentum() {
         }
         assert!(world.counters().contacts > 0, "they meet");
         let end = along(&world.sample(world.time()));
-        assert!((end - start).abs() < 0.02 * start, "at {y} m: {start} kg m/s, {end} after it");
+        assert!((end - start).abs() < 0.05 * start, "at {y} m: {start} kg m/s, {end} after it");
     }
 }
 

@@ -348,7 +348,7 @@ fn rows_stay_where_they_are_while_what_they_are_of_is_switched_off() {
         (0..2).for_each(|_| _ = screen.frame(Vec::new()));
     };
     for (search, switch, rows) in [
-        ("areas", "areas are kept", &["areas resist", "least share of area", "with one another", "skin"][..]),
+        ("areas", "areas are kept", &["areas resist", "least area", "with one another", "skin"][..]),
         ("contact", "collide", &["with one another", "with themselves", "friction", "skin", "areas resist"]),
         ("walls", "stand", &["left", "top", "friction", "restitution"]),
         ("this scene", "all meet", &["rubbing", "weight"]),

@@ -46,11 +46,12 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     if heavy.is_empty() {
         return;
     }
-    let props = Props::of(state);
+    let props = Props::of(state, common);
     heavy.retain(|touch| touch.is_borne(state, &props));
     if heavy.is_empty() {
         return;
     }
+    let grips: Vec<S> = heavy.iter().map(|touch| props.grips[touch.light(state) as usize]).collect();
     let mut pushed = vec![[S::ZERO; 2]; heavy.len()];
     let mut is_stopped = false;
     for _ in 0..ROUNDS {
@@ -64,7 +65,8 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
             is_stopped = true;
             state.counts.work += 30 * u64::from(SWEEPS) * heavy.len() as u64;
             for _ in 0..SWEEPS {
-                heavy.iter().zip(&mut pushed).for_each(|(touch, pushed)| touch.press(state, &pairs, pushed));
+                let touches = heavy.iter().zip(&grips).zip(&mut pushed);
+                touches.for_each(|((touch, &grip), pushed)| touch.press(state, (&pairs, grip), pushed));
             }
         }
         state.pairs = pairs;
@@ -95,18 +97,26 @@ impl<S: Real> Cluster<S> {
     }
 }
 
-/// In which directions each body of a cluster is pressed by what does not move, or by what is itself pressed so: a bit for each direction.
-struct Props(Vec<u32>);
+/// What stands behind each body of a cluster: what does not move, or what is itself pressed by such.
+struct Props<S> {
+    /// From which directions each is pressed by it: a bit for each.
+    ways: Vec<u32>,
+    /// The largest friction that holds it there.
+    grips: Vec<S>,
+}
 
-impl Props {
-    fn of<S: Real>(state: &Cluster<S>) -> Self {
-        let mut props = Props(vec![0; state.bodies.len()]);
+impl<S: Real> Props<S> {
+    fn of(state: &Cluster<S>, common: &Common<S>) -> Self {
+        let count = state.bodies.len();
+        let mut props = Props { ways: vec![0; count], grips: vec![S::ZERO; count] };
         for on in state.on_planes.iter().filter(|on| on.pressed > S::ZERO) {
-            props.add(state.body_of[on.p as usize], on.normal);
+            let [friction, _] = on.surface(common);
+            props.add(state.body_of[on.p as usize], on.normal, friction);
         }
         // What is pinned is held in all directions.
         for i in (0..state.own()).filter(|&i| state.w[i] == S::ZERO) {
-            props.0[state.body_of[i] as usize] = u32::MAX;
+            let body = state.body_of[i] as usize;
+            (props.ways[body], props.grips[body]) = (u32::MAX, S::INFINITY);
         }
         let pressed = state.active.iter().map(|&number| &state.pairs[number as usize]);
         let pushes: Vec<Push<S>> =
@@ -114,44 +124,58 @@ impl Props {
         let mut changes = true;
         while changes {
             changes = false;
-            for &([by, on], way) in &pushes {
-                if by == OBSTACLE || props.has(by, way) {
-                    changes |= props.add(on, way);
+            for &Push { by, on, way, friction } in &pushes {
+                if by == OBSTACLE {
+                    changes |= props.add(on, way, friction);
+                } else if props.has(by, way) {
+                    changes |= props.add(on, way, friction.min(props.grips[by as usize]));
                 }
             }
         }
         props
     }
 
-    /// A body is pressed this way. Returns whether that is new.
-    fn add<S: Real>(&mut self, body: u32, way: [S; 2]) -> bool {
+    /// A body is pressed this way, with this friction. Returns whether that is new.
+    fn add(&mut self, body: u32, way: [S; 2], friction: S) -> bool {
         let angle = libm::atan2(way[1].to_f64(), way[0].to_f64()) / std::f64::consts::TAU + 1.0;
         let bit = 1 << ((angle * f64::from(DIRECTIONS) + 0.5) as u32 % DIRECTIONS);
-        let known = &mut self.0[body as usize];
-        let is_new = *known & bit == 0;
-        *known |= bit;
+        let (ways, grip) = (&mut self.ways[body as usize], &mut self.grips[body as usize]);
+        let is_new = *ways & bit == 0 || *grip < friction;
+        *ways |= bit;
+        *grip = grip.max(friction);
         is_new
     }
 
     /// Whether a body is pressed about this way.
-    fn has<S: Real>(&self, body: u32, way: [S; 2]) -> bool {
-        (0..DIRECTIONS).filter(|bit| self.0[body as usize] >> bit & 1 == 1).any(|bit| {
+    fn has(&self, body: u32, way: [S; 2]) -> bool {
+        (0..DIRECTIONS).filter(|bit| self.ways[body as usize] >> bit & 1 == 1).any(|bit| {
             let angle = std::f64::consts::TAU * f64::from(bit) / f64::from(DIRECTIONS);
             libm::cos(angle) * way[0].to_f64() + libm::sin(angle) * way[1].to_f64() > OPPOSITE
         })
     }
 }
 
-/// By which body which one is pushed, and which way.
-type Push<S> = ([u32; 2], [S; 2]);
+/// A body, or an obstacle, pushes another.
+#[derive(Clone, Copy)]
+struct Push<S> {
+    by: u32,
+    on: u32,
+    way: [S; 2],
+    friction: S,
+}
 
 /// How the two of a pair push each other; obstacles are pushed by nothing.
 fn pushes<S: Real>(state: &Cluster<S>, pair: &Pair<S>) -> impl Iterator<Item = Push<S>> + use<S> {
     let found = beside(places(pair).map(|i| state.now[i]), pair.side);
     let [of_point, of_edge] = [pair.p, pair.a].map(|i| state.body_of[i as usize]);
-    let both =
-        found.map(|found| [([of_edge, of_point], found.normal), ([of_point, of_edge], scale(found.normal, -S::ONE))]);
-    both.into_iter().flatten().filter(|([_, on], _)| *on != OBSTACLE)
+    let friction = pair.friction;
+    let both = found.map(|found| {
+        [
+            Push { by: of_edge, on: of_point, way: found.normal, friction },
+            Push { by: of_point, on: of_edge, way: scale(found.normal, -S::ONE), friction },
+        ]
+    });
+    both.into_iter().flatten().filter(|push| push.on != OBSTACLE)
 }
 
 /// A touch of something heavy and something light.
@@ -178,12 +202,17 @@ impl Touch {
     }
 
     /// Whether the light one is pressed from behind.
-    fn is_borne<S: Real>(self, state: &Cluster<S>, props: &Props) -> bool {
+    fn is_borne<S: Real>(self, state: &Cluster<S>, props: &Props<S>) -> bool {
         let pair = &state.pairs[self.pair as usize];
         let Some(found) = beside(places(pair).map(|i| state.now[i]), pair.side) else { return false };
-        let (light, way) =
-            if self.is_of_point { (pair.a, found.normal) } else { (pair.p, scale(found.normal, -S::ONE)) };
-        props.has(state.body_of[light as usize], way)
+        let way = if self.is_of_point { found.normal } else { scale(found.normal, -S::ONE) };
+        props.has(self.light(state), way)
+    }
+
+    /// The body of the light one.
+    fn light<S: Real>(self, state: &Cluster<S>) -> u32 {
+        let pair = &state.pairs[self.pair as usize];
+        state.body_of[if self.is_of_point { pair.a } else { pair.p } as usize]
     }
 
     /// Whether the two are nearer than they may be, what was so before the substep included.
@@ -215,7 +244,7 @@ impl Touch {
     }
 
     /// Stops the heavy one where it would go on into the light one, and rubs it with all that presses it. `pushed`: out and aside `[kg m]`.
-    fn press<S: Real>(self, state: &mut Cluster<S>, pairs: &[Pair<S>], pushed: &mut [S; 2]) {
+    fn press<S: Real>(self, state: &mut Cluster<S>, (pairs, grip): (&[Pair<S>], S), pushed: &mut [S; 2]) {
         let pair = &pairs[self.pair as usize];
         let [p, a, b] = places(pair);
         let Some(Beside { at, normal, gap }) = beside([p, a, b].map(|i| state.now[i]), pair.side) else { return };
@@ -226,10 +255,10 @@ impl Touch {
         let was = *pushed;
         pushed[0] = (was[0] + lacking.min(comes) / self.weight(state, pair, (at, normal))).max(S::ZERO);
         let along = left(normal);
-        let most = pair.friction * (pair.pressed + pushed[0]);
+        // What rubs it already counts; no more than holds the light one.
+        let most = (pair.friction.min(grip) * (pair.pressed + pushed[0]) - pair.rubbed.abs()).max(S::ZERO);
         let slides = dot(sub(state.way[p], of_edge), along);
-        let rubs = pair.rubbed + was[1] - slides / self.weight(state, pair, (at, along));
-        pushed[1] = rubs.max(-most).min(most) - pair.rubbed;
+        pushed[1] = (was[1] - slides / self.weight(state, pair, (at, along))).max(-most).min(most);
         self.push(state, (pair, at), [scale(normal, pushed[0] - was[0]), scale(along, pushed[1] - was[1])]);
     }
 }

@@ -243,7 +243,7 @@ pub(super) fn of_areas(ui: &mut Ui, (areas, meets): (Option<Areas>, bool), sink:
         set(sink, &by, (stiffness > 0.0).then(|| springs(stiffness, before.least)));
     }
     let mut least = before.least;
-    let by = ui.add_enabled_ui(resists && meets, |ui| slider(ui, "least share of area", &mut least, 0.9)).inner;
+    let by = ui.add_enabled_ui(resists && meets, |ui| slider(ui, "least area", &mut least, 0.9)).inner;
     let by =
         by.on_hover_text("down to this share of its area a triangle may be pressed, and no further, where bodies meet");
     if by.changed() {
