@@ -9,8 +9,9 @@
 
 use super::areas;
 use super::bonds;
-use super::cluster::{Cluster, Common, OBSTACLE};
+use super::cluster::{Cluster, Common};
 use super::pair::{Beside, Pair, beside, left};
+use super::props::Props;
 use super::rigid::{Change, Frame};
 use super::tree;
 use crate::sim::real::Real;
@@ -23,10 +24,6 @@ const SLACK: f64 = 0.1;
 /// How often light bodies are opened and what lies on them is stopped, and sweeps over that: its touches hang together where it is rigid.
 const ROUNDS: u32 = 2;
 const SWEEPS: u32 = 8;
-/// Least cosine between what presses a light body on one side and on the other.
-const OPPOSITE: f64 = 0.85;
-/// Pushes on a body that are told apart: those of as many directions.
-const DIRECTIONS: u32 = 32;
 
 /// Whether some of its points, or bodies that move as one, are so much heavier than others; those that are held count for none.
 pub(super) fn is_uneven<S: Real>(state: &Cluster<S>) -> bool {
@@ -51,7 +48,7 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     if heavy.is_empty() {
         return;
     }
-    let grips: Vec<S> = heavy.iter().map(|touch| props.grips[touch.light(state) as usize]).collect();
+    let grips: Vec<S> = heavy.iter().map(|touch| props.grip(touch.light(state))).collect();
     let mut pushed = vec![[S::ZERO; 2]; heavy.len()];
     let mut is_stopped = false;
     for _ in 0..ROUNDS {
@@ -84,7 +81,7 @@ impl<S: Real> Cluster<S> {
         self.counts.work += 2 * active.len() as u64;
         for &number in &active {
             let pair = &mut pairs[number as usize];
-            let [is_point_fixed, a, b] = places(pair).map(|i| self.w[i] == S::ZERO);
+            let [is_point_fixed, a, b] = pair.places().map(|i| self.w[i] == S::ZERO);
             if is_point_fixed || a && b {
                 self.counts.work += 25;
                 pair.press(self, S::ZERO);
@@ -95,87 +92,6 @@ impl<S: Real> Cluster<S> {
         on_planes.iter_mut().for_each(|on| on.press(self, common));
         self.on_planes = on_planes;
     }
-}
-
-/// What stands behind each body of a cluster: what does not move, or what is itself pressed by such.
-struct Props<S> {
-    /// From which directions each is pressed by it: a bit for each.
-    ways: Vec<u32>,
-    /// The largest friction that holds it there.
-    grips: Vec<S>,
-}
-
-impl<S: Real> Props<S> {
-    fn of(state: &Cluster<S>, common: &Common<S>) -> Self {
-        let count = state.bodies.len();
-        let mut props = Props { ways: vec![0; count], grips: vec![S::ZERO; count] };
-        for on in state.on_planes.iter().filter(|on| on.pressed > S::ZERO) {
-            let [friction, _] = on.surface(common);
-            props.add(state.body_of[on.p as usize], on.normal, friction);
-        }
-        // What is pinned is held in all directions.
-        for i in (0..state.own()).filter(|&i| state.w[i] == S::ZERO) {
-            let body = state.body_of[i] as usize;
-            (props.ways[body], props.grips[body]) = (u32::MAX, S::INFINITY);
-        }
-        let pressed = state.active.iter().map(|&number| &state.pairs[number as usize]);
-        let pushes: Vec<Push<S>> =
-            pressed.filter(|pair| pair.pressed > S::ZERO).flat_map(|pair| pushes(state, pair)).collect();
-        let mut changes = true;
-        while changes {
-            changes = false;
-            for &Push { by, on, way, friction } in &pushes {
-                if by == OBSTACLE {
-                    changes |= props.add(on, way, friction);
-                } else if props.has(by, way) {
-                    changes |= props.add(on, way, friction.min(props.grips[by as usize]));
-                }
-            }
-        }
-        props
-    }
-
-    /// A body is pressed this way, with this friction. Returns whether that is new.
-    fn add(&mut self, body: u32, way: [S; 2], friction: S) -> bool {
-        let angle = libm::atan2(way[1].to_f64(), way[0].to_f64()) / std::f64::consts::TAU + 1.0;
-        let bit = 1 << ((angle * f64::from(DIRECTIONS) + 0.5) as u32 % DIRECTIONS);
-        let (ways, grip) = (&mut self.ways[body as usize], &mut self.grips[body as usize]);
-        let is_new = *ways & bit == 0 || *grip < friction;
-        *ways |= bit;
-        *grip = grip.max(friction);
-        is_new
-    }
-
-    /// Whether a body is pressed about this way.
-    fn has(&self, body: u32, way: [S; 2]) -> bool {
-        (0..DIRECTIONS).filter(|bit| self.ways[body as usize] >> bit & 1 == 1).any(|bit| {
-            let angle = std::f64::consts::TAU * f64::from(bit) / f64::from(DIRECTIONS);
-            libm::cos(angle) * way[0].to_f64() + libm::sin(angle) * way[1].to_f64() > OPPOSITE
-        })
-    }
-}
-
-/// A body, or an obstacle, pushes another.
-#[derive(Clone, Copy)]
-struct Push<S> {
-    by: u32,
-    on: u32,
-    way: [S; 2],
-    friction: S,
-}
-
-/// How the two of a pair push each other; obstacles are pushed by nothing.
-fn pushes<S: Real>(state: &Cluster<S>, pair: &Pair<S>) -> impl Iterator<Item = Push<S>> + use<S> {
-    let found = beside(places(pair).map(|i| state.now[i]), pair.side);
-    let [of_point, of_edge] = [pair.p, pair.a].map(|i| state.body_of[i as usize]);
-    let friction = pair.friction;
-    let both = found.map(|found| {
-        [
-            Push { by: of_edge, on: of_point, way: found.normal, friction },
-            Push { by: of_point, on: of_edge, way: scale(found.normal, -S::ONE), friction },
-        ]
-    });
-    both.into_iter().flatten().filter(|push| push.on != OBSTACLE)
 }
 
 /// A touch of something heavy and something light.
@@ -189,7 +105,7 @@ struct Touch {
 impl Touch {
     fn of<S: Real>(state: &Cluster<S>, number: u32) -> Option<Self> {
         let pair = &state.pairs[number as usize];
-        let [p, a, b] = places(pair);
+        let [p, a, b] = pair.places();
         if pair.pressed == S::ZERO || p.max(a) >= state.own() {
             return None;
         }
@@ -204,7 +120,7 @@ impl Touch {
     /// Whether the light one is pressed from behind.
     fn is_borne<S: Real>(self, state: &Cluster<S>, props: &Props<S>) -> bool {
         let pair = &state.pairs[self.pair as usize];
-        let Some(found) = beside(places(pair).map(|i| state.now[i]), pair.side) else { return false };
+        let Some(found) = beside(pair.places().map(|i| state.now[i]), pair.side) else { return false };
         let way = if self.is_of_point { found.normal } else { scale(found.normal, -S::ONE) };
         props.has(self.light(state), way)
     }
@@ -218,19 +134,19 @@ impl Touch {
     /// Whether the two are nearer than they may be, what was so before the substep included.
     fn is_deep<S: Real>(self, state: &Cluster<S>, pairs: &[Pair<S>]) -> bool {
         let pair = &pairs[self.pair as usize];
-        let found = beside(places(pair).map(|i| state.now[i]), pair.side);
+        let found = beside(pair.places().map(|i| state.now[i]), pair.side);
         found.is_some_and(|found| pair.distance - found.gap > S::from_f64(SLACK) * pair.distance)
     }
 
     /// Inverse mass of the heavy one along a direction `[1/kg]`.
     fn weight<S: Real>(self, state: &Cluster<S>, pair: &Pair<S>, (at, n): (S, [S; 2])) -> S {
-        let [p, a, b] = places(pair);
+        let [p, a, b] = pair.places();
         if self.is_of_point { state.felt(p, n) } else { state.felt_on_edge([a, b], at, n) }
     }
 
     /// Pushes the heavy one alone, out and aside `[kg m]`.
     fn push<S: Real>(self, state: &mut Cluster<S>, (pair, at): (&Pair<S>, S), [out, aside]: [[S; 2]; 2]) {
-        let [p, a, b] = places(pair);
+        let [p, a, b] = pair.places();
         let rest = S::ONE - at;
         let shares = [(p, S::ONE), (a, -rest), (b, -at)];
         let own = if self.is_of_point { &shares[..1] } else { &shares[1..] };
@@ -246,7 +162,7 @@ impl Touch {
     /// Stops the heavy one where it would go on into the light one, and rubs it with all that presses it. `pushed`: out and aside `[kg m]`.
     fn press<S: Real>(self, state: &mut Cluster<S>, (pairs, grip): (&[Pair<S>], S), pushed: &mut [S; 2]) {
         let pair = &pairs[self.pair as usize];
-        let [p, a, b] = places(pair);
+        let [p, a, b] = pair.places();
         let Some(Beside { at, normal, gap }) = beside([p, a, b].map(|i| state.now[i]), pair.side) else { return };
         let lacking = pair.distance - pair.old - gap;
         let of_edge = add(scale(state.way[a], S::ONE - at), scale(state.way[b], at));
@@ -261,8 +177,4 @@ impl Touch {
         pushed[1] = (was[1] - slides / self.weight(state, pair, (at, along))).max(-most).min(most);
         self.push(state, (pair, at), [scale(normal, pushed[0] - was[0]), scale(along, pushed[1] - was[1])]);
     }
-}
-
-fn places<S>(pair: &Pair<S>) -> [usize; 3] {
-    [pair.p, pair.a, pair.b].map(|i| i as usize)
 }

@@ -38,6 +38,7 @@ mod mend;
 mod pair;
 mod part;
 mod planes;
+mod props;
 mod rest;
 mod rig;
 mod rigid;

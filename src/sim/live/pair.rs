@@ -124,6 +124,11 @@ fn gap_is_hopeless<S: Real>(gap: S, [a, b]: [[S; 2]; 2]) -> bool {
 }
 
 impl<S: Real> Pair<S> {
+    /// Its places in the cluster: the point, and the ends of the edge.
+    pub(super) fn places(&self) -> [usize; 3] {
+        [self.p, self.a, self.b].map(|i| i as usize)
+    }
+
     /// The substep begins anew.
     #[inline(always)]
     pub(super) fn clear(&mut self) {

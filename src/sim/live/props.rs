@@ -1,0 +1,97 @@
+//! What bodies are pressed by from behind: obstacles and pins, and what is itself pressed so.
+
+use super::cluster::{Cluster, Common, OBSTACLE};
+use super::pair::{Pair, beside};
+use crate::sim::real::Real;
+use crate::sim::vector::scale;
+
+/// Least cosine between what presses a light body on one side and on the other.
+const OPPOSITE: f64 = 0.85;
+/// Pushes on a body that are told apart: those of as many directions.
+const DIRECTIONS: u32 = 32;
+
+/// What stands behind each body of a cluster: what does not move, or what is itself pressed by such.
+pub(super) struct Props<S> {
+    /// From which directions each is pressed by it: a bit for each.
+    ways: Vec<u32>,
+    /// The largest friction that holds it there.
+    grips: Vec<S>,
+}
+
+impl<S: Real> Props<S> {
+    pub(super) fn of(state: &Cluster<S>, common: &Common<S>) -> Self {
+        let count = state.bodies.len();
+        let mut props = Props { ways: vec![0; count], grips: vec![S::ZERO; count] };
+        for on in state.on_planes.iter().filter(|on| on.pressed > S::ZERO) {
+            let [friction, _] = on.surface(common);
+            props.add(state.body_of[on.p as usize], on.normal, friction);
+        }
+        // What is pinned is held in all directions.
+        for i in (0..state.own()).filter(|&i| state.w[i] == S::ZERO) {
+            let body = state.body_of[i] as usize;
+            (props.ways[body], props.grips[body]) = (u32::MAX, S::INFINITY);
+        }
+        let pressed = state.active.iter().map(|&number| &state.pairs[number as usize]);
+        let pushes: Vec<Push<S>> =
+            pressed.filter(|pair| pair.pressed > S::ZERO).flat_map(|pair| pushes(state, pair)).collect();
+        let mut changes = true;
+        while changes {
+            changes = false;
+            for &Push { by, on, way, friction } in &pushes {
+                if by == OBSTACLE {
+                    changes |= props.add(on, way, friction);
+                } else if props.has(by, way) {
+                    changes |= props.add(on, way, friction.min(props.grip(by)));
+                }
+            }
+        }
+        props
+    }
+
+    /// A body is pressed this way, with this friction. Returns whether that is new.
+    fn add(&mut self, body: u32, way: [S; 2], friction: S) -> bool {
+        let angle = libm::atan2(way[1].to_f64(), way[0].to_f64()) / std::f64::consts::TAU + 1.0;
+        let bit = 1 << ((angle * f64::from(DIRECTIONS) + 0.5) as u32 % DIRECTIONS);
+        let (ways, grip) = (&mut self.ways[body as usize], &mut self.grips[body as usize]);
+        let is_new = *ways & bit == 0 || *grip < friction;
+        *ways |= bit;
+        *grip = grip.max(friction);
+        is_new
+    }
+
+    /// The largest friction that holds a body there.
+    pub(super) fn grip(&self, body: u32) -> S {
+        self.grips[body as usize]
+    }
+
+    /// Whether a body is pressed about this way.
+    pub(super) fn has(&self, body: u32, way: [S; 2]) -> bool {
+        (0..DIRECTIONS).filter(|bit| self.ways[body as usize] >> bit & 1 == 1).any(|bit| {
+            let angle = std::f64::consts::TAU * f64::from(bit) / f64::from(DIRECTIONS);
+            libm::cos(angle) * way[0].to_f64() + libm::sin(angle) * way[1].to_f64() > OPPOSITE
+        })
+    }
+}
+
+/// A body, or an obstacle, pushes another.
+#[derive(Clone, Copy)]
+struct Push<S> {
+    by: u32,
+    on: u32,
+    way: [S; 2],
+    friction: S,
+}
+
+/// How the two of a pair push each other; obstacles are pushed by nothing.
+fn pushes<S: Real>(state: &Cluster<S>, pair: &Pair<S>) -> impl Iterator<Item = Push<S>> + use<S> {
+    let found = beside(pair.places().map(|i| state.now[i]), pair.side);
+    let [of_point, of_edge] = [pair.p, pair.a].map(|i| state.body_of[i as usize]);
+    let friction = pair.friction;
+    let both = found.map(|found| {
+        [
+            Push { by: of_edge, on: of_point, way: found.normal, friction },
+            Push { by: of_point, on: of_edge, way: scale(found.normal, -S::ONE), friction },
+        ]
+    });
+    both.into_iter().flatten().filter(|push| push.on != OBSTACLE)
+}
