@@ -26,11 +26,6 @@ impl<S: Real> Props<S> {
             let [friction, _] = on.surface(common);
             props.add(state.body_of[on.p as usize], on.normal, friction);
         }
-        // What is pinned is held in all directions.
-        for i in (0..state.own()).filter(|&i| state.w[i] == S::ZERO) {
-            let body = state.body_of[i] as usize;
-            (props.ways[body], props.grips[body]) = (u32::MAX, S::INFINITY);
-        }
         let pressed = state.active.iter().map(|&number| &state.pairs[number as usize]);
         let pushes: Vec<Push<S>> =
             pressed.filter(|pair| pair.pressed > S::ZERO).flat_map(|pair| pushes(state, pair)).collect();
@@ -85,7 +80,11 @@ struct Push<S> {
 /// How the two of a pair push each other; obstacles are pushed by nothing.
 fn pushes<S: Real>(state: &Cluster<S>, pair: &Pair<S>) -> impl Iterator<Item = Push<S>> + use<S> {
     let found = beside(pair.places().map(|i| state.now[i]), pair.side);
-    let [of_point, of_edge] = [pair.p, pair.a].map(|i| state.body_of[i as usize]);
+    let [p, a, b] = pair.places();
+    // What is pinned there is as good as an obstacle.
+    let by = |i: usize, is_fixed: bool| if is_fixed { OBSTACLE } else { state.body_of[i] };
+    let of_point = by(p, state.w[p] == S::ZERO);
+    let of_edge = by(a, state.w[a] == S::ZERO && state.w[b] == S::ZERO);
     let friction = pair.friction;
     let both = found.map(|found| {
         [
