@@ -212,11 +212,14 @@ fn widest(far: f64, steps: [f64; 2], size: f64) -> f64 {
     numerals::strokes(&numerals::length(-0.888_888_888 * whole, steps), size).1
 }
 
+/// The lower and the upper corner of what walls bound `[m]`.
+type Walls = [[f64; 3]; 2];
+
 /// Adds the numbers of the grid: along the lower edge of a part of the picture and its left one, in steps of 1, 2 or 5, where nothing lies
 /// over them. `clip` is left, top, width and height of that part `[px]`, the corners are those of the picture `[m]`.
 fn numbers(
     list: &mut Vec<Guide>,
-    (camera, covered, bounds): (&Camera, &[[f32; 4]], Option<[[f64; 3]; 2]>),
+    (camera, covered, bounds): (&Camera, &[[f32; 4]], Option<Walls>),
     (clip, (low, high)): ([u32; 4], (DVec2, DVec2)),
     origin: DVec3,
     look: &Look,
