@@ -24,8 +24,6 @@ const SLACK: f64 = 0.1;
 /// How often light bodies are opened and what lies on them is stopped, and sweeps over that: its touches hang together where it is rigid.
 const ROUNDS: u32 = 2;
 const SWEEPS: u32 = 8;
-/// Rounds in which joints and trees are closed after that: each leaves of what they are open about its square.
-const STRAIGHTENED: u32 = 3;
 
 /// Whether some of its points, or bodies that move as one, are so much heavier than others; those that are held count for none.
 pub(super) fn is_uneven<S: Real>(state: &Cluster<S>) -> bool {
@@ -71,10 +69,8 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         state.pairs = pairs;
     }
     if is_stopped {
-        for _ in 0..STRAIGHTENED {
-            state.straighten_rigs();
-            tree::straighten(state, common, true);
-        }
+        state.straighten_rigs();
+        tree::straighten(state, common, true);
     }
 }
 

@@ -125,6 +125,7 @@ fn gap_is_hopeless<S: Real>(gap: S, [a, b]: [[S; 2]; 2]) -> bool {
 
 impl<S: Real> Pair<S> {
     /// Its places in the cluster: the point, and the ends of the edge.
+    #[inline(always)]
     pub(super) fn places(&self) -> [usize; 3] {
         [self.p, self.a, self.b].map(|i| i as usize)
     }
@@ -139,7 +140,7 @@ impl<S: Real> Pair<S> {
     /// nobody knows.
     #[inline(always)]
     pub(super) fn press(&mut self, state: &mut Cluster<S>, slack: S) -> bool {
-        let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
+        let [p, a, b] = self.places();
         if self.side == S::ZERO || self.seen != state.counts.substeps as u32 {
             self.see(state);
             if self.side == S::ZERO {
@@ -184,6 +185,7 @@ impl<S: Real> Pair<S> {
                         let most = if is_itself { state.gentle * S::from_f64(ITSELF) } else { state.gentle };
                         (overlap * S::from_f64(MENDED)).min(most)
                     }
+                    // A circle whose middle is behind the edge is as deep as it is large.
                     false if self.is_round && before.gap < S::ZERO => overlap.min(state.gentle),
                     false => state.led_out(p.min(a), overlap),
                 };
@@ -231,7 +233,7 @@ impl<S: Real> Pair<S> {
     /// unless it is of the same body.
     fn see(&mut self, state: &Cluster<S>) {
         self.seen = state.counts.substeps as u32;
-        let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
+        let [p, a, b] = self.places();
         let (u, r) = (sub(state.start[b], state.start[a]), sub(state.start[p], state.start[a]));
         let along = dot(r, u);
         let is_inside = || state.body_of[p] == state.body_of[a] && along >= S::ZERO && along <= dot(u, u);
@@ -246,7 +248,7 @@ impl<S: Real> Pair<S> {
     /// in front again.
     pub(super) fn follow(&mut self, state: &Cluster<S>) {
         self.seen = state.counts.substeps as u32 + 1;
-        let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
+        let [p, a, b] = self.places();
         let across = |x: &[[S; 2]]| wedge(sub(x[b], x[a]), sub(x[p], x[a]));
         if self.side * across(&state.now) >= S::ZERO || self.side * across(&state.start) < S::ZERO {
             return;
@@ -261,7 +263,7 @@ impl<S: Real> Pair<S> {
     /// Gives the normal velocity that restitution asks for, where they pressed each other and came faster than `least` `[m/s]`. Returns
     /// whether that lacked.
     pub(super) fn bounce(&mut self, state: &mut Cluster<S>, least: S) -> bool {
-        let [p, a, b] = [self.p as usize, self.a as usize, self.b as usize];
+        let [p, a, b] = self.places();
         let is_rigid = state.is_of_rigid([p, a]);
         let has_hit = self.pressed > S::ZERO || (self.is_met && is_rigid);
         if !has_hit || self.approach > -least || (self.restitution == S::ZERO && !is_rigid) {

@@ -71,7 +71,7 @@ fn barriers<S: Real>(state: &Cluster<S>) -> Vec<(u32, [S; 2])> {
     let on_planes = state.on_planes.iter().filter(|on| on.pressed > S::ZERO);
     let mut found: Vec<(u32, [S; 2])> = on_planes.map(|on| (state.body_of[on.p as usize], on.normal)).collect();
     for pair in state.chosen.iter().map(|&number| &state.pairs[number as usize]).filter(|pair| pair.pressed > S::ZERO) {
-        let [p, a, b] = [pair.p, pair.a, pair.b].map(|i| i as usize);
+        let [p, a, b] = pair.places();
         if (p < own) != (a < own)
             && let Some(found_at) = beside([p, a, b].map(|i| state.now[i]), pair.side)
         {

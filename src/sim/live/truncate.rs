@@ -22,7 +22,7 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
         if pair.side == S::ZERO {
             continue;
         }
-        let [p, a, b] = [pair.p as usize, pair.a as usize, pair.b as usize];
+        let [p, a, b] = pair.places();
         let Some(found) = beside([state.start[p], state.start[a], state.start[b]], pair.side) else { continue };
         if found.gap <= S::ZERO {
             continue;
@@ -78,7 +78,7 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>) {
 
 /// Of a pair with a rigid body what closes more than `room` `[m]` is pushed back, as a contact does that has no friction.
 fn hold_apart<S: Real>(state: &mut Cluster<S>, pair: &Pair<S>, (at, n, room): (S, [S; 2], S)) {
-    let [p, a, b] = [pair.p, pair.a, pair.b].map(|i| i as usize);
+    let [p, a, b] = pair.places();
     let rest = S::ONE - at;
     let way = sub(state.way[p], add(scale(state.way[a], rest), scale(state.way[b], at)));
     let (beyond, w) = (-dot(way, n) - room, state.weight([p, a, b], at, n));
