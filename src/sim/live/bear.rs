@@ -50,7 +50,6 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     }
     let grips: Vec<S> = heavy.iter().map(|touch| props.grip(touch.light(state))).collect();
     let mut pushed = vec![[S::ZERO; 2]; heavy.len()];
-    let mut is_stopped = false;
     for _ in 0..ROUNDS {
         // What gave way to what lies on it comes back.
         areas::unfold(state, common);
@@ -59,7 +58,6 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         let pairs = std::mem::take(&mut state.pairs);
         state.counts.work += 25 * heavy.len() as u64;
         if heavy.iter().any(|touch| touch.is_deep(state, &pairs)) {
-            is_stopped = true;
             state.counts.work += 30 * u64::from(SWEEPS) * heavy.len() as u64;
             for _ in 0..SWEEPS {
                 let touches = heavy.iter().zip(&grips).zip(&mut pushed);
@@ -68,10 +66,8 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         }
         state.pairs = pairs;
     }
-    if is_stopped {
-        state.straighten_rigs();
-        tree::straighten(state, common, true);
-    }
+    state.straighten_rigs();
+    tree::straighten(state, common, true);
 }
 
 impl<S: Real> Cluster<S> {
