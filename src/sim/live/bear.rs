@@ -2,16 +2,16 @@
 //!
 //! A light body between a heavy one and a floor takes the push of each whole and bears neither: passes over contacts push it to and fro, as often
 //! as the one is heavier than the other, and press its triangles flat and its bonds short. So after them these are opened and held, and the
-//! light body put out of obstacles, once more; then the heavy one is stopped where it would go on into it, as by an obstacle that moves as
-//! the light one does. What stops it in truth is what stands behind: nothing is done where the light body is not pressed the other way, by an
-//! obstacle or by what is so itself, and the momentum of others stays.
+//! light body put out of obstacles and of others like it, once more; then the heavy one is stopped where it would go on into it, as by an
+//! obstacle that moves as the light one does. What stops it in truth is what stands behind: nothing is done where the light body is not pressed
+//! the other way, by an obstacle or by what is so itself, and the momentum of others stays.
 //! Source of the idea: shock propagation, in E. Guendelman and others, Nonconvex Rigid Bodies with Stacking, 2003.
 
 use super::areas;
 use super::bonds;
 use super::cluster::{Cluster, Common};
-use super::pair::{Beside, Pair, beside, left};
-use super::props::Props;
+use super::pair::{Beside, Pair, left};
+use super::props::{Met, Props};
 use super::rigid::{Change, Frame};
 use super::tree;
 use crate::sim::real::Real;
@@ -39,22 +39,25 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
         return;
     }
     state.counts.work += 15 * state.active.len() as u64;
-    let mut heavy: Vec<Touch> = state.active.iter().filter_map(|&number| Touch::of(state, number)).collect();
+    let met = met(state);
+    let mut heavy: Vec<Touch<S>> = met.iter().filter_map(|met| Touch::of(state, met)).collect();
     if heavy.is_empty() {
         return;
     }
-    let props = Props::of(state, common);
-    heavy.retain(|touch| touch.is_borne(state, &props));
+    let props = Props::of(state, common, &met);
+    heavy.retain(|touch| props.has(touch.light, touch.way));
     if heavy.is_empty() {
         return;
     }
-    let grips: Vec<S> = heavy.iter().map(|touch| props.grip(touch.light(state))).collect();
+    let mut is_heavy = vec![false; state.bodies.len()];
+    heavy.iter().for_each(|touch| is_heavy[touch.heavy as usize] = true);
+    let grips: Vec<S> = heavy.iter().map(|touch| props.grip(touch.light)).collect();
     let mut pushed = vec![[S::ZERO; 2]; heavy.len()];
     for _ in 0..ROUNDS {
         // What gave way to what lies on it comes back.
         areas::unfold(state, common);
         bonds::hold_again(state);
-        state.press_obstacles(common);
+        state.press_others(common, &is_heavy);
         let pairs = std::mem::take(&mut state.pairs);
         state.counts.work += 25 * heavy.len() as u64;
         if heavy.iter().any(|touch| touch.is_deep(state, &pairs)) {
@@ -71,14 +74,15 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
 }
 
 impl<S: Real> Cluster<S> {
-    /// One pass over contacts with what does not move.
-    fn press_obstacles(&mut self, common: &Common<S>) {
+    /// One pass over contacts with what does not move, and of those that are not heavy with each other.
+    fn press_others(&mut self, common: &Common<S>, is_heavy: &[bool]) {
         let (mut pairs, active) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.active));
         self.counts.work += 2 * active.len() as u64;
         for &number in &active {
             let pair = &mut pairs[number as usize];
-            let [is_point_fixed, a, b] = pair.places().map(|i| self.w[i] == S::ZERO);
-            if is_point_fixed || a && b {
+            let [p, a, b] = pair.places();
+            let is_fixed = self.w[p] == S::ZERO || self.w[a] == S::ZERO && self.w[b] == S::ZERO;
+            if is_fixed || ![p, a].iter().any(|&i| is_heavy[self.body_of[i] as usize]) {
                 self.counts.work += 25;
                 pair.press(self, S::ZERO);
             }
@@ -90,58 +94,55 @@ impl<S: Real> Cluster<S> {
     }
 }
 
+/// What presses each other, and how it lies.
+fn met<S: Real>(state: &Cluster<S>) -> Vec<Met<S>> {
+    let pressed = state.active.iter().filter(|&&number| state.pairs[number as usize].pressed > S::ZERO);
+    pressed.filter_map(|&pair| Some(Met { pair, found: state.pairs[pair as usize].found(state)? })).collect()
+}
+
 /// A touch of something heavy and something light.
 #[derive(Clone, Copy)]
-struct Touch {
+struct Touch<S> {
     pair: u32,
     /// The point is the heavy one.
     is_of_point: bool,
+    /// The body of each.
+    heavy: u32,
+    light: u32,
+    /// From the light one to the heavy one.
+    way: [S; 2],
 }
 
-impl Touch {
-    fn of<S: Real>(state: &Cluster<S>, number: u32) -> Option<Self> {
-        let pair = &state.pairs[number as usize];
-        let [p, a, b] = pair.places();
-        if pair.pressed == S::ZERO || p.max(a) >= state.own() {
+impl<S: Real> Touch<S> {
+    fn of(state: &Cluster<S>, &Met { pair, found }: &Met<S>) -> Option<Self> {
+        let [p, a, b] = state.pairs[pair as usize].places();
+        if p.max(a) >= state.own() {
             return None;
         }
-        let Beside { at, normal, .. } = beside([p, a, b].map(|i| state.now[i]), pair.side)?;
+        let Beside { at, normal, .. } = found;
         let (of_point, of_edge) = (state.felt(p, normal), state.felt_on_edge([a, b], at, normal));
         let heavier = S::from_f64(HEAVIER);
         let is_of_point = of_point * heavier < of_edge;
         let is_any = is_of_point && of_point > S::ZERO || of_edge > S::ZERO && of_edge * heavier < of_point;
-        is_any.then_some(Touch { pair: number, is_of_point })
-    }
-
-    /// Whether the light one is pressed from behind.
-    fn is_borne<S: Real>(self, state: &Cluster<S>, props: &Props<S>) -> bool {
-        let pair = &state.pairs[self.pair as usize];
-        let Some(found) = beside(pair.places().map(|i| state.now[i]), pair.side) else { return false };
-        let way = if self.is_of_point { found.normal } else { scale(found.normal, -S::ONE) };
-        props.has(self.light(state), way)
-    }
-
-    /// The body of the light one.
-    fn light<S: Real>(self, state: &Cluster<S>) -> u32 {
-        let pair = &state.pairs[self.pair as usize];
-        state.body_of[if self.is_of_point { pair.a } else { pair.p } as usize]
+        let (heavy, light, way) = if is_of_point { (p, a, normal) } else { (a, p, scale(normal, -S::ONE)) };
+        let [heavy, light] = [heavy, light].map(|i| state.body_of[i]);
+        is_any.then_some(Touch { pair, is_of_point, heavy, light, way })
     }
 
     /// Whether the two are nearer than they may be, what was so before the substep included.
-    fn is_deep<S: Real>(self, state: &Cluster<S>, pairs: &[Pair<S>]) -> bool {
+    fn is_deep(self, state: &Cluster<S>, pairs: &[Pair<S>]) -> bool {
         let pair = &pairs[self.pair as usize];
-        let found = beside(pair.places().map(|i| state.now[i]), pair.side);
-        found.is_some_and(|found| pair.distance - found.gap > S::from_f64(SLACK) * pair.distance)
+        pair.found(state).is_some_and(|found| pair.distance - found.gap > S::from_f64(SLACK) * pair.distance)
     }
 
     /// Inverse mass of the heavy one along a direction `[1/kg]`.
-    fn weight<S: Real>(self, state: &Cluster<S>, pair: &Pair<S>, (at, n): (S, [S; 2])) -> S {
+    fn weight(self, state: &Cluster<S>, pair: &Pair<S>, (at, n): (S, [S; 2])) -> S {
         let [p, a, b] = pair.places();
         if self.is_of_point { state.felt(p, n) } else { state.felt_on_edge([a, b], at, n) }
     }
 
     /// Pushes the heavy one alone, out and aside `[kg m]`.
-    fn push<S: Real>(self, state: &mut Cluster<S>, (pair, at): (&Pair<S>, S), [out, aside]: [[S; 2]; 2]) {
+    fn push(self, state: &mut Cluster<S>, (pair, at): (&Pair<S>, S), [out, aside]: [[S; 2]; 2]) {
         let [p, a, b] = pair.places();
         let rest = S::ONE - at;
         let shares = [(p, S::ONE), (a, -rest), (b, -at)];
@@ -156,10 +157,10 @@ impl Touch {
     }
 
     /// Stops the heavy one where it would go on into the light one, and rubs it with all that presses it. `pushed`: out and aside `[kg m]`.
-    fn press<S: Real>(self, state: &mut Cluster<S>, (pairs, grip): (&[Pair<S>], S), pushed: &mut [S; 2]) {
+    fn press(self, state: &mut Cluster<S>, (pairs, grip): (&[Pair<S>], S), pushed: &mut [S; 2]) {
         let pair = &pairs[self.pair as usize];
         let [p, a, b] = pair.places();
-        let Some(Beside { at, normal, gap }) = beside([p, a, b].map(|i| state.now[i]), pair.side) else { return };
+        let Some(Beside { at, normal, gap }) = pair.found(state) else { return };
         let lacking = pair.distance - pair.old - gap;
         let of_edge = add(scale(state.way[a], S::ONE - at), scale(state.way[b], at));
         let own = if self.is_of_point { state.way[p] } else { scale(of_edge, -S::ONE) };

@@ -130,6 +130,12 @@ impl<S: Real> Pair<S> {
         [self.p, self.a, self.b].map(|i| i as usize)
     }
 
+    /// How the point lies beside the edge now.
+    #[inline(always)]
+    pub(super) fn found(&self, state: &Cluster<S>) -> Option<Beside<S>> {
+        beside(self.places().map(|i| state.now[i]), self.side)
+    }
+
     /// The substep begins anew.
     #[inline(always)]
     pub(super) fn clear(&mut self) {
