@@ -77,11 +77,12 @@ pub enum AppError {
     },
 }
 
-/// Opens a window on a scene or a recording and runs until it is closed. What is done in it is written to `record`, if that is given.
+/// Opens a window on a scene or a recording and runs until it is closed. `file`: the one that it was read from, which is listed among those
+/// opened last. What is done in it is written to `record`, if that is given.
 ///
 /// Errors: a scene that cannot be run, no display, no GPU, a recording that cannot be written.
-pub fn run(start: Start, record: Option<PathBuf>) -> Result<Statistics, AppError> {
-    shell::run(start, None, record)
+pub fn run(start: Start, file: Option<PathBuf>, record: Option<PathBuf>) -> Result<Statistics, AppError> {
+    shell::run(shell::Asked { start, file, picture: None, record })
 }
 
 /// The scene that a picture is waited for in.
@@ -93,7 +94,7 @@ const WAITING: &str = r#"{"wobble": 1, "name": "picture", "view": {"center": [0,
 /// Errors: no display, no GPU, a recording that cannot be written.
 pub fn run_picture(path: &Path, record: Option<PathBuf>) -> Result<Statistics, AppError> {
     let waiting = Scene::parse(WAITING, "").map_err(HistoryError::from)?;
-    shell::run(waiting.into(), Some(path.to_owned()), record)
+    shell::run(shell::Asked { start: waiting.into(), file: None, picture: Some(path.to_owned()), record })
 }
 
 /// Whether a picture holds the scene that it was taken of.

@@ -17,6 +17,7 @@ use super::action::{Action, Tool};
 use super::keys::{self, Held};
 use super::leftovers::{state_folder, title};
 use super::player::{Keeping, Player};
+use super::recent::Used;
 use super::session::Session;
 use crate::history::Start;
 use crate::render::RenderCounters;
@@ -37,10 +38,9 @@ pub struct Statistics {
 /// Opens a window on a scene or a recording and runs until it is closed.
 ///
 /// Errors: no display, a scene that cannot be run, no GPU, a GPU that is lost and does not come back.
-pub(super) fn run(start: Start, picture: Option<PathBuf>, record: Option<PathBuf>) -> Result<Statistics, AppError> {
+pub(super) fn run(asked: Asked) -> Result<Statistics, AppError> {
     let event_loop = EventLoop::new().map_err(|error| no_display(&error))?;
-    let mut shell =
-        Shell::Waiting(Some(Box::new(Beginning { start, picture, record, waker: event_loop.create_proxy() })));
+    let mut shell = Shell::Waiting(Some(Box::new((asked, event_loop.create_proxy()))));
     event_loop.run_app(&mut shell).map_err(|error| no_display(&error))?;
     match shell {
         Shell::Failed(error) => Err(error),
@@ -61,20 +61,20 @@ fn no_display(error: &EventLoopError) -> AppError {
 }
 
 /// What the program begins with.
-struct Beginning {
-    start: Start,
+pub(super) struct Asked {
+    pub(super) start: Start,
+    /// The file that it was read from.
+    pub(super) file: Option<PathBuf>,
     /// A picture that opens as a scene when it is read.
-    picture: Option<PathBuf>,
+    pub(super) picture: Option<PathBuf>,
     /// What the session is recorded to.
-    record: Option<PathBuf>,
-    /// Wakes the loop.
-    waker: EventLoopProxy<()>,
+    pub(super) record: Option<PathBuf>,
 }
 
 /// The program's states.
 enum Shell {
-    /// Until the system says that windows may be made.
-    Waiting(Option<Box<Beginning>>),
+    /// Until the system says that windows may be made; with what wakes the loop.
+    Waiting(Option<Box<(Asked, EventLoopProxy<()>)>>),
     Open {
         session: Box<Session>,
         /// When the next frame may begin.
@@ -107,8 +107,8 @@ fn size_on(screen: Option<[f64; 2]>) -> [f64; 2] {
 }
 
 impl Shell {
-    fn open(event_loop: &ActiveEventLoop, beginning: Beginning) -> Result<Self, AppError> {
-        let Beginning { start, picture, record, waker } = beginning;
+    fn open(event_loop: &ActiveEventLoop, (asked, waker): (Asked, EventLoopProxy<()>)) -> Result<Self, AppError> {
+        let Asked { start, file, picture, record } = asked;
         let scene = Arc::new(start.scene().clone());
         let proxy = waker.clone();
         // A window that has been closed is woken no more.
@@ -134,6 +134,9 @@ impl Shell {
         let display = event_loop.owned_display_handle();
         let mut session = Session::new(Arc::clone(&window), (display, waker), (player, scene))?;
         session.keep_in(state_folder, later);
+        if let Some(path) = file {
+            session.remember(&path, Used::Opened);
+        }
         if let Some(path) = picture {
             session.load(&path);
         }

@@ -30,7 +30,7 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let path = Path::new(name);
     let is_plain = Scene::is_picture_file(path) && !app::holds_scene(path);
     let record = arguments.record.clone();
-    let done = if is_plain { app::run_picture(path, record)? } else { run_start(start(name)?, record)? };
+    let done = if is_plain { app::run_picture(path, record)? } else { run_start(start(name)?, path, record)? };
     if arguments.stats {
         let app::Statistics { frames, advances, substeps, drawing } = done;
         let RenderCounters { uploads, bytes_uploaded, bytes_held, submits, draws, .. } = drawing;
@@ -47,11 +47,12 @@ pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 /// Errors: the recording cannot be written, which is tried before a window opens; those of the window.
-fn run_start(start: Start, record: Option<PathBuf>) -> anyhow::Result<app::Statistics> {
+fn run_start(start: Start, path: &Path, record: Option<PathBuf>) -> anyhow::Result<app::Statistics> {
     if let Some(path) = &record {
         start.recording().save(path)?;
     }
-    Ok(app::run(start, record)?)
+    let file = path.is_file().then(|| path.to_owned());
+    Ok(app::run(start, file, record)?)
 }
 
 /// Errors: those of [`Start::load`]; a slip of a command's name.

@@ -31,7 +31,7 @@ impl Session {
     }
 
     /// The next file is looked for, or written, beside this one, which is the newest of those that are listed.
-    pub(super) fn remember(&mut self, path: &Path, used: Used) {
+    pub(in crate::app) fn remember(&mut self, path: &Path, used: Used) {
         self.recent.note(path, used);
         let kept = self.state_folder.as_deref().map(|folder| self.recent.save(folder));
         self.panels.recent = self.recent.files().to_vec();
