@@ -3,7 +3,7 @@
 use super::drive::Keys;
 use super::force::mouse::{Cursor, MouseForce, Push};
 use super::real::Real;
-use super::swept::Swept;
+use super::swept::{Span, Swept};
 use super::vector::{add, dot, length, scale, sub, truncate, widen};
 
 /// Share of its radius that the cursor goes in a part of a step: a point that it passes is pushed on its way.
@@ -136,8 +136,9 @@ impl<const D: usize> Environment<D> {
         points: impl Iterator<Item = ([S; D], [S; D])>,
         (t, h): (f64, f64),
     ) -> u32 {
-        let bounds = if self.moves(t, h) { Swept::new(points, (h, 0.0), S::ZERO) } else { None };
-        let Some([low, high]) = bounds.map(|swept| swept.bounds()) else { return 1 };
+        let span = Span { h, fall: 0.0, pushed: 0.0 };
+        let bounds = if self.moves(t, h) { Swept::new(points, span, S::ZERO) } else { None };
+        let Some([low, high]) = bounds.map(|swept| swept.held().bounds()) else { return 1 };
         let far = |eye: [f64; 3]| {
             let [low, high] = [widen(low), widen(high)];
             length(std::array::from_fn::<f64, D, _>(|k| (low[k] - eye[k]).abs().max((high[k] - eye[k]).abs())))

@@ -1,92 +1,200 @@
-//! Which bodies may meet in a step: boxes swept by their ways, and blows that are passed on from one to the next.
+//! Which bodies may meet in a step: boxes, how fast they may come at each other, and blows that are passed on from one to the next.
+//!
+//! What flies side by side does not meet, however fast it flies: of two bodies only what one does beside the other counts. So each has a box
+//! where it is, and the velocities that it may take: those of its points alone as long as it is free; all up to its speed, where something
+//! that stays may throw it back; and those of both where two may strike each other.
 
 use super::real::Real;
 use super::sets::Sets;
+use super::vector::{add, length, scale, sub};
 
 /// How much faster a body may get within a step, or go askew, about.
 const FASTER: f64 = 1.5;
 /// Bodies in a row that a blow goes through within a step.
 const ROW: u32 = 16;
 
-/// A box in which a body stays for some time.
+/// A time, and what pushes bodies in it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span {
+    /// `[s]`.
+    pub(crate) h: f64,
+    /// What gives all the same, as long as nothing holds them `[m/s^2]`.
+    pub(crate) fall: f64,
+    /// What else is given to them at most `[m/s^2]`.
+    pub(crate) pushed: f64,
+}
+
+/// Velocities about a middle, so far from it at most along an axis `[m/s]`.
+#[derive(Clone, Copy, Debug)]
+struct Velocities<S, const D: usize> {
+    middle: [S; D],
+    around: S,
+}
+
+impl<S: Real, const D: usize> Velocities<S, D> {
+    /// The least that both are among.
+    fn with(self, other: Self) -> Self {
+        let way = sub(other.middle, self.middle);
+        let far = length(way);
+        if far + other.around <= self.around {
+            return self;
+        }
+        if far + self.around <= other.around {
+            return other;
+        }
+        let around = S::HALF * (far + self.around + other.around);
+        Velocities { middle: add(self.middle, scale(way, (around - self.around) / far)), around }
+    }
+
+    /// What is thrown back by what has these velocities: it comes from them as fast as it came.
+    fn back_from(self, other: Self) -> Self {
+        let around = length(sub(self.middle, other.middle)) + self.around + other.around;
+        Velocities { middle: other.middle, around }
+    }
+
+    /// The largest speed along an axis.
+    fn most(self) -> S {
+        self.middle.into_iter().fold(S::ZERO, |most, v| most.max(v.abs())) + self.around
+    }
+
+    /// How far beyond these others go along an axis.
+    fn lack(self, other: Self) -> S {
+        (0..D).fold(S::ZERO, |most, k| most.max((other.middle[k] - self.middle[k]).abs())) + other.around - self.around
+    }
+
+    fn widen(self) -> Velocities<f64, D> {
+        Velocities { middle: self.middle.map(Real::to_f64), around: self.around.to_f64() }
+    }
+}
+
+/// Where a body is, and where it may get to in some time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Swept<S, const D: usize> {
+    /// The box in which it stays.
     pub(crate) low: [S; D],
     pub(crate) high: [S; D],
-    /// Its fastest point, along one axis `[m/s]`.
-    fastest: S,
-    /// What is left around it `[m]`.
+    /// The box around it at first, and what is left there around it `[m]`.
+    first: [[S; D]; 2],
     margin: S,
+    velocities: Velocities<S, D>,
+    /// How far it is pushed at most, and how far all fall `[m]`.
+    pushed: S,
+    falls: S,
+    /// Something may keep it from falling with the others.
+    is_held: bool,
+    /// Time by [`FASTER`] `[s]`.
+    time: S,
 }
 
 impl<S: Real, const D: usize> Swept<S, D> {
-    /// The box that points, each with its velocity, may get to within `h` `[s]`, pushed by at most `pushed` `[m/s^2]`, and `margin` around
-    /// it `[m]`; `None` where there is no point.
-    pub(crate) fn new(
-        points: impl Iterator<Item = ([S; D], [S; D])>,
-        (h, pushed): (f64, f64),
-        margin: S,
-    ) -> Option<Self> {
-        let (mut low, mut high, mut fastest) = ([S::INFINITY; D], [-S::INFINITY; D], S::ZERO);
+    /// Of points, each with its velocity, which meet nothing that stays where it is, and `margin` around them `[m]`; `None` where there is
+    /// no point.
+    pub(crate) fn new(points: impl Iterator<Item = ([S; D], [S; D])>, span: Span, margin: S) -> Option<Self> {
+        let none = ([S::INFINITY; D], [-S::INFINITY; D]);
+        let ((mut low, mut high), (mut slow, mut fast)) = (none, none);
         for (x, v) in points {
             for k in 0..D {
-                low[k] = low[k].min(x[k]);
-                high[k] = high[k].max(x[k]);
-                fastest = fastest.max(v[k].abs());
+                (low[k], high[k]) = (low[k].min(x[k]), high[k].max(x[k]));
+                (slow[k], fast[k]) = (slow[k].min(v[k]), fast[k].max(v[k]));
             }
         }
-        let way = S::from_f64(FASTER) * (fastest * S::from_f64(h) + S::from_f64(h * h * pushed)) + margin;
-        (low[0] <= high[0]).then_some(Swept { low, high, fastest, margin }).map(|swept| swept.grown(way))
+        let time = S::from_f64(FASTER * span.h);
+        let way = |push: f64| time * S::from_f64(span.h * push);
+        let middle = std::array::from_fn(|k| S::HALF * (slow[k] + fast[k]));
+        let around = (0..D).fold(S::ZERO, |most, k| most.max(S::HALF * (fast[k] - slow[k])));
+        let swept = Swept {
+            low,
+            high,
+            first: [low.map(|x| x - margin), high.map(|x| x + margin)],
+            margin,
+            velocities: Velocities { middle, around },
+            pushed: way(span.pushed),
+            falls: way(span.fall),
+            is_held: false,
+            time,
+        };
+        (low[0] <= high[0]).then(|| swept.gone())
+    }
+
+    /// With the box in which it stays.
+    fn gone(self) -> Self {
+        let Swept { first: [low, high], velocities: Velocities { middle, around }, time, .. } = self;
+        let room = self.pushed + self.falls;
+        Swept {
+            low: std::array::from_fn(|k| low[k] + time * (middle[k] - around).min(S::ZERO) - room),
+            high: std::array::from_fn(|k| high[k] + time * (middle[k] + around).max(S::ZERO) + room),
+            ..self
+        }
+    }
+
+    /// The same of a body that is pinned, or that what does not move may throw back.
+    pub(crate) fn held(self) -> Self {
+        let velocities = Velocities { middle: [S::ZERO; D], around: self.velocities.most() };
+        Swept { velocities, is_held: true, ..self }.gone()
     }
 
     pub(crate) fn bounds(&self) -> [[S; D]; 2] {
         [self.low, self.high]
     }
 
-    /// What it has in common with another one of the same body.
-    pub(crate) fn within(self, other: &Self) -> Self {
-        let (low, high) = (
-            std::array::from_fn(|k| self.low[k].max(other.low[k])),
-            std::array::from_fn(|k| self.high[k].min(other.high[k])),
-        );
-        Swept { low, high, ..self }
-    }
-
-    /// The box around both.
-    pub(crate) fn with(self, other: &Self) -> Self {
-        Swept {
-            low: std::array::from_fn(|k| self.low[k].min(other.low[k])),
-            high: std::array::from_fn(|k| self.high[k].max(other.high[k])),
-            fastest: self.fastest.max(other.fastest),
-            margin: self.margin.max(other.margin),
-        }
-    }
-
-    pub(crate) fn overlaps(&self, other: &Self) -> bool {
-        (0..D).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
-    }
-
     /// The same with more left around it `[m]`.
     pub(crate) fn around(self, margin: S) -> Self {
-        Swept { margin: self.margin + margin, ..self }.grown(margin)
+        let [low, high] = self.first;
+        let first = [low.map(|x| x - margin), high.map(|x| x + margin)];
+        Swept { first, margin: self.margin + margin, ..self }.gone()
     }
 
-    fn grown(self, by: S) -> Self {
-        Swept { low: self.low.map(|x| x - by), high: self.high.map(|x| x + by), ..self }
+    /// The box around both, of bodies that go together.
+    pub(crate) fn with(self, other: Self) -> Self {
+        let [[low, high], [others_low, others_high]] = [self.first, other.first];
+        let first =
+            [std::array::from_fn(|k| low[k].min(others_low[k])), std::array::from_fn(|k| high[k].max(others_high[k]))];
+        let velocities = self.velocities.with(other.velocities);
+        Swept { first, velocities, pushed: self.pushed.max(other.pushed), ..self }.gone()
+    }
+
+    /// Of two of the same body the one that it is more closely in.
+    pub(crate) fn or_smaller(self, other: Self) -> Self {
+        let size = |one: &Self| (0..D).fold(S::ZERO, |sum, k| sum + one.high[k] - one.low[k]);
+        if size(&other) < size(&self) { other } else { self }
+    }
+
+    /// Whether the boxes in which they stay overlap, and they may come that far at each other.
+    pub(crate) fn meets(&self, other: &Self) -> bool {
+        let is_near = (0..D).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k]);
+        is_near && {
+            let fall = |one: &Self| if one.is_held { one.falls } else { S::ZERO };
+            let room = self.pushed + other.pushed + fall(self) + fall(other);
+            let around = self.velocities.around + other.velocities.around;
+            let comes = sub(self.velocities.middle, other.velocities.middle);
+            (0..D).all(|k| {
+                let [below, above] =
+                    [other.first[0][k] - self.first[1][k], self.first[0][k] - other.first[1][k]].map(|gap| gap - room);
+                below <= self.time * (around + comes[k]).max(S::ZERO)
+                    && above <= self.time * (around - comes[k]).max(S::ZERO)
+            })
+        }
     }
 
     /// The same, wider.
     pub(crate) fn widen(&self) -> Swept<f64, D> {
         let wide = |x: [S; D]| x.map(Real::to_f64);
-        let (fastest, margin) = (self.fastest.to_f64(), self.margin.to_f64());
-        Swept { low: wide(self.low), high: wide(self.high), fastest, margin }
+        Swept {
+            low: wide(self.low),
+            high: wide(self.high),
+            first: self.first.map(wide),
+            margin: self.margin.to_f64(),
+            velocities: self.velocities.widen(),
+            pushed: self.pushed.to_f64(),
+            falls: self.falls.to_f64(),
+            is_held: self.is_held,
+            time: self.time.to_f64(),
+        }
     }
 
-    /// How much further it gets in `h` `[s]` than its box says, if it is struck by what is so fast `[m/s]`; `None`: no further than what is
-    /// left around it.
-    fn further(&self, speed: S, h: f64) -> Option<S> {
-        let further = S::from_f64(FASTER * h) * (speed - self.fastest);
-        (further > self.margin).then_some(further)
+    /// Whether other velocities than its own take it further than what is left around it.
+    fn goes_further(&self, velocities: Velocities<S, D>) -> bool {
+        self.time * self.velocities.lack(velocities) > self.margin
     }
 }
 
@@ -95,7 +203,7 @@ pub(crate) fn sort<T, S: Real, const D: usize>(list: &mut [T], swept: impl Fn(&T
     list.sort_by(|a, b| swept(a).low[0].partial_cmp(&swept(b).low[0]).unwrap_or(std::cmp::Ordering::Equal));
 }
 
-/// Tells of all couples in a sorted list whose boxes overlap, by their places there.
+/// Tells of all couples in a sorted list that may meet, by their places there.
 pub(crate) fn meetings<T, S: Real, const D: usize>(
     list: &[T],
     swept: impl Fn(&T) -> &Swept<S, D>,
@@ -105,55 +213,67 @@ pub(crate) fn meetings<T, S: Real, const D: usize>(
     for place in 0..list.len() {
         let own = swept(&list[place]);
         open.retain(|&other| swept(&list[other]).high[0] >= own.low[0]);
-        open.iter().filter(|&&other| swept(&list[other]).overlaps(own)).for_each(|&other| tell([other, place]));
+        open.iter().filter(|&&other| swept(&list[other]).meets(own)).for_each(|&other| tell([other, place]));
         open.push(place);
     }
 }
 
-/// Boxes of what may be struck within `h` `[s]` get as wide as the blow carries; `strikes`: whether the first may strike the second.
+/// What strikes another.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Strikes {
+    /// Not so that it goes on.
+    Not,
+    /// It takes what the other has, and gives.
+    Loose,
+    /// It goes on as it goes, whatever it strikes.
+    Fixed,
+}
+
+/// What may be struck within the time takes the velocities that the blow may give it; `strikes`: how the first may strike the second.
 /// Leaves the list sorted.
 pub(crate) fn pass_on<T, S: Real, const D: usize>(
     list: &mut [T],
     swept: impl Fn(&T) -> &Swept<S, D>,
     mut put: impl FnMut(&mut T, Swept<S, D>),
-    h: f64,
-    strikes: impl Fn(&T, &T) -> bool,
+    strikes: impl Fn(&T, &T) -> Strikes,
 ) {
-    let fastest = list.iter().fold(S::ZERO, |most, body| most.max(swept(body).fastest));
+    sort(list, &swept);
     for _ in 0..ROW {
-        sort(list, &swept);
-        if list.iter().all(|body| swept(body).further(fastest, h).is_none()) {
+        let all = list.iter().map(|body| swept(body).velocities).reduce(Velocities::with);
+        if all.is_none_or(|all| !list.iter().any(|body| swept(body).goes_further(all))) {
             return;
         }
-        // The hardest blow of each counts.
-        let mut blows = vec![S::ZERO; list.len()];
+        let mut blows: Vec<Option<Velocities<S, D>>> = vec![None; list.len()];
         meetings(list, &swept, |[a, b]| {
             for [from, to] in [[a, b], [b, a]] {
-                let speed = swept(&list[from]).fastest;
-                let is_harder = speed > blows[to] && swept(&list[to]).further(speed, h).is_some();
-                if is_harder && strikes(&list[from], &list[to]) {
-                    blows[to] = speed;
+                let [by, own] = [from, to].map(|place| swept(&list[place]).velocities);
+                let own = blows[to].unwrap_or(own);
+                let given = match strikes(&list[from], &list[to]) {
+                    Strikes::Not => continue,
+                    Strikes::Loose => own.with(by),
+                    Strikes::Fixed => own.with(own.back_from(by)),
+                };
+                if swept(&list[to]).goes_further(given) {
+                    blows[to] = Some(given);
                 }
             }
         });
-        let mut is_done = true;
-        for (body, speed) in list.iter_mut().zip(blows) {
-            if let Some(further) = swept(body).further(speed, h) {
-                let grown = Swept { fastest: speed, ..swept(body).grown(further) };
-                put(body, grown);
-                is_done = false;
-            }
-        }
-        if is_done {
+        if blows.iter().all(Option::is_none) {
             return;
         }
+        for (body, blow) in list.iter_mut().zip(blows) {
+            if let Some(velocities) = blow {
+                let grown = Swept { velocities, is_held: true, ..*swept(body) }.gone();
+                put(body, grown);
+            }
+        }
+        sort(list, &swept);
     }
-    sort(list, &swept);
 }
 
-/// Bodies, by their numbers, that may meet within `h` `[s]`, or strike each other through others, come together.
-pub(crate) fn join<S: Real, const D: usize>(together: &mut Sets, mut bodies: Vec<(usize, Swept<S, D>)>, h: f64) {
-    pass_on(&mut bodies, |body| &body.1, |body, grown| body.1 = grown, h, |_, _| true);
+/// Bodies, by their numbers, that may meet, or strike each other through others, come together.
+pub(crate) fn join<S: Real, const D: usize>(together: &mut Sets, mut bodies: Vec<(usize, Swept<S, D>)>) {
+    pass_on(&mut bodies, |body| &body.1, |body, grown| body.1 = grown, |_, _| Strikes::Loose);
     let of = |place: usize| bodies[place].0 as u32;
     meetings(&bodies, |body| &body.1, |[a, b]| together.join(of(a), of(b)));
 }

@@ -35,6 +35,57 @@ fn what_stays_apart_has_the_bits_that_it_has_without_contact() {
     assert_eq!((with.counters().hand_overs, with.counters().contacts), (0, 0));
 }
 
+/// A crowd, 2 cm from each other, that flies and falls as one.
+fn crowd(velocity: [f64; 2]) -> Value {
+    let at = |k: usize| [0.62 * (k % 4) as f64, 40.0 + 0.62 * (k / 4) as f64];
+    (0..16).map(|k| disc(at(k), velocity)).collect()
+}
+
+#[test]
+fn a_crowd_that_flies_side_by_side_is_left_alone() {
+    for velocity in [[0.0, 0.0], [30.0, -10.0], [200.0, 5.0]] {
+        let mut with = scene(crowd(velocity));
+        with["gravity"] = json!([0, -9.81]);
+        with["drag_rate"] = json!(0.1);
+        let mut without = with.clone();
+        without["contact"] = json!(false);
+        let [mut with, mut without] = [world(&with), world(&without)];
+        run_to(&mut *with, 0.5);
+        run_to(&mut *without, 0.5);
+        assert_eq!(with.counters().hand_overs, 0, "at {velocity:?} m/s");
+        assert_eq!(bits(&*with), bits(&*without), "at {velocity:?} m/s");
+    }
+}
+
+#[test]
+fn who_comes_into_a_crowd_in_flight_is_met() {
+    // One that overtakes the last row, and a wall that throws the first column back into those that follow.
+    let mut flies = crowd([30.0, 0.0]);
+    let last = disc([-1.0, 40.0], [36.0, 0.0]);
+    flies.as_array_mut().unwrap().push(last);
+    let mut overtaken = scene(flies);
+    overtaken["contact"] = json!({"friction": 0.5});
+    let mut thrown = scene(crowd([30.0, 0.0]));
+    thrown["bounds"] = json!({"min": [-5, 0], "max": [4, 60], "restitution": 0.9});
+    for (what, scene) in [("overtaken", overtaken), ("thrown back", thrown)] {
+        let mut world = world(&scene);
+        let bodies = scene["bodies"].as_array().unwrap().len();
+        let count = world.point_count() / bodies;
+        let mut nearest = f64::INFINITY;
+        while world.time() < 0.4 {
+            world.step();
+            for one in 0..bodies {
+                for other in 0..one {
+                    let [a, b] = [one, other].map(|k| middle(&*world, k * count..(k + 1) * count));
+                    nearest = nearest.min((a[0] - b[0]).hypot(a[1] - b[1]));
+                }
+            }
+        }
+        assert!(world.counters().contacts > 0, "{what}: nothing met");
+        assert!(nearest > 0.3, "{what}: {nearest} m from middle to middle");
+    }
+}
+
 #[test]
 fn what_may_meet_goes_live_together_before_it_touches_and_back_when_it_is_apart() {
     let far = disc([0.0, 20.0], [0.2, 0.0]);

@@ -15,7 +15,7 @@ use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::swept::Swept;
+use crate::sim::swept::{Span, Swept};
 
 /// Bodies that may meet.
 #[derive(Clone, Debug)]
@@ -56,9 +56,8 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
         None
     }
 
-    /// Where bodies may get to within the first `[s]`, pushed by at most the second `[m/s^2]`: boxes with what their skins keep from each other; none of
-    /// bodies that do not meet.
-    fn reaches(&self, _points: &Points<S, D>, _span: (f64, f64)) -> Vec<Swept<S, D>> {
+    /// Where bodies may get to, with what their skins keep from each other; none of bodies that do not meet.
+    fn reaches(&self, _points: &Points<S, D>, _span: Span) -> Vec<Swept<S, D>> {
         Vec::new()
     }
 

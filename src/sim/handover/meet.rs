@@ -8,7 +8,7 @@ use crate::sim::group::engine::Engine;
 use crate::sim::moved::{Moved, Why};
 use crate::sim::plan::{OWN, Sets};
 use crate::sim::real::Real;
-use crate::sim::swept::{self, Swept};
+use crate::sim::swept::{self, Span, Strikes, Swept};
 use crate::sim::vector::{length, widen};
 use crate::sim::world::World;
 
@@ -47,9 +47,13 @@ impl<const D: usize> Reach<D> {
         are_bodies && !is_own_pin && (self.is_awake || other.is_awake)
     }
 
-    /// Whether it may strike the other one, so that this one goes on.
-    fn may_strike(&self, other: &Self) -> bool {
-        other.place != FIXED && self.may_touch(other)
+    /// How it may strike the other one.
+    fn strikes(&self, other: &Self) -> Strikes {
+        match self.place {
+            _ if other.place == FIXED || !self.may_touch(other) => Strikes::Not,
+            FIXED => Strikes::Fixed,
+            _ => Strikes::Loose,
+        }
     }
 }
 
@@ -73,7 +77,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let is_live = |place: usize| self.plan.groups[place].is_live();
         let meets_others = self.model.contact.is_some_and(|contact| contact.with_others);
         if meets_others {
-            swept::pass_on(&mut reaches, swept_of, |reach, grown| reach.swept = grown, h, Reach::may_strike);
+            swept::pass_on(&mut reaches, swept_of, |reach, grown| reach.swept = grown, Reach::strikes);
             sweep(&reaches, |a, b| join(&mut sets, &mut goes, [a, b], is_live));
         }
         if !goes.contains(&true) {
@@ -138,11 +142,11 @@ impl<S: Real, const D: usize> World<S, D> {
     fn is_cornered(&self, group: &Group<S, D>, slots: &[u32]) -> bool {
         let own = slots.iter().map(|&slot| slot as usize);
         let points = own.map(|i| (group.points.position[i], group.points.velocity[i]));
-        let span = (APART, pushed(&self.around, group));
-        let Some(swept) = Swept::new(points, span, S::from_f64(self.margin(group))) else { return false };
-        let swept = swept.widen();
+        let margin = S::from_f64(self.margin(group));
+        let Some(swept) = Swept::new(points, span(&self.around, group, APART), margin) else { return false };
+        let swept = self.settled(swept.widen());
         self.obstacles.has_corner_in(swept.bounds())
-            || self.fixed_reaches(APART, None).iter().any(|fixed| fixed.swept.overlaps(&swept))
+            || self.fixed_reaches(APART, None).iter().any(|fixed| fixed.swept.meets(&swept))
     }
 
     /// Whether a group that its own method moves may meet itself within `h` `[s]`.
@@ -171,11 +175,11 @@ impl<S: Real, const D: usize> World<S, D> {
         // What rows hold between pins is there to be met, though it does not move.
         let groups = self.plan.groups.iter().enumerate();
         for (place, group) in groups.filter(|(place, _)| self.plan.own[*place].points > 0) {
-            let span = (h, pushed(&self.around, group));
+            let span = span(&self.around, group, h);
             let reach = |swept: Swept<S, D>| Reach {
                 place,
                 root: root_of[place],
-                swept: swept.widen(),
+                swept: self.settled(swept.widen()),
                 is_awake: !group.is_asleep(),
                 is_loose: self.plan.own[place].bonds == 0,
             };
@@ -188,9 +192,17 @@ impl<S: Real, const D: usize> World<S, D> {
                 }
             }
             let points = group.points.position.iter().copied().zip(group.points.velocity.iter().copied());
-            reaches.extend(Swept::new(points, span, S::from_f64(self.margin(group))).map(reach));
+            let swept = Swept::new(points, span, S::from_f64(self.margin(group)));
+            let is_pinned = group.points.inverse_mass.contains(&S::ZERO);
+            reaches.extend(swept.map(|swept| reach(if is_pinned { swept.held() } else { swept })));
         }
         reaches
+    }
+
+    /// Held, if an obstacle may throw it back.
+    fn settled(&self, swept: Swept<f64, D>) -> Swept<f64, D> {
+        let bounds = swept.bounds().map(|x| x.map(S::from_f64));
+        if self.obstacles.may_touch(bounds) { swept.held() } else { swept }
     }
 
     /// How far from the points of a group it may be met `[m]`.
@@ -209,7 +221,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let of = |pins: &[(u32, u32)]| {
             let points = pins.iter().map(|&(_, pin)| (self.place(pin as usize), self.led(pin)));
             let is_awake = points.clone().any(|(_, velocity)| velocity != [0.0; D]);
-            let swept = Swept::new(points, (h, 0.0), 0.0)?;
+            let swept = Swept::new(points, Span { h, fall: 0.0, pushed: 0.0 }, 0.0)?;
             Some(Reach { place: FIXED, root: pins[0].0, swept, is_awake, is_loose: false })
         };
         by_root.chunk_by(|a, b| a.0 == b.0).filter_map(of).collect()
@@ -251,9 +263,9 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 }
 
-/// What forces, gravity, wind and mouse give a group at most `[m/s^2]`.
-fn pushed<S: Real, const D: usize>(around: &Environment<D>, group: &Group<S, D>) -> f64 {
-    length(group.pull.gravity) + group.pull.most_push() + around.most_push()
+/// What gravity, forces, wind and mouse give a group at most in a time `[s]`.
+fn span<S: Real, const D: usize>(around: &Environment<D>, group: &Group<S, D>, h: f64) -> Span {
+    Span { h, fall: length(group.pull.gravity), pushed: group.pull.most_push() + around.most_push() }
 }
 
 /// Two bodies come near each other: what moves by itself goes together, and who is not live goes live.

@@ -12,8 +12,10 @@ use crate::sim::environment::Environment;
 use crate::sim::kernels::links::Links;
 use crate::sim::measure;
 use crate::sim::points::Points;
+use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::swept::{self, Swept};
+use crate::sim::swept::{self, Span, Swept};
+use crate::sim::vector::length;
 use crate::sim::vector::zero;
 
 /// Share of the shortest mean edge that points may go until what is near what is looked for anew.
@@ -64,10 +66,11 @@ impl<S: Real> Live<S> {
         &self,
         points: &Points<S, 2>,
         common: &Common<S>,
-        span: (&Environment<2>, f64),
+        outside: (&Pull<S, 2>, &Environment<2>),
+        h: f64,
     ) -> Vec<Cluster<S>> {
         let is_awake = |bodies: &Vec<usize>| bodies.iter().any(|&body| !self.rests[body].is_asleep);
-        let together: Vec<Vec<usize>> = self.together(points, common, span).into_iter().filter(is_awake).collect();
+        let together: Vec<Vec<usize>> = self.together(points, outside, h).into_iter().filter(is_awake).collect();
         let most_substeps = self.affordable(together.iter().flatten());
         let cluster = |bodies| {
             let cluster = self.cluster(bodies, points, common);
@@ -93,14 +96,18 @@ impl<S: Real> Live<S> {
     pub(super) fn together(
         &self,
         points: &Points<S, 2>,
-        common: &Common<S>,
-        (around, h): (&Environment<2>, f64),
+        (pull, around): (&Pull<S, 2>, &Environment<2>),
+        h: f64,
     ) -> Vec<Vec<usize>> {
         let mut together = crate::sim::sets::Sets::new(self.bodies.list.len());
         if self.contact.is_some_and(|contact| contact.with_others) {
-            let span = (h, common.most_push + around.most_push());
-            let reach = |body| Some((body, self.reach(body, points, span, S::from_f64(2.0 * PROMISE))?));
-            swept::join(&mut together, (0..self.bodies.list.len()).filter_map(reach).collect(), h);
+            let span = Span { h, fall: length(pull.gravity), pushed: pull.most_push() + around.most_push() };
+            let obstacles = &pull.contacts.obstacles;
+            let reach = |body| {
+                let swept = self.reach(body, points, span, S::from_f64(2.0 * PROMISE))?;
+                Some((body, if obstacles.may_touch(swept.bounds()) { swept.held() } else { swept }))
+            };
+            swept::join(&mut together, (0..self.bodies.list.len()).filter_map(reach).collect());
         }
         self.fields.iter().for_each(|field| field.join(&mut together));
         let mut members: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.list.len()];
@@ -113,12 +120,14 @@ impl<S: Real> Live<S> {
         members
     }
 
-    /// Where the points of a body may get to within a time `[s]`, pushed by so much `[m/s^2]`, and what is near: within this share of an edge.
-    pub(super) fn reach(&self, body: usize, points: &Points<S, 2>, span: (f64, f64), apart: S) -> Option<Swept<S, 2>> {
+    /// Where the points of a body may get to, and what is near: within this share of an edge.
+    pub(super) fn reach(&self, body: usize, points: &Points<S, 2>, span: Span, apart: S) -> Option<Swept<S, 2>> {
         let of = &self.bodies.list[body];
         let margin = of.edge_length * apart + of.radius;
         let own = self.bodies.order[of.points.range()].iter().map(|&slot| slot as usize);
-        Swept::new(own.map(|i| (points.position[i], points.velocity[i])), span, margin)
+        let swept = Swept::new(own.clone().map(|i| (points.position[i], points.velocity[i])), span, margin)?;
+        let is_pinned = own.into_iter().any(|i| points.inverse_mass[i] == S::ZERO);
+        Some(if is_pinned { swept.held() } else { swept })
     }
 
     /// What bends the angles of these bodies; nothing where none do so together.

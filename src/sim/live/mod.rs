@@ -70,7 +70,7 @@ use super::measure;
 use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
-use super::swept::Swept;
+use super::swept::{Span, Swept};
 use super::vector::length;
 use booking::Tally;
 use build::Bodies;
@@ -277,7 +277,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
         self.wake_driven(around, t);
         let mut clusters = {
             let common = self.common(pull, &sides);
-            let mut clusters = self.gather(points, &common, (around, h));
+            let mut clusters = self.gather(points, &common, (pull, around), h);
             let mut account = account;
             for cluster in &mut clusters {
                 cluster.tally = account.as_ref().map(|_| Box::new(Tally::new(cluster.own())));
@@ -325,7 +325,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
         (body.edge_length > S::ZERO).then(|| body.edge_length.to_f64() * LEAD)
     }
 
-    fn reaches(&self, points: &Points<S, 2>, span: (f64, f64)) -> Vec<Swept<S, 2>> {
+    fn reaches(&self, points: &Points<S, 2>, span: Span) -> Vec<Swept<S, 2>> {
         self.all_reaches(points, span)
     }
 

@@ -144,7 +144,7 @@ impl<S: Real> Live<S> {
         }
     }
 
-    /// Looks which clusters stayed where they are, at time `t` `[s]`.
+    /// Looks which clusters stayed where they are, at time `t` `[s]`. What is inside out is led back before it sleeps.
     pub(super) fn doze(
         &mut self,
         clusters: &[Cluster<S>],
@@ -158,7 +158,7 @@ impl<S: Real> Live<S> {
         for cluster in clusters {
             let mut is_still = true;
             for &body in &cluster.bodies {
-                is_still &= self.is_still(body, points, t) && !driven.contains(&body);
+                is_still &= self.is_still(body, points, t) && !driven.contains(&body) && !self.tangle.is_opened(body);
             }
             if !is_still {
                 continue;

@@ -9,7 +9,7 @@ use crate::sim::force::area::size;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::swept::Swept;
+use crate::sim::swept::{Span, Swept};
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// Steps until a body is looked at again, if all goes on as it does, and how much faster it may get meanwhile.
@@ -23,7 +23,7 @@ const APART: f64 = 0.05;
 
 impl<S: Real> Live<S> {
     /// The boxes of all bodies, as [`Mover::reaches`](crate::sim::bulk::mover::Mover::reaches).
-    pub(super) fn all_reaches(&self, points: &Points<S, 2>, span: (f64, f64)) -> Vec<Swept<S, 2>> {
+    pub(super) fn all_reaches(&self, points: &Points<S, 2>, span: Span) -> Vec<Swept<S, 2>> {
         if !self.contact.is_some_and(|contact| contact.with_others) {
             return Vec::new();
         }
@@ -54,7 +54,7 @@ impl<S: Real> Live<S> {
             let is_whole = cluster.tangle.is_empty() && !self.is_flat(points, &own_bodies, AMPLE);
             Part { slots, is_free: is_whole && cluster.pairs.iter().all(is_known) }
         };
-        self.together(points, &common, (around, h)).into_iter().map(of).collect()
+        self.together(points, (pull, around), h).into_iter().map(of).collect()
     }
 
     /// Whether a triangle of some bodies has hardly more of its area than it has to keep.

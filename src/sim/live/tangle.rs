@@ -32,6 +32,8 @@ const CALM: f64 = 0.1;
 /// How long a body is mended that crosses itself, until nothing presses it or it does so no more `[s]`: thin limbs that a body lies on are crushed
 /// again as soon as they are let go.
 const MOST_MENDED: f64 = 2.0;
+/// How long a body that is inside out is led back before it may sleep so `[s]`: what lies on it is too heavy.
+const MOST_AWAKE: f64 = 10.0;
 
 /// A body with triangles inside out, or that crosses itself.
 #[derive(Clone, Debug)]
@@ -45,6 +47,8 @@ pub(super) struct Knot<S> {
     tried: f64,
     calm: f64,
     rings: u32,
+    /// It is inside out, not only across itself.
+    is_folded: bool,
     /// How much faster than at first it is led: what lies on it may have been too heavy.
     haste: f64,
 }
@@ -129,6 +133,13 @@ impl<S: Real> Tangle<S> {
         self.couples.extend(other.couples.iter().filter_map(couple));
         self.knots.extend(other.knots.iter().filter_map(knot));
         self.sort();
+    }
+
+    /// Whether a body, by its number in the group, is inside out and may still be led back.
+    pub(super) fn is_opened(&self, body: usize) -> bool {
+        let knot =
+            self.knots.binary_search_by_key(&(body as u32), |knot| knot.body).ok().map(|place| &self.knots[place]);
+        knot.is_some_and(|knot| knot.is_folded && knot.time < MOST_AWAKE)
     }
 
     fn sort(&mut self) {
@@ -251,8 +262,18 @@ fn knots<S: Real>(
         if before.is_none() && !is_bad {
             continue;
         }
-        let fresh = Knot { body: k, pieces: Vec::new(), time: first, tried: 0.0, calm: 0.0, rings: RINGS, haste: 1.0 };
-        let mut knot = before.unwrap_or(fresh);
+        let fresh = || Knot {
+            body: k,
+            pieces: Vec::new(),
+            time: first,
+            tried: 0.0,
+            calm: 0.0,
+            rings: RINGS,
+            is_folded: false,
+            haste: 1.0,
+        };
+        let mut knot = before.unwrap_or_else(fresh);
+        knot.is_folded = !own.is_empty();
         knot.calm = if is_bad { 0.0 } else { knot.calm + h };
         knot.time += h;
         knot.tried += h;

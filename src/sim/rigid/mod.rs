@@ -40,7 +40,7 @@ use super::environment::Environment;
 use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
-use super::swept::Swept;
+use super::swept::{Span, Swept};
 use super::vector::{add, length};
 use alone::Lone;
 use blueprint::Blueprint;
@@ -156,20 +156,23 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
 
     /// A body that spins leaves the straight ways of its points: it stays in a circle around its middle. Bodies that joints hold together are
     /// one for those who ask what meets.
-    fn reaches(&self, points: &Points<S, D>, (h, pushed): (f64, f64)) -> Vec<Swept<S, D>> {
+    fn reaches(&self, points: &Points<S, D>, span: Span) -> Vec<Swept<S, D>> {
         let swept = |body: &Body| {
             let Motion { place, twist } = body.read(points);
-            let bent = pushed + twist.spin * twist.spin * body.reach;
+            let bent = Span { pushed: span.pushed + twist.spin * twist.spin * body.reach, ..span };
             let at = |&slot: &u32| (points.position[slot as usize], points.velocity[slot as usize]);
-            let tight = Swept::new(body.slots.iter().map(at), (h, bent), S::ZERO)?;
+            let tight = Swept::new(body.slots.iter().map(at), bent, S::ZERO)?;
             let corner = |sign: f64| {
                 let x = add(place.middle, [sign * body.reach; 2]);
                 (lift(x), lift(twist.velocity))
             };
-            let round = Swept::new([-1.0, 1.0].map(corner).into_iter(), (h, pushed), S::ZERO)?;
-            Some(tight.within(&round))
+            let round = Swept::new([-1.0, 1.0].map(corner).into_iter(), span, S::ZERO)?;
+            Some(tight.or_smaller(round))
         };
-        let all = |linkage: &Linkage| linkage.bodies.iter().filter_map(swept).reduce(|all, one| all.with(&one));
+        let all = |linkage: &Linkage| {
+            let joined = linkage.bodies.iter().filter_map(swept).reduce(Swept::with)?;
+            Some(if linkage.anchors(points).is_empty() { joined } else { joined.held() })
+        };
         self.linkages.iter().filter_map(all).collect()
     }
 

@@ -14,7 +14,7 @@ use crate::sim::live::work_of_a_substep;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::swept::{self, Swept};
+use crate::sim::swept::{self, Span, Swept};
 use crate::sim::vector::{length, zero};
 
 impl<S: Real> Space<S> {
@@ -23,14 +23,20 @@ impl<S: Real> Space<S> {
         &self,
         points: &Points<S, 3>,
         common: &Common<S>,
-        (around, h): (&Environment<3>, f64),
+        (pull, around): (&Pull<S, 3>, &Environment<3>),
+        h: f64,
     ) -> Vec<Cluster<S>> {
         let is_there = |body: &usize| self.bodies.list[*body].points.len() > 0;
         let all = 0..self.bodies.list.len();
         let mut together = crate::sim::sets::Sets::new(self.bodies.list.len());
         if self.contact.is_some_and(|contact| contact.with_others) {
-            let reach = |body| Some((body, self.reach(body, points, (around, h))?));
-            swept::join(&mut together, all.clone().filter_map(reach).collect(), h);
+            let span = Span { h, fall: length(around.gravity), pushed: around.most_push() };
+            let obstacles = &pull.contacts.obstacles;
+            let reach = |body| {
+                let swept = self.reach(body, points, span)?;
+                Some((body, if obstacles.may_touch(swept.bounds()) { swept.held() } else { swept }))
+            };
+            swept::join(&mut together, all.clone().filter_map(reach).collect());
         }
         let mut members: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.list.len()];
         all.filter(is_there).for_each(|body| members[together.find(body as u32) as usize].push(body));
@@ -44,13 +50,14 @@ impl<S: Real> Space<S> {
         members.into_iter().map(|bodies| Cluster { most_substeps, ..self.cluster(bodies, points, common) }).collect()
     }
 
-    /// Where the points of a body may get to in `h` `[s]`, and what is near.
-    fn reach(&self, body: usize, points: &Points<S, 3>, (around, h): (&Environment<3>, f64)) -> Option<Swept<S, 3>> {
+    /// Where the points of a body may get to, and what is near.
+    fn reach(&self, body: usize, points: &Points<S, 3>, span: Span) -> Option<Swept<S, 3>> {
         let of = &self.bodies.list[body];
         let own = self.bodies.order[of.points.range()].iter().map(|&slot| slot as usize);
         let margin = of.edge_length * S::from_f64(2.0 * PROMISE) + of.radius;
-        let pushed = length(around.gravity) + around.most_push();
-        Swept::new(own.map(|i| (points.position[i], points.velocity[i])), (h, pushed), margin)
+        let swept = Swept::new(own.clone().map(|i| (points.position[i], points.velocity[i])), span, margin)?;
+        let is_pinned = own.into_iter().any(|i| points.inverse_mass[i] == S::ZERO);
+        Some(if is_pinned { swept.held() } else { swept })
     }
 
     fn cluster(&self, bodies: Vec<usize>, points: &Points<S, 3>, common: &Common<S>) -> Cluster<S> {

@@ -135,7 +135,7 @@ impl<S: Real> Mover<S, 3> for Space<S> {
                 planes: pull.contacts.obstacles.planes(),
                 sides: &sides,
             };
-            let mut clusters = self.gather(points, &common, (around, h));
+            let mut clusters = self.gather(points, &common, (pull, around), h);
             clusters.iter_mut().for_each(|cluster| self.run(cluster, &common, (pull, around), (t, h)));
             clusters
         };
