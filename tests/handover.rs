@@ -107,6 +107,28 @@ fn among_walls(stiffness: f64) -> Value {
 }
 
 #[test]
+fn a_crowd_that_is_sure_to_take_too_much_does_not_begin() {
+    let bodies = |count: usize| {
+        let disc = |k: usize| {
+            json!({"make": "disc", "radius": 0.3, "spacing": 0.06, "origin": [k, 0],
+            "material": {"kind": "spring", "stiffness": 2000, "damping": 2, "mass": 1}})
+        };
+        json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "bodies": (0..count).map(disc).collect::<Vec<_>>()})
+    };
+    let begins = |count: usize| {
+        let mut world = world(&bodies(count));
+        let live = world.moved_by().iter().filter(|moved| moved.why == Why::Budget).map(|moved| moved.count).sum();
+        world.step();
+        (live, world.counters().work)
+    };
+    let (one, alone) = begins(1);
+    assert_eq!(one, 0, "one is moved by its own method");
+    let (live, work): (usize, u64) = begins(300);
+    assert!(live > 0, "of three hundred most are live from the first step on");
+    assert!(work < 100 * alone, "{work} operations in a step of all, {alone} in one of one");
+}
+
+#[test]
 fn within_the_budget_the_bits_are_those_without_one() {
     let scene = among_walls(6000.0);
     let mut with_budget = world(&scene);

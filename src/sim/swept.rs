@@ -133,6 +133,11 @@ impl<S: Real, const D: usize> Swept<S, D> {
         Swept { velocities, is_held: true, ..self }.gone()
     }
 
+    /// The same of what does not fall.
+    pub(crate) fn staying(self) -> Self {
+        Swept { is_held: true, ..self }
+    }
+
     pub(crate) fn bounds(&self) -> [[S; D]; 2] {
         [self.low, self.high]
     }

@@ -221,7 +221,8 @@ impl<S: Real, const D: usize> World<S, D> {
         let of = |pins: &[(u32, u32)]| {
             let points = pins.iter().map(|&(_, pin)| (self.place(pin as usize), self.led(pin)));
             let is_awake = points.clone().any(|(_, velocity)| velocity != [0.0; D]);
-            let swept = Swept::new(points, Span { h, fall: 0.0, pushed: 0.0 }, 0.0)?;
+            let span = Span { h, fall: length(self.around.gravity), pushed: 0.0 };
+            let swept = Swept::new(points, span, 0.0)?.staying();
             Some(Reach { place: FIXED, root: pins[0].0, swept, is_awake, is_loose: false })
         };
         by_root.chunk_by(|a, b| a.0 == b.0).filter_map(of).collect()

@@ -75,8 +75,7 @@ fn can_be_cheaper<S: Real, const D: usize>(group: &Group<S, D>) -> bool {
 
 /// Counted work of a frame that a group takes at least, of one that can go.
 fn least_work<S: Real, const D: usize>(group: &Group<S, D>) -> u64 {
-    let is_meant = can_go(group) && !group.is_asleep() && !matches!(group.engine, Engine::Bulk(_));
-    if is_meant { (group.work.step as f64 * (FRAME / group.substep)) as u64 } else { 0 }
+    if can_go(group) && !group.is_asleep() { (group.work.step as f64 * (FRAME / group.substep)) as u64 } else { 0 }
 }
 
 impl<S: Real, const D: usize> World<S, D> {

@@ -61,7 +61,19 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             nominal: choice.substep,
         };
         let bulk = mover(order)?;
-        Some(self.batched(points, self.batched_pull(), bulk, breakable))
+        let work = Work { step: self.least_work(scheme, &*bulk), ..Work::default() };
+        Some(Group { work, ..self.batched(points, self.batched_pull(), bulk, breakable) })
+    }
+
+    /// Counted work of a step, where its substeps are known beforehand: those by forces.
+    fn least_work(&self, scheme: Scheme, bulk: &dyn Mover<S, D>) -> u64 {
+        let (None, Some(longest)) = (scheme.target, scheme.longest) else { return 0 };
+        let substeps = (self.lot.choice.substep / longest).ceil().max(1.0);
+        substeps as u64 * of_a_batch((self.bond_count(), bulk.kernel().work_of_a_bond()), self.points.len(), D)
+    }
+
+    fn bond_count(&self) -> usize {
+        self.lot.islands.iter().map(|island| island.bonds.len()).sum()
     }
 
     /// As many substeps as the work of a frame may be, where there is a bound on it and no strain is asked for.
@@ -69,8 +81,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let Some(budget) = self.model.budget().filter(|_| self.model.method.max_strain.is_none()) else {
             return control;
         };
-        let bonds = self.lot.islands.iter().map(|island| island.bonds.len()).sum();
-        control.within(operations(budget) as f64 / of_a_batch((bonds, OF_A_BOND), self.points.len(), D).max(1) as f64)
+        let batch = of_a_batch((self.bond_count(), OF_A_BOND), self.points.len(), D);
+        control.within(operations(budget) as f64 / batch.max(1) as f64)
     }
 
     /// The points of a group whose engine keeps what rounding takes by itself.
