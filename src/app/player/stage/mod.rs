@@ -49,6 +49,8 @@ pub struct Stage {
     movers: Arc<Movers>,
     relaxed: Relaxed,
     rungs: Rungs,
+    /// When what gave way is to be given back, if nothing is asked for until then.
+    gives_back_at: Option<Instant>,
     escort: Escort,
     yielded: Option<Yielded>,
     deeds: Deeds,
@@ -131,6 +133,7 @@ impl Stage {
             movers: Arc::default(),
             relaxed: Relaxed::default(),
             rungs: Rungs::new(),
+            gives_back_at: None,
             escort: Escort::default(),
             yielded: None,
             deeds: Deeds::default(),
@@ -335,6 +338,7 @@ impl Stage {
             self.base = self.history.base_strength();
         }
         self.look();
+        self.note_pause();
         let is_left = is_followed && !goes && self.history.branch() != branch;
         if is_left {
             (self.has_gone, self.figures_at) = (true, None);
