@@ -43,7 +43,7 @@ pub use autosave::{Autosave, EVERY, Left};
 pub use beside::{Companion, distances};
 pub use branch::BranchView;
 pub use command::{
-    AreasOrNone, DeleteKeys, Do, DriveOrNone, Entry, Factors, MoveKeys, OneOrEach, PenaltyOrNone, SetKeys,
+    AreasOrNone, DeleteKeys, Do, DriveOrNone, Entry, Factors, MoveKeys, OneOrEach, PenaltyOrNone, RangeOrNone, SetKeys,
     VectorOrEach, Walls, Weather,
 };
 pub use dress::Group;

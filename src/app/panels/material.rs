@@ -9,7 +9,7 @@ use egui::{
 use super::bonds::{breaks, kinds, limits};
 use super::settings::Setting;
 use super::theme::{as_high_as_buttons, colors, floating};
-use super::{Facts, PanelState, Wish, described, ranged, ticks, ways};
+use super::{Facts, PanelState, Wish, angles, described, ranged, ticks, ways};
 use crate::app::action::Action;
 use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, Overload, Preset, Span};
@@ -238,7 +238,9 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     number(ui, ("corrects", " m"), matter.max_correction, sink, |x| {
         (x > 0.0).then_some(MatterChange::MaxCorrection(x))
     });
+    number(ui, ("rest length", " m"), matter.rest_length, sink, |x| (x > 0.0).then_some(MatterChange::RestLength(x)));
     breaks(ui, matter, sink);
+    angles::show(ui, matter, sink);
     number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
     share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
     share(ui, "restitution", 1.0, matter.restitution, sink, MatterChange::Restitution);

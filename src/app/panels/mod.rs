@@ -1,6 +1,7 @@
 //! The panels: a bar below, tools at the left, figures, what is said, and sheets over the world. They return wishes and change
 //! nothing of the world.
 
+mod angles;
 mod asking;
 mod beside;
 #[cfg(test)]
