@@ -2,8 +2,8 @@
 
 use egui::collapsing_header::CollapsingState;
 use egui::{
-    Align2, Area, Button, Color32, CornerRadius, DragValue, Id, Label, Pos2, Rect, Response, RichText, ScrollArea,
-    Sense, Slider, Stroke, Ui,
+    Align2, Area, Button, Color32, CornerRadius, DragValue, Id, Label, LayerId, Order, Pos2, Rect, Response, RichText,
+    ScrollArea, Sense, Slider, Stroke, Ui,
 };
 
 use super::bonds::{breaks, kinds, limits};
@@ -101,7 +101,7 @@ pub(super) fn show(
     facts: &Facts,
     wishes: &mut Vec<Wish>,
 ) -> [f32; 2] {
-    let id = Id::unique("matter");
+    let id = area_id();
     let is_down = context.input(|input| input.pointer.any_down());
     if !is_down {
         state.gesture = None;
@@ -147,6 +147,16 @@ pub(super) fn show(
         true => [beside_tools.x, beside_tools.x + WHOLE],
         false => [room.right() - WHOLE, room.right()],
     }
+}
+
+fn area_id() -> Id {
+    Id::unique("matter")
+}
+
+/// Where it lies, if it is shown `[points]`.
+pub(in crate::app) fn lies(context: &egui::Context) -> Option<Rect> {
+    let layer = LayerId::new(Order::Middle, area_id());
+    context.memory(|memory| memory.area_rect(area_id()).filter(|_| memory.areas().is_visible(&layer)))
 }
 
 /// A button: its name, what it does, and the action.

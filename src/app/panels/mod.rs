@@ -85,6 +85,7 @@ pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use lessons::{At, Lessons, Met};
 pub(super) use material::MatterAt;
+pub(super) use material::lies as matter_lies;
 pub(super) use notes::Notes;
 pub(super) use open_from::{OpenFrom, meant};
 pub(super) use opened::Opened;
