@@ -156,7 +156,10 @@ fn state(facts: &Facts) -> (String, bool) {
     }
     let is_slow = !figures.asleep && figures.pace > 0.0 && figures.pace < 0.95;
     match (figures.playing, figures.asleep) {
-        (false, _) if figures.ended => (format!("the end of its {} s: R plays it again", plain(figures.time)), true),
+        (false, _) if figures.ended => (
+            format!("the end of its {} s: R plays it again", plain(figures.clock.duration.unwrap_or(figures.time))),
+            true,
+        ),
         (false, _) => ("paused".to_owned(), true),
         // One that is known to be slow is told how slow, however long its steps are.
         (true, _) if facts.is_busy && !is_slow => ("computing a long step".to_owned(), false),

@@ -9,7 +9,7 @@ use super::rungs::Yielded;
 use super::watch::Measured;
 use crate::app::matter::Matter;
 use crate::app::tools::Walls;
-use crate::history::{BranchView, Group};
+use crate::history::{BranchView, Clock, Group};
 use crate::picture::{Skin, Tint};
 use crate::render::{Hinge, View, joints};
 use crate::sim::{
@@ -265,6 +265,8 @@ pub struct Figures {
     pub ended: bool,
     /// Seconds of the scene a second of wall time.
     pub rate: f64,
+    /// The same as the scene has it, and where it ends.
+    pub clock: Clock,
     /// Share of its pace that is reached `[1]`.
     pub pace: f64,
     /// Time that stepping took of a frame `[s]`.

@@ -179,6 +179,7 @@ impl Session {
             settings: Settings {
                 parameters: self.parameters(),
                 scene: self.shown().settings.clone(),
+                clock: Some(self.shown().figures.clock),
                 fixed: Some((self.scene.method.precision.unwrap_or(PrecisionName::Auto), self.scene.method.tolerance)),
                 pushing: self.shown().mouse.as_ref().map(Pushing::of),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),

@@ -92,9 +92,9 @@ impl Session {
         self.ways.lying.is_due(Instant::now(), places, stands)
     }
 
-    /// Where panels open over points, or what is selected comes to lie below its own, the view makes way for them, while they find their sizes, and comes back when they close; not one that
-    /// somebody moved, nor while something is under way in it. What the panel of a tool moves, what gets larger later, and plots that float
-    /// where there is room move nothing.
+    /// Where panels open over points the view makes way for them, while they find their sizes, and comes back when they close; so it does
+    /// where what is selected comes to lie below its own panel. Not one that somebody moved, nor while something is under way in it. What
+    /// the panel of a tool moves, what gets larger later, and plots that float where there is room move nothing.
     fn make_way(&mut self, taken: Vec<[f64; 4]>, has_plots: bool) {
         if self.framing == Framing::Free || self.hand.is_busy() {
             return;

@@ -21,7 +21,7 @@ use super::watch::Watch;
 use crate::app::matter::{Among, Matter};
 use crate::app::meter::{Lowest, Meter};
 use crate::app::tools::Hauled;
-use crate::history::{BranchView, History, HistoryError, Recording, Start};
+use crate::history::{BranchView, Clock, History, HistoryError, Recording, Start};
 use crate::scene::{MethodKeys, Parameter, ViewKeys};
 use crate::sim::reach::Reach;
 use crate::sim::{Jam, Knots, MouseForce, PointId};
@@ -34,6 +34,8 @@ const SOLVER: &str = "solver";
 pub struct Stage {
     history: History,
     pace: Pace,
+    /// The clock that it goes by.
+    clock: Clock,
     scenery: Arc<Scenery>,
     /// The topology of the scenery, as the world counts it, and how often it was another one.
     topology: Option<u64>,
@@ -114,7 +116,8 @@ impl Stage {
         let paused = start.recording().paused;
         let history = History::new(start)?;
         let scene = history.scene();
-        let mut pace = Pace::new(&history, scene.rate(), scene.duration);
+        let clock = history.clock();
+        let mut pace = Pace::new(&history, clock.rate, clock.duration);
         pace.playing = !paused;
         let force = scene.mouse_force();
         let named = scene.named_parameters();
@@ -122,6 +125,7 @@ impl Stage {
         let mut stage = Stage {
             history,
             pace,
+            clock,
             scenery: Arc::default(),
             topology: None,
             sceneries: 0,
@@ -179,6 +183,7 @@ impl Stage {
     pub fn unfolded(folded: Folded) -> Result<Self, HistoryError> {
         let mut stage = Stage::new(folded.recording.into())?;
         stage.pace.go_to(&mut stage.history, folded.time, None);
+        stage.keep_time();
         (stage.pace.rate, stage.pace.playing) = (folded.rate, folded.playing);
         Ok(stage)
     }
@@ -337,6 +342,7 @@ impl Stage {
         if self.pace.is_taken && !was_taken {
             self.base = self.history.base_strength();
         }
+        self.keep_time();
         self.look();
         self.note_pause();
         let is_left = is_followed && !goes && self.history.branch() != branch;

@@ -41,6 +41,12 @@ impl Stage {
         }
     }
 
+    /// Another rate or another end is gone by at once.
+    pub(super) fn keep_time(&mut self) {
+        let clock = self.history.clock();
+        self.pace.follow(std::mem::replace(&mut self.clock, clock), clock);
+    }
+
     /// Where time passes no more, what gave way is given back. Returns whether anything was.
     fn give_back(&mut self) -> bool {
         let Some((act, name)) = self.rungs.rest(&self.history) else { return false };
