@@ -1,5 +1,9 @@
 //! When the view is fitted to what panels leave of the window: as a scene opens and when it is asked for, not while somebody uses it.
 
+use std::time::{Duration, Instant};
+
+use egui::Rect;
+
 use super::action::Tool;
 use crate::render::Camera;
 
@@ -126,12 +130,45 @@ impl Beside {
 /// In so many frames panels find their sizes after one of them opened or closed.
 const SETTLING: u8 = 8;
 
+/// What is selected lies still once it stayed within so many points for so long.
+const STILL: f32 = 3.0;
+const REST: Duration = Duration::from_millis(400);
+
+/// Whether what is selected came to lie below the panel of the tool that selects.
+#[derive(Debug, Default)]
+pub(super) struct Lying {
+    /// Where it was seen below the panel, and since when.
+    still: Option<(Rect, Instant)>,
+    /// The view made way since it came there, as far as it could.
+    is_done: bool,
+}
+
+impl Lying {
+    /// Whether the view is to make way: what is selected is `seen` below a panel `[points]`, and lies still there, or all `stands`. Once,
+    /// until it was elsewhere.
+    pub(super) fn is_due(&mut self, now: Instant, (seen, panel): (Option<Rect>, Option<Rect>), stands: bool) -> bool {
+        let Some(seen) = seen.filter(|seen| panel.is_some_and(|panel| panel.intersects(*seen))) else {
+            *self = Lying::default();
+            return false;
+        };
+        if self.is_done {
+            return false;
+        }
+        let is_near = |at: Rect| at.min.distance(seen.min).max(at.max.distance(seen.max)) < STILL;
+        let (at, since) = self.still.filter(|(at, _)| is_near(*at)).unwrap_or((seen, now));
+        self.still = Some((at, since));
+        self.is_done = stands || now.saturating_duration_since(since) >= REST;
+        self.is_done
+    }
+}
+
 /// How a view made way for panels that opened over it.
 #[derive(Debug, Default)]
 pub(super) struct Ways {
     pub(super) beside: Option<Beside>,
     /// What they take of it `[px]`.
     pub(super) taken: Vec<[f64; 4]>,
+    pub(super) lying: Lying,
     /// Which of them are open, with which tool, and for how many frames more they find their sizes.
     open: [bool; 5],
     tool: Tool,
@@ -226,6 +263,28 @@ mod tests {
         assert!(!ways.wait_for(plots, Tool::Hand), "what gets larger later moves no view");
         assert!(ways.wait_for([false; 5], Tool::Hand), "it closed");
         assert!(!ways.wait_for([false; 5], Tool::Paint), "what a tool's panel moves moves no view");
+    }
+
+    #[test]
+    fn the_view_makes_way_once_for_what_comes_to_lie_below_the_panel() {
+        use egui::{pos2, vec2};
+        let panel = Some(Rect::from_min_max(pos2(1000.0, 60.0), pos2(1270.0, 600.0)));
+        let at = |x: f32| Some(Rect::from_min_size(pos2(x, 300.0), vec2(80.0, 80.0)));
+        let start = Instant::now();
+        let later = |tenths: u64| start + Duration::from_millis(100 * tenths);
+        let mut lying = Lying::default();
+        // It rolls below it, and is waited for until it lies still.
+        for tenths in 0..10 {
+            assert!(!lying.is_due(later(tenths), (at(930.0 + 10.0 * tenths as f32), panel), false), "{tenths}");
+        }
+        assert!(!lying.is_due(later(12), (at(1020.0), panel), false));
+        assert!(lying.is_due(later(13), (at(1021.0), panel), false), "it lies there for four tenths of a second");
+        // The view did what it could, and what rolls on below the panel moves it no more.
+        assert!((14..40).all(|tenths| !lying.is_due(later(tenths), (at(1020.0 + tenths as f32), panel), false)));
+        assert!(!lying.is_due(later(40), (at(500.0), panel), false));
+        assert!(lying.is_due(later(41), (at(1020.0), panel), true), "it was moved there while all stands");
+        assert!(!lying.is_due(later(42), (at(1020.0), panel), true));
+        assert!(!lying.is_due(later(43), (None, panel), true) && !lying.is_due(later(43), (at(1020.0), None), true));
     }
 
     #[test]

@@ -31,6 +31,7 @@ mod saving;
 mod session;
 mod shell;
 mod starting;
+mod swept;
 mod thumbnails;
 mod tools;
 mod trailing;

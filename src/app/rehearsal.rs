@@ -216,6 +216,7 @@ impl Rehearsal {
                 fixed: Some((scene.method.precision.unwrap_or(PrecisionName::Auto), scene.method.tolerance)),
                 parameters: parameters(&self.named, &self.shown, push),
                 scene: self.shown.settings.clone(),
+                clock: Some(self.shown.figures.clock),
                 pushing: self.shown.mouse.as_ref().map(Pushing::of),
                 push,
             },

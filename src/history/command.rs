@@ -193,6 +193,10 @@ object! {
             areas: AreasOrNone,
             /// Of the scene, in place of what was said of it before.
             method: MethodKeys,
+            /// Of the scene: seconds of it a second of wall time `[1]`, > 0.
+            rate: f64,
+            /// Of the scene: where it ends by itself `[s]`, >= 0, or no end any more.
+            duration: EndOrNone,
         }
     }
 }
@@ -282,6 +286,16 @@ pub enum RangeOrNone {
     /// These `[rad]`.
     These([f64; 2]),
     /// It turns freely.
+    None(()),
+}
+
+/// Where a scene ends by itself, or no end any more.
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(untagged, expecting = "duration: a time, or null")]
+pub enum EndOrNone {
+    /// There `[s]`.
+    At(f64),
+    /// It goes on.
     None(()),
 }
 

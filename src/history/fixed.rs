@@ -24,7 +24,7 @@ impl History {
             SavedWorld::Space(saved) => (saved.precision, saved.model.method) = (first.precision(), method),
         }
         let world = resume(&saved).map_err(|error| error.to_string())?;
-        let (dress, eased) = (self.frame.dress.clone(), self.frame.eased.clone());
-        Recording::snapshot(&scene, &Frame { world, dress, place: 0, effort: Effort::default(), eased })
+        let (dress, eased, said) = (self.frame.dress.clone(), self.frame.eased.clone(), self.frame.said);
+        Recording::snapshot(&scene, &Frame { world, dress, place: 0, effort: Effort::default(), eased, said })
     }
 }

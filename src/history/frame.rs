@@ -1,5 +1,6 @@
 //! A world at a place of the log, with what belongs to it: what keyframes are copies of.
 
+use super::clock::Said;
 use super::command::{Do, Entry, SetKeys};
 use super::dress::Dress;
 use super::eased::{self, Eased};
@@ -21,20 +22,22 @@ pub(super) struct Frame {
     pub(super) effort: Effort,
     /// Numbers on their way.
     pub(super) eased: Vec<Eased>,
+    /// What was said of its clock.
+    pub(super) said: Said,
 }
 
 impl Clone for Frame {
     fn clone(&self) -> Self {
-        let Frame { world, dress, place, effort, eased } = self;
+        let Frame { world, dress, place, effort, eased, said } = self;
         let (dress, effort, eased) = (dress.clone(), effort.clone(), eased.clone());
-        Frame { world: world.boxed_clone(), dress, place: *place, effort, eased }
+        Frame { world: world.boxed_clone(), dress, place: *place, effort, eased, said: *said }
     }
 }
 
 impl Frame {
     /// A world before the first command of its branch.
     pub(super) fn new(world: Box<dyn Dynamics>, dress: Dress) -> Self {
-        Frame { world, dress, place: 0, effort: Effort::default(), eased: Vec::new() }
+        Frame { world, dress, place: 0, effort: Effort::default(), eased: Vec::new(), said: Said::default() }
     }
 
     /// Whether what is to be done at `at` `[s]` is to be done now.
@@ -114,7 +117,11 @@ impl Frame {
 
     fn apply_now(&mut self, act: &Do, scene: &Scene) -> Result<Applied, Why> {
         match resolve(act, scene, &*self.world)? {
-            Resolved::Engine(command) => Ok(self.world.apply(&command)?),
+            Resolved::Engine(command) => {
+                let applied = self.world.apply(&command)?;
+                let is_told = matches!(act, Do::Set(keys) if self.said.hear(keys));
+                Ok(Applied { is_something: applied.is_something || is_told, ..applied })
+            }
             Resolved::Made(made) => {
                 let command = Command::Add(Box::new(made.addition));
                 let applied = self.world.apply(&command)?;

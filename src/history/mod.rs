@@ -12,6 +12,7 @@ mod autosave;
 mod beside;
 mod branch;
 pub mod chunk;
+mod clock;
 mod command;
 mod dress;
 mod eased;
@@ -42,9 +43,10 @@ mod write;
 pub use autosave::{Autosave, EVERY, Left};
 pub use beside::{Companion, distances};
 pub use branch::BranchView;
+pub use clock::Clock;
 pub use command::{
-    AreasOrNone, DeleteKeys, Do, DriveOrNone, Entry, Factors, MoveKeys, OneOrEach, PenaltyOrNone, SetKeys,
-    VectorOrEach, Walls, Weather,
+    AreasOrNone, DeleteKeys, Do, DriveOrNone, EndOrNone, Entry, Factors, MoveKeys, OneOrEach, PenaltyOrNone,
+    RangeOrNone, SetKeys, VectorOrEach, Walls, Weather,
 };
 pub use dress::Group;
 pub use error::{HistoryError, Refusal, Why};

@@ -1,5 +1,6 @@
 //! From commands as files have them to those of the engine.
 
+use super::clock;
 use super::command::{
     AreasOrNone, DeleteKeys, Do, DriveOrNone, Factors, MoveKeys, OneOrEach, PenaltyOrNone, RangeOrNone, SetKeys,
     VectorOrEach, Walls, Weather,
@@ -128,7 +129,8 @@ const OF_BONDS: [&str; 11] = [
 const OF_ANGLES: [&str; 5] = ["rest", "stiffness", "damping", "range", "drive"];
 const OF_OBSTACLES: [&str; 3] = ["restitution", "friction", "penalty"];
 const OF_FORCES: [&str; 2] = ["force", "torque"];
-const OF_SCENE: [&str; 7] = ["gravity", "drag_rate", "wind", "bounds", "contact", "areas", "method"];
+const OF_SCENE: [&str; 9] =
+    ["gravity", "drag_rate", "wind", "bounds", "contact", "areas", "method", "rate", "duration"];
 
 /// Keys of a method that a running world cannot get otherwise.
 const FIXED: [&str; 2] = ["precision", "tolerance"];
@@ -267,6 +269,7 @@ fn reciprocal(compliance: &OneOrEach) -> Result<Values, String> {
 }
 
 fn scene_change(keys: &SetKeys, scene: &Scene) -> Result<SceneChange, String> {
+    clock::check(keys)?;
     let bounds = match &keys.bounds {
         None => None,
         Some(Walls::None(())) => Some(None),

@@ -6,6 +6,7 @@ use serde_json::Value;
 
 use super::beside::Companion;
 use super::branch::{BranchView, Spot, Tree};
+use super::clock::Clock;
 use super::command::{Do, Entry};
 use super::dress::Group;
 use super::error::{HistoryError, Refusal};
@@ -200,6 +201,11 @@ impl History {
     pub fn give(&mut self, commands: Vec<Do>, edit: Option<&str>) -> Result<Vec<Applied>, Refusal> {
         let edit = edit.map(|name| (self.next_edit, name.to_owned()));
         self.give_as(commands, Called::of(edit))
+    }
+
+    /// How fast it is played and where it ends, as the scene and commands have it.
+    pub fn clock(&self) -> Clock {
+        self.frame.said.of(&self.scene)
     }
 
     /// Does a command that nobody asked for, which is called so in the log: it is replayed, and is no step of undo.

@@ -120,7 +120,7 @@ impl Recording {
         let ended = named.filter(|name| !is_left(name)).map(|name| Group { name, points: Vec::new() });
         let commands = groups.iter().cloned().chain(ended).map(group).collect();
         let state = Some(state::keep(frame, scene.name.as_deref())?);
-        Ok(Recording { state, commands, end: Some(at), ..scene.clone().into() })
+        Ok(Recording { state, commands, end: Some(at), ..frame.said.put(scene).into() })
     }
 
     /// How far it goes `[s]`.

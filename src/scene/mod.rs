@@ -61,7 +61,7 @@ pub(crate) use nearest::nearest;
 pub(crate) use of_picture::MOST_MEETING;
 pub use of_picture::Matter;
 pub(crate) use one_line::one_line;
-pub use parameter::{BodyPart, OfBody, Parameter, Target};
+pub use parameter::{BodyPart, OfBody, OfPenalty, Parameter, Target};
 pub(crate) use pictures::picture_as_text;
 pub(crate) use read::translate;
 pub use schema::schema;

@@ -61,8 +61,20 @@ pub enum Target {
     ObstacleFriction(RangeInclusive<u32>),
     /// Of obstacles, by their numbers `[1]`.
     ObstacleRestitution(RangeInclusive<u32>),
+    /// Of planes that push out what gets into them, by their numbers: which number, and both as they are `[N/m]`, `[N s/m]`; a command
+    /// sets both.
+    Penalty(RangeInclusive<u32>, OfPenalty, [f64; 2]),
     /// Of the material of a body, by its place among `bodies`; or whether its diagonals hold: 0 or 1.
     Body(usize, OfBody, Arc<BodyPart>),
+}
+
+/// A key of a penalty that a slider sets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OfPenalty {
+    /// By how much a depth pushes out `[N/m]`.
+    Stiffness,
+    /// By how much a speed into it does `[N s/m]`.
+    Damping,
 }
 
 /// A key of a material that a slider sets.
@@ -110,7 +122,7 @@ const PATHS: [(&str, &str); 8] = [
     ("contact", "`contact` (0 or 1), `contact.friction`, `contact.restitution` or `contact.radius`"),
     ("mouse", "`mouse.strength` or `mouse.radius`"),
     ("bonds", "`stiffness`, `damping` or `rest`, as `bonds[0].stiffness` or, of several, `bonds[0-3].stiffness`"),
-    ("obstacles", "`friction` or `restitution`, as `obstacles[0].friction`"),
+    ("obstacles", "`friction`, `restitution`, `penalty.stiffness` or `penalty.damping`, as `obstacles[0].friction`"),
     (
         "bodies",
         "`stiffness`, `damping`, `mass`, `friction` or `restitution`, as `bodies[0].material.mass`, or `bodies[0].diagonals`",
@@ -121,6 +133,24 @@ const PATHS: [(&str, &str); 8] = [
 fn numbers_of(text: &str) -> Option<RangeInclusive<u32>> {
     let (first, last) = text.split_once('-').unwrap_or((text, text));
     Some(first.parse().ok()?..=last.parse().ok()?)
+}
+
+impl OfPenalty {
+    /// The number of both that it is.
+    pub fn of(self, [stiffness, damping]: [f64; 2]) -> f64 {
+        match self {
+            OfPenalty::Stiffness => stiffness,
+            OfPenalty::Damping => damping,
+        }
+    }
+
+    /// Both numbers, this one of which is another.
+    pub fn put(self, [stiffness, damping]: [f64; 2], to: f64) -> [f64; 2] {
+        match self {
+            OfPenalty::Stiffness => [to, damping],
+            OfPenalty::Damping => [stiffness, to],
+        }
+    }
 }
 
 impl Target {
@@ -147,6 +177,8 @@ impl Target {
             return match key {
                 "friction" => Some(Target::ObstacleFriction(numbers)),
                 "restitution" => Some(Target::ObstacleRestitution(numbers)),
+                "penalty.stiffness" => Some(Target::Penalty(numbers, OfPenalty::Stiffness, [0.0; 2])),
+                "penalty.damping" => Some(Target::Penalty(numbers, OfPenalty::Damping, [0.0; 2])),
                 _ => None,
             };
         }
@@ -209,6 +241,7 @@ impl Target {
             Target::ObstacleFriction(numbers) | Target::ObstacleRestitution(numbers) => {
                 counted(scene.obstacles.len(), numbers, "obstacle")
             }
+            Target::Penalty(numbers, ..) => of_soft_planes(scene, numbers),
             Target::Body(body, of, _) => of_body(scene, (*body, *of), dimensions),
             Target::Friction | Target::Restitution | Target::ContactRadius => {
                 is_there(scene.contact.and_then(Meeting::resolve).is_some(), "`contact`")
@@ -243,6 +276,21 @@ fn of_bonds(scene: &Scene, numbers: &RangeInclusive<u32>, are_springs: bool) -> 
         return Err(Fault::invalid(format!("names bond {other}, which is no spring: give numbers of springs")));
     }
     Ok(())
+}
+
+/// Errors: obstacles that are not there, or are no planes that push out what gets into them.
+fn of_soft_planes(scene: &Scene, numbers: &RangeInclusive<u32>) -> Result<(), Fault> {
+    counted(scene.obstacles.len(), numbers, "obstacle")?;
+    match numbers.clone().find(|&number| penalty(scene, number).is_none()) {
+        Some(other) => Err(Fault::invalid(format!("is of obstacle {other}, which has no `penalty`: add it"))),
+        None => Ok(()),
+    }
+}
+
+/// By how much an obstacle pushes out what gets into it, if it does `[N/m]`, `[N s/m]`.
+fn penalty(scene: &Scene, number: u32) -> Option<[f64; 2]> {
+    let keys = scene.obstacles.get(number as usize)?.penalty?;
+    Some([keys.stiffness, keys.damping.unwrap_or(0.0)])
 }
 
 /// Errors: numbers of a list of so many things that are not there.
@@ -331,6 +379,7 @@ impl Target {
             Target::Rest(numbers) => bond(*numbers.start())?.rest,
             Target::ObstacleFriction(numbers) => Some(obstacle(*numbers.start())?.friction.unwrap_or(0.0)),
             Target::ObstacleRestitution(numbers) => Some(obstacle(*numbers.start())?.restitution.unwrap_or(0.0)),
+            Target::Penalty(numbers, of, _) => Some(of.of(penalty(scene, *numbers.start())?)),
             Target::Body(body, of, _) => {
                 let material = scene.bodies.get(*body)?.material.as_ref()?;
                 match of {
@@ -371,6 +420,7 @@ impl Target {
             | (Target::Rest(a), Target::Rest(b))
             | (Target::ObstacleFriction(a), Target::ObstacleFriction(b))
             | (Target::ObstacleRestitution(a), Target::ObstacleRestitution(b)) => overlap(a, b),
+            (Target::Penalty(a, of, _), Target::Penalty(b, other, _)) => of == other && overlap(a, b),
             _ => self == other,
         }
     }
@@ -445,6 +495,10 @@ impl Scene {
         let of = |keys: &ParameterKeys| {
             let target = match Target::of(&keys.path)? {
                 Target::Body(body, of, _) => Target::Body(body, of, Arc::clone(parts.get(body)?)),
+                Target::Penalty(numbers, of, _) => {
+                    let both = penalty(self, *numbers.start())?;
+                    Target::Penalty(numbers, of, both)
+                }
                 target => target,
             };
             Some(Parameter {
@@ -533,6 +587,10 @@ mod tests {
             (r#"{"path": "bodies[1].material.mass", "min": 0, "max": 9}"#, "min: is 0.0"),
             (r#"{"path": "bodies[0].diagonals", "min": 0, "max": 1}"#, "is of body 0, which has no diagonals"),
             (r#"{"path": "bodies[1].diagonals", "min": 0, "max": 2}"#, "max: is 2.0"),
+            (
+                r#"{"path": "obstacles[0].penalty.stiffness", "min": 0, "max": 2}"#,
+                "is of obstacle 0, which has no `penalty`",
+            ),
         ] {
             let line = read(parameter).unwrap_err();
             assert!(line.contains(reason), "{parameter}: {line}");

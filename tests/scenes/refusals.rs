@@ -725,6 +725,11 @@ fn parameters_of_sliders() {
         ("gravity[2]", "\"min\": 0, \"max\": 1", "parameters[0].path: names axis 2: give one below 2"),
         ("bounds.friction", "\"min\": 0, \"max\": 1", "parameters[0].path: is of `bounds`, which this scene has not"),
         ("bonds[0-1].stiffness", "\"min\": 0, \"max\": 1", "parameters[0].path: names bond 1, which is no spring"),
+        (
+            "obstacles[0].penalty.stiffness",
+            "\"min\": 0, \"max\": 1",
+            "parameters[0].path: names obstacle 0, and there is none",
+        ),
         ("bonds[2].rest", "\"min\": 0, \"max\": 1", "parameters[0].path: names bond 2, and there are 2 explicit bonds"),
         ("drag_rate", "\"min\": 1, \"max\": 1", "parameters[0].max: is 1.0 beside a `min` of 1.0"),
         ("drag_rate", "\"min\": -1, \"max\": 1", "parameters[0].min: is -1.0: `drag_rate` is at least 0"),

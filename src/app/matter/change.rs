@@ -3,6 +3,7 @@
 use super::Among;
 use super::extent::{areas, rest_length};
 use super::facts::NEVER;
+use super::joints::{self, Stops};
 use super::painted::Painted;
 use super::preset::{Preset, Stuff};
 use crate::history::{Do, OneOrEach, PenaltyOrNone, SetKeys, VectorOrEach};
@@ -42,6 +43,12 @@ pub enum MatterChange {
     MaxCorrection(f64),
     /// Of angles that bend `[N m]`.
     Bending(f64),
+    /// How long bonds are at rest `[m]`, > 0.
+    RestLength(f64),
+    /// Of angles that resist: where they are at rest `[rad]`, between 0 and 2 pi.
+    RestAngle(f64),
+    /// Of joints.
+    Stops(Stops),
     /// Of skins and obstacles `[1]`.
     Friction(f64),
     /// Of skins and obstacles `[1]`, to 1.
@@ -82,6 +89,9 @@ impl MatterChange {
             MatterChange::Radius(_) => "skin",
             MatterChange::Velocity(_) => "velocity",
             MatterChange::Bending(_) => "bending",
+            MatterChange::RestLength(_) => "rest length",
+            MatterChange::RestAngle(_) => "rest angle",
+            MatterChange::Stops(_) => "stops",
             MatterChange::Friction(_) => "friction",
             MatterChange::Restitution(_) => "restitution",
             MatterChange::Penalty(_) => "soft ground",
@@ -157,6 +167,12 @@ pub(in crate::app) fn commands(
             let angles = Some(among.bends_of(world).iter().map(|angle| angle.number).collect());
             vec![set(SetKeys { angles, stiffness: one(stiffness), ..SetKeys::default() })]
         }
+        MatterChange::RestLength(length) => {
+            let bonds = Some(numbers(&among.bonds_of(world), |_| true));
+            vec![set(SetKeys { bonds, rest: one(length), ..SetKeys::default() })]
+        }
+        MatterChange::RestAngle(angle) => vec![joints::rest(world, among, angle)],
+        MatterChange::Stops(stops) => joints::stops(world, among, stops)?,
         MatterChange::Friction(friction) => {
             surfaces(world, (&points, among), SetKeys { friction: Some(friction), ..SetKeys::default() })
         }

@@ -2,6 +2,7 @@
 
 use super::Among;
 use super::extent::{areas, place};
+use super::joints::held;
 use crate::picture::Tint;
 use crate::sim::{Bond, BondKind, Dynamics, Knots, Limit, Obstacle, PointId};
 
@@ -86,6 +87,14 @@ pub struct Matter {
     pub(in crate::app) breaks: Option<Span>,
     /// Of angles that bend `[N m]`.
     pub(in crate::app) bending: Option<Span>,
+    /// How long bonds are at rest `[m]`.
+    pub(in crate::app) rest_length: Option<Span>,
+    /// Where angles that resist are at rest `[rad]`.
+    pub(in crate::app) rest_angle: Option<Span>,
+    /// Joints that have stops, and that may have some: what two bonds alone make is one.
+    pub(in crate::app) joints: [usize; 2],
+    /// The least and the largest angles of those that have stops `[rad]`.
+    pub(in crate::app) stops: Option<[Span; 2]>,
     /// Of skins, where bodies meet, and of obstacles `[1]`.
     pub(in crate::app) friction: Option<Span>,
     pub(in crate::app) restitution: Option<Span>,
@@ -148,6 +157,10 @@ impl Matter {
             let radii = || points.iter().map(|&point| world.skin_of(point).radius.or(contact.radius));
             if radii().all(|radius| radius.is_some()) { Span::of(radii().flatten()) } else { None }
         });
+        let angles = among.angles_of(world);
+        let ranges = || angles.iter().filter_map(|angle| angle.range);
+        let is_knee = among.knee_of(world).is_some();
+        let [least, most] = [0, 1].map(|side| Span::of(ranges().map(|range| range[side])));
         let surfaces = || skins.iter().chain(&solids);
         let count_of_bodies = bodies(&points, &bonds);
         let area: f64 = areas(world, &points).iter().map(|(_, area)| area).sum();
@@ -176,6 +189,10 @@ impl Matter {
             damping: Span::of(springs.iter().map(|spring| spring[1])),
             breaks: Span::of(bonds.iter().map(|(_, bond)| bond.break_strain.min(NEVER))),
             bending: Span::of(among.bends_of(world).iter().map(|angle| angle.stiffness)),
+            rest_length: Span::of(bonds.iter().map(|(_, bond)| bond.rest_length)),
+            rest_angle: Span::of(held(&angles).map(|angle| angle.rest)),
+            joints: [ranges().count(), angles.len() + usize::from(is_knee)],
+            stops: least.zip(most).map(|(least, most)| [least, most]),
             friction: Span::of(surfaces().map(|surface| surface[0])),
             restitution: Span::of(surfaces().map(|surface| surface[1])),
             penalty: penalties.and_then(|list| list.first().copied()).filter(|_| points.is_empty()),

@@ -1,7 +1,7 @@
 //! Matter of worlds: what is shown is what there is, and what is changed is that alone.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-use super::{Among, Coloring, Matter, MatterChange, NEVER, Preset};
+use super::{Among, Coloring, Matter, MatterChange, NEVER, Preset, Stops};
 use crate::app::player::{Note, Order, Shown, Stage};
 use crate::scene::Scene;
 use crate::sim::{BondKind, PointId};
@@ -439,4 +439,62 @@ fn what_was_only_just_built_is_as_stiff_at_once_as_it_is_made() {
     fresh.obey(Order::Step(None));
     let springs = fresh.history().world().bonds().iter().filter(|bond| matches!(bond.kind, BondKind::Spring { .. }));
     assert_eq!(springs.count(), 0, "it is rigid from the first frame on");
+}
+
+/// Two bars that share a point, and two angles of a beam, one of which is a joint with stops.
+const KNEES: &str = r#"{"wobble": 1,
+    "points": {"position": [[1, 0], [0, 0], [0, 1], [4, 0], [5, 0], [6, 0], [7, 0]]},
+    "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 3, "b": 4}, {"a": 4, "b": 5}, {"a": 5, "b": 6}],
+    "angles": [{"points": [3, 4, 5], "stiffness": 2}, {"points": [4, 5, 6], "stiffness": 3, "min": 2, "max": 4}]}"#;
+
+#[test]
+fn a_knee_gets_stops_and_an_angle_at_rest_each_in_a_step_of_undo() {
+    let mut stage = Stage::new(Scene::parse(KNEES, "x.json").unwrap().into()).unwrap();
+    let degrees = |span: super::Span| [span.least.to_degrees(), span.most.to_degrees()].map(f64::round);
+    let ends = |stage: &mut Stage, among: &Among| matter(stage, among).stops.map(|both| both.map(degrees));
+    let leg = among(0..3);
+    let before = matter(&mut stage, &leg);
+    assert_eq!((before.joints, before.stops, before.rest_angle), ([0, 1], None, None), "two bonds alone may be a knee");
+    change(&mut stage, &leg, MatterChange::Stops(Stops::Some));
+    assert_eq!((matter(&mut stage, &leg).joints, ends(&mut stage, &leg)), ([1, 1], Some([[30.0; 2], [150.0; 2]])));
+    change(&mut stage, &leg, MatterChange::Stops(Stops::Least(0.5)));
+    change(&mut stage, &leg, MatterChange::Stops(Stops::Most(2.5)));
+    assert_eq!(stage.history().world().angles().last().unwrap().range, Some([0.5, 2.5]));
+    for _ in 0..3 {
+        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "stops"));
+    }
+    assert_eq!(matter(&mut stage, &leg), before);
+
+    // Of several those change that have stops, and what differs says so.
+    let beam = among(3..7);
+    assert_eq!((matter(&mut stage, &beam).joints, ends(&mut stage, &beam)), ([1, 2], Some([[115.0; 2], [229.0; 2]])));
+    change(&mut stage, &beam, MatterChange::Stops(Stops::Some));
+    assert_eq!(ends(&mut stage, &beam), Some([[115.0, 120.0], [229.0, 240.0]]));
+    change(&mut stage, &beam, MatterChange::Stops(Stops::Most(3.5)));
+    let ranges = |stage: &Stage| stage.history().world().angles().iter().map(|angle| angle.range).collect::<Vec<_>>();
+    assert_eq!(ranges(&stage)[1], Some([2.0, 3.5]));
+    assert!(matches!(ranges(&stage)[0], Some([least, most]) if (least - 2.0944).abs() < 1e-3 && most == 3.5));
+    let refused = Order::Change { among: beam.clone(), change: MatterChange::Stops(Stops::Most(1.0)), goes_on: false };
+    assert!(matches!(stage.obey(refused), Some(Note::Refused(why)) if why.contains("below the largest")));
+    change(&mut stage, &beam, MatterChange::Stops(Stops::None));
+    assert_eq!(ranges(&stage), [None, None]);
+    change(&mut stage, &beam, MatterChange::RestAngle(2.0));
+    let rest = matter(&mut stage, &beam).rest_angle.unwrap();
+    assert_eq!((rest.same(), matter(&mut stage, &among(0..7)).rest_angle), (Some(2.0), Some(rest)));
+    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "rest angle"));
+}
+
+#[test]
+fn selected_bonds_get_another_length_at_rest() {
+    let mut stage = Stage::new(Scene::parse(KNEES, "x.json").unwrap().into()).unwrap();
+    let one = Among { bonds: Some(vec![3]), ..among(4..6) };
+    change(&mut stage, &one, MatterChange::RestLength(1.5));
+    let lengths =
+        |stage: &Stage| stage.history().world().bonds().iter().map(|bond| bond.rest_length).collect::<Vec<_>>();
+    assert_eq!(lengths(&stage), [1.0, 1.0, 1.0, 1.5, 1.0]);
+    assert_eq!(matter(&mut stage, &one).rest_length.unwrap().same(), Some(1.5));
+    let beam = matter(&mut stage, &among(3..7)).rest_length.unwrap();
+    assert_eq!((beam.least, beam.most, beam.same()), (1.0, 1.5, None));
+    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "rest length"));
+    assert_eq!(lengths(&stage), [1.0; 5]);
 }

@@ -47,6 +47,7 @@ fn facts(name: &str, tool: Tool, is_selected: bool) -> Facts {
     let settings = Settings {
         parameters: parameters(&scene.named_parameters(), &shown, push),
         scene: shown.settings.clone(),
+        clock: Some(shown.figures.clock),
         fixed: Some((scene.method.precision.unwrap_or(PrecisionName::Auto), scene.method.tolerance)),
         pushing: stage.history().world().mouse_force().map(Pushing::of),
         push,

@@ -2,14 +2,14 @@
 
 use egui::collapsing_header::CollapsingState;
 use egui::{
-    Align2, Area, Button, Color32, CornerRadius, DragValue, Id, Label, Pos2, Rect, Response, RichText, ScrollArea,
-    Sense, Slider, Stroke, Ui,
+    Align2, Area, Button, Color32, CornerRadius, DragValue, Id, Label, LayerId, Order, Pos2, Rect, Response, RichText,
+    ScrollArea, Sense, Slider, Stroke, Ui,
 };
 
 use super::bonds::{breaks, kinds, limits};
 use super::settings::Setting;
 use super::theme::{as_high_as_buttons, colors, floating};
-use super::{Facts, PanelState, Wish, described, ranged, ticks, ways};
+use super::{Facts, PanelState, Wish, angles, described, ranged, ticks, ways};
 use crate::app::action::Action;
 use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, Overload, Preset, Span};
@@ -101,7 +101,7 @@ pub(super) fn show(
     facts: &Facts,
     wishes: &mut Vec<Wish>,
 ) -> [f32; 2] {
-    let id = Id::unique("matter");
+    let id = area_id();
     let is_down = context.input(|input| input.pointer.any_down());
     if !is_down {
         state.gesture = None;
@@ -147,6 +147,16 @@ pub(super) fn show(
         true => [beside_tools.x, beside_tools.x + WHOLE],
         false => [room.right() - WHOLE, room.right()],
     }
+}
+
+fn area_id() -> Id {
+    Id::unique("matter")
+}
+
+/// Where it lies, if it is shown `[points]`.
+pub(in crate::app) fn lies(context: &egui::Context) -> Option<Rect> {
+    let layer = LayerId::new(Order::Middle, area_id());
+    context.memory(|memory| memory.area_rect(area_id()).filter(|_| memory.areas().is_visible(&layer)))
 }
 
 /// A button: its name, what it does, and the action.
@@ -238,7 +248,9 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     number(ui, ("corrects", " m"), matter.max_correction, sink, |x| {
         (x > 0.0).then_some(MatterChange::MaxCorrection(x))
     });
+    number(ui, ("rest length", " m"), matter.rest_length, sink, |x| (x > 0.0).then_some(MatterChange::RestLength(x)));
     breaks(ui, matter, sink);
+    angles::show(ui, matter, sink);
     number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
     share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
     share(ui, "restitution", 1.0, matter.restitution, sink, MatterChange::Restitution);

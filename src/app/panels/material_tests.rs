@@ -8,7 +8,7 @@ use egui::{Event, Pos2, Rect, Shape, vec2};
 use super::pointer::{button, click};
 use super::{Facts, PanelState, Wish, material};
 use crate::app::action::{Action, Tool};
-use crate::app::matter::{Among, Matter, MatterChange, Preset};
+use crate::app::matter::{Among, Matter, MatterChange, Preset, Span, Stops};
 use crate::app::player::{Order, Shown, Stage};
 use crate::scene::Scene;
 use crate::sim::PointId;
@@ -121,7 +121,7 @@ fn a_drag_of_a_number_goes_on_and_mixed_ones_say_so() {
     assert!(masses.len() >= 2 && masses.iter().all(|(mass, _)| *mass > 4.0), "{masses:?}");
     assert!(!masses[0].1 && masses[1..].iter().all(|(_, goes_on)| *goes_on), "{masses:?}");
     let mut mixed = (*matter()).clone();
-    mixed.stiffness = mixed.stiffness.map(|span| crate::app::matter::Span { most: 2.0 * span.most, ..span });
+    mixed.stiffness = mixed.stiffness.map(|span| Span { most: 2.0 * span.most, ..span });
     assert!(Screen::new(Some(Arc::new(mixed))).place("mixed").x > 60.0);
 }
 
@@ -234,4 +234,39 @@ fn where_nothing_is_selected_it_stands_beside_the_tools_once_settings_take_the_e
     screen.edge = 280.0;
     let beside_tools = screen.place("All");
     assert!(beside_tools.x < 400.0, "not over the middle: {beside_tools}");
+}
+
+#[test]
+fn stops_of_joints_are_ticked_and_typed_in_degrees() {
+    let knee = r#"{"wobble": 1, "points": {"position": [[1, 0], [0, 0], [0, 1]]}, "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}],
+        "angles": [{"points": [0, 1, 2], "stiffness": 2}]}"#;
+    let mut stage = Stage::new(Scene::parse(knee, "x.json").unwrap().into()).unwrap();
+    stage.obey(Order::Inspect(Among { points: (0..3).map(PointId).collect(), ..Among::default() }));
+    let mut shown = Shown::default();
+    stage.show(&mut shown);
+    let mut screen = Screen::new(shown.matter.clone());
+    assert_eq!(screen.click("stops"), [Wish::Matter(MatterChange::Stops(Stops::Some), false)]);
+    let stopped = |least: f64, most: f64| {
+        let span = |x: f64| Span { least: x, most: x };
+        let ends = [span(least.to_radians()), span(most.to_radians())];
+        Arc::new(Matter { joints: [1, 1], stops: Some(ends), ..(**shown.matter.as_ref().unwrap()).clone() })
+    };
+    screen.facts.matter = Some(stopped(30.0, 150.0));
+    let mut type_in = |field: &str, text: &str| {
+        screen.click(field);
+        screen.frame(vec![Event::Text(text.to_owned())]);
+        let beside = Pos2::new(300.0, 700.0);
+        let wishes: Vec<Wish> =
+            click(beside).into_iter().chain([Vec::new()]).flat_map(|events| screen.frame(events).0).collect();
+        let [Wish::Matter(change, false)] = wishes[..] else { panic!("{wishes:?}") };
+        change
+    };
+    let near = |x: f64, degrees: f64| (x.to_degrees() - degrees).abs() < 0.01;
+    let least = type_in("30.0°", "45");
+    assert!(matches!(least, MatterChange::Stops(Stops::Least(x)) if near(x, 45.0)), "{least:?}");
+    // The one end goes no further than the other.
+    let most = type_in("150.0°", "10");
+    assert!(matches!(most, MatterChange::Stops(Stops::Most(x)) if near(x, 30.1)), "{most:?}");
+    let rest = type_in("90.0°", "100");
+    assert!(matches!(rest, MatterChange::RestAngle(x) if near(x, 100.0)), "{rest:?}");
 }

@@ -1,6 +1,7 @@
 //! The panels: a bar below, tools at the left, figures, what is said, and sheets over the world. They return wishes and change
 //! nothing of the world.
 
+mod angles;
 mod asking;
 mod beside;
 #[cfg(test)]
@@ -84,6 +85,7 @@ pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
 pub(super) use lessons::{At, Lessons, Met};
 pub(super) use material::MatterAt;
+pub(super) use material::lies as matter_lies;
 pub(super) use notes::Notes;
 pub(super) use open_from::{OpenFrom, meant};
 pub(super) use opened::Opened;

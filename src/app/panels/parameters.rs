@@ -5,8 +5,10 @@ use egui::{Response, Slider, SliderClamping, Ui};
 use super::settings::Sink;
 use super::{ranged, ticks};
 use crate::app::player::{Scenery, Shown};
-use crate::history::{Do, OneOrEach, SetKeys, Walls, Weather};
-use crate::scene::{BodyPart, BoundsKeys, ContactKeys, Meeting, OfBody, Parameter, Target, Vector, WindKeys};
+use crate::history::{Do, OneOrEach, PenaltyOrNone, SetKeys, Walls, Weather};
+use crate::scene::{
+    BodyPart, BoundsKeys, ContactKeys, Meeting, OfBody, OfPenalty, Parameter, PenaltyKeys, Target, Vector, WindKeys,
+};
 use crate::sim::{BondKind, Contact, MouseChange, SceneChange};
 
 /// A range whose ends are so far apart is gone through by factors `[1]`.
@@ -15,11 +17,27 @@ const WIDE: f64 = 50.0;
 /// The numbers that a scene names, each as it is now.
 pub(in crate::app) fn all(named: &[Parameter], shown: &Shown, push: Option<[f64; 2]>) -> Vec<(Parameter, Option<f64>)> {
     let in_world = |place: usize| shown.scenery.named.get(place).copied().flatten();
+    // A push on a track of its own is no live one.
+    let push = push.or_else(|| shown.mouse.as_ref().map(|force| [force.strength, force.radius]));
     let of = |(place, parameter): (usize, &Parameter)| {
         let value = value(&parameter.target, &shown.settings, push, &shown.scenery);
-        (parameter.clone(), value.or_else(|| in_world(place)))
+        (as_now(parameter, &shown.scenery), value.or_else(|| in_world(place)))
     };
     named.iter().enumerate().map(of).collect()
+}
+
+/// A parameter with what stands beside its number as that is now.
+fn as_now(parameter: &Parameter, scenery: &Scenery) -> Parameter {
+    let mut parameter = parameter.clone();
+    if let Target::Penalty(numbers, _, both) = &mut parameter.target {
+        *both = penalty(numbers, scenery).unwrap_or(*both);
+    }
+    parameter
+}
+
+/// By how much the first that is left of some planes pushes out what gets into it `[N/m]`, `[N s/m]`.
+fn penalty(numbers: &std::ops::RangeInclusive<u32>, scenery: &Scenery) -> Option<[f64; 2]> {
+    scenery.penalties.iter().find(|(number, _)| numbers.contains(number)).map(|(_, both)| *both)
 }
 
 /// The number that a parameter is now; `None` where what it is of has gone, and of bodies and obstacles, which the world itself is asked for.
@@ -47,6 +65,7 @@ pub(super) fn value(target: &Target, scene: &SceneChange, push: Option<[f64; 2]>
         Target::Rest(numbers) => numbers.clone().find_map(bond).map(|bond| bond.rest_length),
         Target::Meets => scene.contact.map(|contact| f64::from(u8::from(contact.is_some()))),
         Target::ContactRadius => scene.contact??.radius,
+        Target::Penalty(numbers, of, _) => penalty(numbers, scenery).map(|both| of.of(both)),
         Target::ObstacleFriction(_) | Target::ObstacleRestitution(_) | Target::Body(..) => None,
     }
 }
@@ -95,8 +114,8 @@ fn name(target: &Target) -> &'static str {
         Target::WallFriction | Target::ObstacleFriction(_) | Target::Friction => "friction",
         Target::WallRestitution | Target::ObstacleRestitution(_) | Target::Restitution => "restitution",
         Target::MouseStrength | Target::MouseRadius => "push",
-        Target::Stiffness(_) => "stiffness",
-        Target::Damping(_) => "damping",
+        Target::Stiffness(_) | Target::Penalty(_, OfPenalty::Stiffness, _) => "stiffness",
+        Target::Damping(_) | Target::Penalty(_, OfPenalty::Damping, _) => "damping",
         Target::Rest(_) => "length",
         Target::Meets | Target::ContactRadius => "contact",
         Target::Body(_, of, _) => match of {
@@ -167,6 +186,12 @@ pub(super) fn command(
         Target::ObstacleRestitution(numbers) => {
             let obstacles = Some(numbers.clone().collect());
             Do::Set(Box::new(SetKeys { obstacles, restitution: Some(to), ..nothing() }))
+        }
+        Target::Penalty(numbers, of, both) => {
+            let [stiffness, damping] = of.put(*both, to);
+            let penalty = Some(PenaltyOrNone::This(PenaltyKeys { stiffness, damping: Some(damping) }));
+            let obstacles = Some(numbers.clone().collect());
+            Do::Set(Box::new(SetKeys { obstacles, penalty, ..nothing() }))
         }
         Target::Body(_, of, part) => Do::Set(Box::new(set_body(*of, part, to))),
         Target::Friction | Target::Restitution | Target::ContactRadius => {

@@ -34,6 +34,8 @@ const SHORT: f32 = 86.0;
 const LEAST: f32 = 70.0;
 /// Points so near to it are covered by what lies about them `[points]`.
 const ROOM: f32 = 12.0;
+/// Of the lower edge so many places are looked at beside its ends and its middle.
+const PLACES: u8 = 8;
 /// Width of what lies in the upper right corner, figures and legends, with some room `[points]`.
 const CORNER: f32 = 296.0;
 /// Width of what was measured once alone `[points]`.
@@ -214,18 +216,19 @@ fn below_corner(corner: Pos2, size: Vec2, (room, top): (Rect, f32)) -> Pos2 {
 }
 
 /// The left lower corner of a panel of this size in a room, whose right edge is free from `top` on: of its places there, at the lower edge and
-/// at the right one above, the first of those that the fewest points are in.
+/// at the right one above, the first of those that the fewest points are in, where bodies are or have been.
 fn quiet((room, top): (Rect, f32), size: Vec2, points: &[Pos2]) -> Pos2 {
     let left = LEFT[usize::from(room.height() >= TALL)];
     let across = [room.left() + left, room.right() - size.x - LEFT[1], room.center().x - 0.5 * size.x];
     let [at_left, at_right, in_middle] = across.map(|x| pos2(x, room.bottom()));
     let above = pos2(at_right.x, (top + size.y).min(room.bottom()));
-    let places = [at_left, at_right, in_middle, above];
+    let between = (1..PLACES).map(|k| at_left.lerp(at_right, f32::from(k) / f32::from(PLACES)));
+    let places = [at_left, at_right, in_middle, above].into_iter().chain(between);
     let inside = |corner: &Pos2| {
         let rect = Rect::from_min_size(*corner - vec2(0.0, size.y), size).expand(ROOM);
         points.iter().filter(|point| rect.contains(**point)).count()
     };
-    places.into_iter().min_by_key(inside).unwrap_or(at_left)
+    places.min_by_key(inside).unwrap_or(at_left)
 }
 
 /// The left lower corner of a panel of this size in a room, where it lies over nothing that is `taken`: where it is, if it has a place there when
@@ -583,6 +586,23 @@ mod tests {
         assert_eq!(quiet(room, size, &both).x, 640.0 - 179.0);
         let floor: Vec<Pos2> = (0..64).map(|k| pos2(20.0 * k as f32, 600.0)).collect();
         assert_eq!(quiet(room, size, &floor), pos2(1280.0 - 358.0 - LEFT[1], 170.0 + 260.0), "above, at the right");
+    }
+
+    #[test]
+    fn where_there_is_no_room_beside_bodies_it_lies_over_what_moves_least() {
+        let room = (Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0)), 170.0);
+        let size = vec2(358.0, 260.0);
+        // Of four weights on springs the third stands still; a way is as many places as it is long.
+        let way = |x: f32, count: u8| (0..count).map(move |k| pos2(x, 420.0 + 8.0 * f32::from(k)));
+        let chain = (0..30).map(|k| pos2(1090.0, 60.0 + 18.0 * k as f32));
+        let points: Vec<Pos2> = way(190.0, 9).chain(way(490.0, 6)).chain(way(790.0, 1)).chain(chain).collect();
+        let at = quiet(room, size, &points);
+        let rect = Rect::from_min_size(at - vec2(0.0, size.y), size);
+        assert_eq!(points.iter().filter(|point| rect.contains(**point)).count(), 1, "{rect:?}");
+        // Between two of them, where the room is wide enough.
+        let apart: Vec<Pos2> = way(150.0, 9).chain(way(690.0, 6)).chain(way(1200.0, 6)).collect();
+        let rect = Rect::from_min_size(quiet(room, size, &apart) - vec2(0.0, size.y), size);
+        assert!(!apart.iter().any(|point| rect.contains(*point)), "{rect:?}");
     }
 
     #[test]

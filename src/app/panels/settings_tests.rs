@@ -366,3 +366,45 @@ fn rows_stay_where_they_are_while_what_they_are_of_is_switched_off() {
         }
     }
 }
+
+#[test]
+fn rate_and_duration_are_typed_live_and_undone() {
+    let mut stage = stage();
+    let mut screen = Screen::new(&mut stage);
+    screen.state.settings_search = "duration".to_owned();
+    let look = |screen: &mut Screen, stage: &mut Stage| {
+        screen.facts.settings.clock = Some(shown(stage).figures.clock);
+        (0..2).for_each(|_| _ = screen.frame(Vec::new()));
+    };
+    let give = |stage: &mut Stage, sets: &[Setting], name: &str| {
+        let [set] = sets else { panic!("{name}: {sets:?}") };
+        assert_eq!(set.name, name);
+        assert_eq!(stage.obey(Order::Give(vec![set.act.clone()], Some(set.name))), None);
+    };
+    look(&mut screen, &mut stage);
+    // It never ended: now it does, after as long as is usual.
+    give(&mut stage, &screen.click("ends"), "duration");
+    let now = |stage: &mut Stage| shown(stage).figures;
+    assert_eq!(now(&mut stage).clock.duration, Some(20.0));
+    look(&mut screen, &mut stage);
+    let type_in = |screen: &mut Screen, field: &str, text: &str| {
+        screen.click(field);
+        screen.frame(vec![Event::Text(text.to_owned())]);
+        let beside = super::pointer::click(pos2(200.0, 600.0)).into_iter().chain([Vec::new()]);
+        beside.flat_map(|events| screen.frame(events).0).collect::<Vec<Setting>>()
+    };
+    let sets = type_in(&mut screen, "20.0 s", "0.5");
+    give(&mut stage, &sets, "duration");
+    stage.obey(Order::Rate(0.5));
+    let sets = type_in(&mut screen, "1.00 s a second", "4");
+    give(&mut stage, &sets, "rate");
+    assert_eq!((now(&mut stage).clock.rate, now(&mut stage).rate), (4.0, 2.0), "at half the pace as before");
+    (0..40).for_each(|_| _ = stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
+    let ended = now(&mut stage);
+    assert!(ended.ended && !ended.playing && (0.5..0.52).contains(&ended.time), "{} s", ended.time);
+    for (name, rate) in [("rate", 0.5), ("duration", 0.5), ("duration", 0.5)] {
+        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(own, _)) if own == name));
+        assert_eq!(now(&mut stage).rate, rate);
+    }
+    assert_eq!(now(&mut stage).clock.duration, None);
+}

@@ -156,7 +156,10 @@ fn state(facts: &Facts) -> (String, bool) {
     }
     let is_slow = !figures.asleep && figures.pace > 0.0 && figures.pace < 0.95;
     match (figures.playing, figures.asleep) {
-        (false, _) if figures.ended => (format!("the end of its {:.4} s: R plays it again", figures.time), true),
+        (false, _) if figures.ended => (
+            format!("the end of its {} s: R plays it again", plain(figures.clock.duration.unwrap_or(figures.time))),
+            true,
+        ),
         (false, _) => ("paused".to_owned(), true),
         // One that is known to be slow is told how slow, however long its steps are.
         (true, _) if facts.is_busy && !is_slow => ("computing a long step".to_owned(), false),
@@ -166,6 +169,12 @@ fn state(facts: &Facts) -> (String, bool) {
         (true, false) if figures.yielded.is_some() => ("computed more roughly, to keep up".to_owned(), false),
         (true, false) => (String::new(), false),
     }
+}
+
+/// A time `[s]` to a tenth of a millisecond, without zeros that say nothing.
+fn plain(seconds: f64) -> String {
+    let digits = format!("{seconds:.4}");
+    digits.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// A share of the speed that was asked for `[1]`, in words.
@@ -207,6 +216,12 @@ mod tests {
         let figures = Figures { time: 31.415_926, ended: true, playing: false, ..Figures::default() };
         let facts = Facts { figures, ..Facts::default() };
         assert_eq!(state(&facts).0, "the end of its 31.4159 s: R plays it again");
+        let even = |time| {
+            let figures = Figures { time, ended: true, playing: false, ..Figures::default() };
+            state(&Facts { figures, ..Facts::default() }).0
+        };
+        assert_eq!(even(20.000_000_004), "the end of its 20 s: R plays it again");
+        assert_eq!(even(0.5), "the end of its 0.5 s: R plays it again");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! From wall time to whole substeps: how many are due, and where the cursor goes meanwhile.
 
-use crate::history::{Do, History};
+use crate::history::{Clock, Do, History};
 use crate::sim::{Cursor, Dynamics};
 
 use super::shown::Places;
@@ -123,6 +123,14 @@ impl Pace {
             self.is_taken = true;
             // A world that refuses it goes on as it is.
             self.motion += u64::from(history.give(history.letting_go(), None).is_ok_and(|done| !done.is_empty()));
+        }
+    }
+
+    /// It is played at another rate, and ends elsewhere `[s]`: where that has passed, with the next step.
+    pub(super) fn follow(&mut self, from: Clock, to: Clock) {
+        self.rate *= to.rate / from.rate;
+        if to.duration != self.duration {
+            (self.duration, self.ended) = (to.duration, false);
         }
     }
 

@@ -17,6 +17,9 @@ const EASY: f64 = 0.3;
 /// How long it has to be gone until a rung is given back `[s of wall time]`: twice as long each time, since it may come again.
 const WAIT: f64 = 5.0;
 const LONGEST_WAIT: f64 = 160.0;
+/// For so long after a rung was given back at rest no load counts `[s]`: another method wakes all, and half a second passes until all
+/// sleep again. Without it what is slow at rest too would take the rung again and again.
+const WAKING: f64 = 1.0;
 /// Counted work of a frame beyond which islands are handed over where the live step is cheaper `[ms]`: almost none.
 const LEAST_BUDGET: f64 = 0.01;
 /// What giving back is called.
@@ -68,6 +71,8 @@ pub(super) struct Rungs {
     yielded: Option<Yielded>,
     /// The live step would have been cheaper when order 2 was taken.
     helps_later: bool,
+    /// Until when no load counts `[s]`.
+    wakes_until: f64,
 }
 
 impl Rung {
@@ -96,7 +101,16 @@ impl Rung {
 
 impl Rungs {
     pub(super) fn new() -> Self {
-        Rungs { late: 0.0, easy: 0.0, wait: WAIT, refused: Vec::new(), known: None, yielded: None, helps_later: false }
+        Rungs {
+            late: 0.0,
+            easy: 0.0,
+            wait: WAIT,
+            refused: Vec::new(),
+            known: None,
+            yielded: None,
+            helps_later: false,
+            wakes_until: f64::NEG_INFINITY,
+        }
     }
 
     /// What gave way in the world as it is now.
@@ -114,7 +128,7 @@ impl Rungs {
 
     /// The history went elsewhere: what is known of its log is known no more.
     pub(super) fn have_gone(&mut self) {
-        (self.known, self.late, self.easy) = (None, 0.0, 0.0);
+        (self.known, self.late, self.easy, self.wakes_until) = (None, 0.0, 0.0, f64::NEG_INFINITY);
     }
 
     /// The user took one back, and wants the motion as it was: none is taken again.
@@ -141,6 +155,9 @@ impl Rungs {
             return None;
         }
         let yielded = self.yielded(history);
+        if history.world().time() < self.wakes_until {
+            return None;
+        }
         self.late = if load.is_late { self.late + load.wall } else { self.late.min(0.0) };
         self.easy = if load.steps < EASY * load.wall { self.easy + load.wall } else { 0.0 };
         if self.late >= LATE {
@@ -152,6 +169,18 @@ impl Rungs {
             return Some(self.back(history));
         }
         None
+    }
+
+    /// Where time passes no more: the command that gives back at once what gave way, with what it is called. Steps that are not taken load
+    /// nothing.
+    pub(super) fn rest(&mut self, history: &History) -> Option<(Do, &'static str)> {
+        if history.has_future() || history.has_undone() {
+            return None;
+        }
+        self.yielded(history)?;
+        (self.late, self.easy) = (0.0, 0.0);
+        self.wakes_until = history.world().time() + WAKING;
+        Some(self.back(history))
     }
 
     /// The command that brings the method of before back.

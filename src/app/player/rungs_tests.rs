@@ -1,6 +1,8 @@
 //! What gives way to the load: by loads that are made up, no clock is looked at.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+use std::time::{Duration, Instant};
+
 use super::rungs::{Load, Rung, Rungs};
 use super::{Note, Order, Stage};
 use crate::history::{Do, History};
@@ -190,4 +192,79 @@ fn among_bodies_that_meet_those_that_touch_nothing_are_made_exact() {
     step(&mut stage, 5);
     assert_eq!(mover(&stage), Solver::VelocityVerlet, "{:?}", stage.history().world().moved_by());
     assert!(stage.history().world().contact().is_some());
+}
+
+/// The same in thick air, where it comes to rest after two seconds.
+fn slowing() -> String {
+    SPRINGS.replacen("\"mouse\"", "\"drag_rate\": 4, \"mouse\"", 1)
+}
+
+fn frame(stage: &mut Stage) {
+    stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
+}
+
+/// Late frames until something gives way.
+fn burden(stage: &mut Stage) {
+    (0..12).for_each(|_| stage.give_way(LATE));
+    assert!(is_rougher(stage), "{:?}", stage.history().world().parts());
+}
+
+fn is_rougher(stage: &Stage) -> bool {
+    let last = stage.history().method_changes().next().and_then(|change| change.name.map(str::to_owned));
+    last.is_some_and(|name| Rung::of(&name).is_some())
+}
+
+#[test]
+fn what_gave_way_is_given_back_as_all_falls_asleep_and_all_sleeps_again() {
+    let mut stage = Stage::new(scene(&slowing()).into()).unwrap();
+    frame(&mut stage);
+    burden(&mut stage);
+    let is_given_back = (0..600).any(|_| {
+        frame(&mut stage);
+        !is_rougher(&stage)
+    });
+    assert!(is_given_back, "it sleeps: {}", stage.history().rests());
+    let at = stage.history().world().time();
+    // Another method woke it: what is slow meanwhile takes no rung.
+    while stage.history().world().time() < at + 0.9 && !stage.history().rests() {
+        stage.give_way(LATE);
+        frame(&mut stage);
+    }
+    assert!(!is_rougher(&stage) && stage.history().rests());
+    let mut shown = crate::app::player::Shown::default();
+    stage.show(&mut shown);
+    assert_eq!(shown.figures.yielded, None);
+}
+
+#[test]
+fn what_gave_way_is_given_back_as_the_scene_ends() {
+    let text = SPRINGS.replacen("\"mouse\"", "\"duration\": 0.5, \"mouse\"", 1);
+    let mut stage = Stage::new(scene(&text).into()).unwrap();
+    frame(&mut stage);
+    burden(&mut stage);
+    (0..20).for_each(|_| frame(&mut stage));
+    assert!(is_rougher(&stage));
+    (0..20).for_each(|_| frame(&mut stage));
+    assert!(!is_rougher(&stage), "at {} s", stage.history().world().time());
+}
+
+#[test]
+fn what_gave_way_is_given_back_after_a_while_of_pause_in_which_nothing_is_asked_for() {
+    let mut stage = Stage::new(scene(SPRINGS).into()).unwrap();
+    frame(&mut stage);
+    burden(&mut stage);
+    frame(&mut stage);
+    assert_eq!(stage.patience(), None, "time passes");
+    stage.obey(Order::Play(false));
+    let left = stage.patience().unwrap();
+    assert!(!stage.idle(Instant::now()) && is_rougher(&stage));
+    assert!(stage.idle(Instant::now() + left + Duration::from_secs(1)) && !is_rougher(&stage));
+    assert_eq!(
+        (stage.patience(), stage.history().undoes()),
+        (None, None),
+        "nobody asked for it: it is no step of undo"
+    );
+    // A log that is followed is left as it is.
+    stage.obey(Order::GoTo(0.0, None));
+    assert!(!stage.idle(Instant::now() + Duration::from_secs(9)));
 }

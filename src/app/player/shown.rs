@@ -9,12 +9,12 @@ use super::rungs::Yielded;
 use super::watch::Measured;
 use crate::app::matter::Matter;
 use crate::app::tools::Walls;
-use crate::history::{BranchView, Group};
+use crate::history::{BranchView, Clock, Group};
 use crate::picture::{Skin, Tint};
 use crate::render::{Hinge, View, joints};
 use crate::sim::{
-    Angle, Bond, Bonds, Convex, Cursor, Driving, Dynamics, ForceView, GrabView, Jam, Key, MouseForce, PointId, Polygon,
-    Positions, SceneChange,
+    Angle, Bond, Bonds, Convex, Cursor, Driving, Dynamics, ForceView, GrabView, Jam, Key, MouseForce, Obstacle,
+    PointId, Polygon, Positions, SceneChange,
 };
 
 /// Positions in the scalar of their world, copied.
@@ -79,6 +79,8 @@ pub struct Scenery {
     pub solid_numbers: Vec<u32>,
     /// The numbers of the planes.
     pub plane_numbers: Vec<u32>,
+    /// The numbers of planes that push out what gets into them, and by how much `[N/m]`, `[N s/m]`.
+    pub penalties: Vec<(u32, [f64; 2])>,
     /// The number that the next obstacle gets.
     pub next_obstacle: u32,
     /// Points that are selected as one.
@@ -108,6 +110,15 @@ pub struct Scenery {
     walls: OnceLock<Walls>,
 }
 
+/// Planes that push out what gets into them, and by how much `[N/m]`, `[N s/m]`.
+fn penalties(world: &dyn Dynamics) -> Vec<(u32, [f64; 2])> {
+    let penalty = |(number, obstacle): (u32, Obstacle)| match obstacle {
+        Obstacle::Plane { penalty, .. } => penalty.map(|of| (number, [of.stiffness, of.damping])),
+        Obstacle::Polygon(_) | Obstacle::Convex(_) => None,
+    };
+    if world.planes().is_empty() { Vec::new() } else { world.obstacles().into_iter().filter_map(penalty).collect() }
+}
+
 impl Scenery {
     /// That of a world with these skins.
     pub fn of(world: &dyn Dynamics, skins: &[Skin], (tints, groups): (&Arc<[Tint]>, &Arc<Vec<Group>>)) -> Self {
@@ -128,6 +139,7 @@ impl Scenery {
             convex: world.convex().to_vec(),
             solid_numbers: of_solids.to_vec(),
             plane_numbers: of_planes.to_vec(),
+            penalties: penalties(world),
             next_obstacle,
             groups: Arc::clone(groups),
             triangles: world.triangles().to_vec(),
@@ -253,6 +265,8 @@ pub struct Figures {
     pub ended: bool,
     /// Seconds of the scene a second of wall time.
     pub rate: f64,
+    /// The same as the scene has it, and where it ends.
+    pub clock: Clock,
     /// Share of its pace that is reached `[1]`.
     pub pace: f64,
     /// Time that stepping took of a frame `[s]`.

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::keep::Keeper;
 use super::order::{Note, Order};
@@ -121,10 +121,20 @@ pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wa
                 wake();
             }
         }
-        let wait = desk.keeper().wait();
+        let patience = if let Seat::Played(stage) = &seat { stage.patience() } else { None };
+        let wait = desk.keeper().wait().into_iter().chain(patience).min();
         let list = match next(orders, wait) {
             Next::Orders(list) => list,
-            Next::Late => continue,
+            Next::Late => {
+                let is_news = match &mut seat {
+                    Seat::Played(stage) => stage.idle(Instant::now()),
+                    Seat::Folded(_) => false,
+                };
+                if is_news && desk.lay(&mut seat, (done, Vec::new())) {
+                    wake();
+                }
+                continue;
+            }
             Next::Nobody => break,
         };
         let mut notes = Vec::new();

@@ -411,12 +411,14 @@ impl Session {
 
     /// Seconds of the scene a second of wall time, in those of the scene itself.
     pub(super) fn pace(&self) -> f64 {
-        self.shown().figures.rate / self.scene.rate()
+        let figures = &self.shown().figures;
+        figures.rate / figures.clock.rate
     }
 
     fn set_pace(&mut self, pace: f64) {
         let pace = pace.clamp(PACES[0], PACES[1]);
-        self.player.ask(Order::Rate(pace * self.scene.rate()));
+        let own = if self.player.is_open() { self.shown().figures.clock.rate } else { self.scene.rate() };
+        self.player.ask(Order::Rate(pace * own));
         self.say(format!("pace: {pace} x"));
     }
 

@@ -12,6 +12,7 @@ use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, theme};
+use crate::app::swept::{apart, places_of};
 use crate::app::tools::{Mark, Role, Scope, labels, no_motors, no_muscles, probe};
 use crate::lessons::heading_of;
 use crate::render::{Look, Overlay, RenderError, View, body_color};
@@ -178,6 +179,7 @@ impl Session {
             settings: Settings {
                 parameters: self.parameters(),
                 scene: self.shown().settings.clone(),
+                clock: Some(self.shown().figures.clock),
                 fixed: Some((self.scene.method.precision.unwrap_or(PrecisionName::Auto), self.scene.method.tolerance)),
                 pushing: self.shown().mouse.as_ref().map(Pushing::of),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
@@ -203,38 +205,26 @@ impl Session {
         if start.is_replayed() { format!("{name} (recording)") } else { name }
     }
 
-    /// Where points are seen `[points]`, a few of many, while the plots look for a place.
+    /// Where points are and have been seen lately `[points]`, a few of many, while the plots look for a place.
     fn points_seen(&self) -> Vec<Pos2> {
         if self.panels.plots.is_none() || self.panels.plots_at.corner.is_some() {
             return Vec::new();
         }
         let shown = self.shown();
-        let step = shown.point_count() / MOST_SEEN + 1;
         let own = |place: usize| self.tiles.camera(place, &self.camera, self.area);
         let cameras: Vec<_> = (0..self.tiles.count()).map(own).collect();
-        let seen = |point: usize| {
-            let place = glam::DVec3::from(shown.place(point));
-            cameras.iter().filter_map(move |camera| camera.screen_from_world(place))
-        };
         let pixel = |place: [f64; 3]| {
             let place = glam::DVec3::from(place);
             cameras.iter().filter_map(move |camera| camera.screen_from_world(place))
         };
-        // Bonds are long, and obstacles have no points: what stands between them is to be seen too.
-        let bonds = &shown.scenery.bonds;
-        let middle = |bond: usize| {
-            let bond = bonds.get(bond);
-            let [a, b] = [bond.a, bond.b].map(|end| shown.place(end.index()));
-            std::array::from_fn(|axis| 0.5 * (a[axis] + b[axis]))
-        };
-        let middles = (0..bonds.len()).step_by(bonds.len() / MOST_SEEN + 1).map(middle);
+        // Obstacles have no points.
         let corners = shown.scenery.polygons.iter().flat_map(|polygon| &polygon.loops).flatten();
         let corners = corners.take(MOST_SEEN).map(|[x, y]| [*x, *y, 0.0]);
-        let all = (0..shown.point_count()).step_by(step).flat_map(seen);
-        let all = all.chain(middles.chain(corners).flat_map(pixel));
+        let all = places_of(shown, MOST_SEEN).chain(corners).flat_map(pixel).map(|pixel| self.point_of(pixel));
+        let ways = apart(self.swept.places().flat_map(pixel).map(|pixel| self.point_of(pixel)));
         // Where one of what is looked at lies, all else weighs less.
         let marked = self.marked_points().into_iter().flat_map(|at| std::iter::repeat_n(at, MOST_SEEN));
-        all.map(|pixel| self.point_of(pixel)).chain(marked).collect()
+        all.chain(ways).chain(marked).collect()
     }
 
     /// Where the points are seen that are probed or selected `[points]`, a few of many.

@@ -1,12 +1,14 @@
 //! The camera, fitted to what panels leave of the window.
 
+use std::time::Instant;
+
 use egui::Rect;
 
 use super::Session;
 use crate::app::action::Tool;
 use crate::app::framing::{Beside, Framing, Open, Turn, Undocked};
 use crate::app::opening::{self, Followed, Over};
-use crate::app::panels::Laid;
+use crate::app::panels::{Laid, matter_lies};
 use crate::render::Overlay;
 
 impl Session {
@@ -78,9 +80,21 @@ impl Session {
         (self.ways.taken, self.ways.beside) = (read, None);
     }
 
-    /// Where panels open over points the view makes way for them, while they find their sizes, and comes back when they close; not one that
-    /// somebody moved, nor while something is under way in it. What the panel of a tool moves, what gets larger later, and plots that float
-    /// where there is room move nothing.
+    /// Whether what is selected came to lie below the panel of the tool that selects, and nobody drags anything.
+    fn lies_below(&mut self) -> bool {
+        let context = self.egui.egui_ctx();
+        if context.input(|input| input.pointer.any_down()) {
+            return false;
+        }
+        let panel = matter_lies(context).filter(|_| self.hand.tool() == Tool::Select);
+        let places = (self.selection_seen(), panel);
+        let stands = !self.moves();
+        self.ways.lying.is_due(Instant::now(), places, stands)
+    }
+
+    /// Where panels open over points the view makes way for them, while they find their sizes, and comes back when they close; so it does
+    /// where what is selected comes to lie below its own panel. Not one that somebody moved, nor while something is under way in it. What
+    /// the panel of a tool moves, what gets larger later, and plots that float where there is room move nothing.
     fn make_way(&mut self, taken: Vec<[f64; 4]>, has_plots: bool) {
         if self.framing == Framing::Free || self.hand.is_busy() {
             return;
@@ -89,7 +103,8 @@ impl Session {
         let tool = self.hand.tool();
         let selects = tool == Tool::Select;
         let open = [panels.has_settings, panels.lessons.is_open, has_plots, panels.hides_panels, selects];
-        if !self.ways.wait_for(open, tool) || taken == self.ways.taken {
+        let finds_size = self.ways.wait_for(open, tool) && taken != self.ways.taken;
+        if !(self.lies_below() || finds_size) {
             return;
         }
         let (view, free) = (self.player.shown().view(), (self.free, self.over));

@@ -54,6 +54,7 @@ use super::preferences::Preferences;
 use super::recent::Recent;
 use super::resting::Resting;
 use super::saving::Saving;
+use super::swept::Swept;
 use super::thumbnails::Thumbnails;
 use super::tools::{Chosen, Hand};
 use super::trailing::Trailing;
@@ -155,6 +156,8 @@ pub(super) struct Session {
     palette: Palette,
     trails: Trails,
     trailing: Trailing,
+    /// Where bodies have been lately.
+    swept: Swept,
     panels: PanelState,
     paint: Paint,
     /// What was written over the world last.

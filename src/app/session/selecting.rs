@@ -190,17 +190,10 @@ impl Session {
             Tool::Hand if on(|scope, at| scope.starts_at(at)) => CursorIcon::Crosshair,
             Tool::Hand if on(|scope, at| scope.nearest(at).is_some() || scope.block(at).is_some()) => CursorIcon::Grab,
             Tool::Hand if on(|scope, at| scope.solid(at).is_some()) => CursorIcon::NotAllowed,
-            Tool::Hand => CursorIcon::Default,
             Tool::Motor if !is_plane => CursorIcon::NotAllowed,
             Tool::Build if !is_plane && !is_of_space(self.hand.primitive()) => CursorIcon::NotAllowed,
-            Tool::Pin => CursorIcon::Cell,
-            Tool::Cut | Tool::Paint | Tool::Push => CursorIcon::Crosshair,
-            Tool::Erase => CursorIcon::NoDrop,
-            Tool::Build => CursorIcon::Copy,
-            Tool::Muscle => CursorIcon::Pointer,
-            Tool::Motor => CursorIcon::Alias,
             Tool::Select if can_look && self.with_scope(|hand, scope| hand.would_move(scope, at)) => CursorIcon::Move,
-            Tool::Select => CursorIcon::Default,
+            other => idle_icon(other),
         }
     }
 
@@ -221,6 +214,39 @@ impl Session {
         if icon != self.cursor_icon {
             self.cursor_icon = icon;
             self.window.set_cursor(icon);
+        }
+    }
+}
+
+/// How the pointer looks over the world with a tool, wherever it has nothing else to say: each tool has an icon of its own.
+fn idle_icon(tool: Tool) -> CursorIcon {
+    match tool {
+        Tool::Hand => CursorIcon::AllScroll,
+        Tool::Pin => CursorIcon::Cell,
+        Tool::Cut => CursorIcon::Crosshair,
+        Tool::Paint => CursorIcon::Text,
+        Tool::Push => CursorIcon::EResize,
+        Tool::Erase => CursorIcon::NoDrop,
+        Tool::Build => CursorIcon::Copy,
+        Tool::Muscle => CursorIcon::Pointer,
+        Tool::Motor => CursorIcon::Alias,
+        Tool::Select => CursorIcon::Default,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_tool_has_a_pointer_of_its_own() {
+        for (place, tool) in Tool::ALL.into_iter().enumerate() {
+            for other in Tool::ALL.into_iter().skip(place + 1) {
+                assert_ne!(idle_icon(tool), idle_icon(other), "{tool:?} and {other:?}");
+            }
+            // Those say what is going on, or that nothing can be done.
+            let taken = [CursorIcon::Grab, CursorIcon::Grabbing, CursorIcon::Move, CursorIcon::NotAllowed];
+            assert!(!taken.contains(&idle_icon(tool)), "{tool:?}");
         }
     }
 }

@@ -3,6 +3,7 @@
 mod fields;
 mod push;
 mod sections;
+mod time;
 
 use egui::{Align2, Area, Id, Rect, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo};
 
@@ -11,7 +12,7 @@ use super::typed::takes_words;
 use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
 use crate::app::player::MethodSetting;
-use crate::history::{Do, SetKeys};
+use crate::history::{Clock, Do, SetKeys};
 use crate::scene::{Parameter, PrecisionName, Vector};
 use crate::sim::{MouseForce, Profile, Region, SceneChange};
 use sections::Section;
@@ -26,6 +27,8 @@ const HEAD: f32 = 52.0;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::app) struct Settings {
     pub(in crate::app) scene: SceneChange,
+    /// How fast it is played, and where it ends; `None`: that is not known.
+    pub(in crate::app) clock: Option<Clock>,
     /// Strength `[1/s^2]` and radius `[m]` of the hover force; `None`: there is none, or it goes along a track.
     pub(in crate::app) push: Option<[f64; 2]>,
     /// What the hover force is else; `None`: there is none.

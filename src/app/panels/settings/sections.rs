@@ -3,7 +3,7 @@
 use egui::{Slider, Ui};
 
 use super::super::{Facts, Wish, parameters, ranged, ticks};
-use super::{Sink, fields, push};
+use super::{Sink, fields, push, time};
 use crate::app::action::Action;
 use crate::app::trailing::TrailSettings;
 use crate::render::Palette;
@@ -20,13 +20,15 @@ pub(super) enum Section {
     Air,
     Walls,
     Method,
+    /// How fast it is played, and where it ends.
+    Time,
     /// How all scenes look.
     Colors,
     Trails,
 }
 
 /// All of them, in the order of use.
-const ALL: [Section; 9] = [
+const ALL: [Section; 10] = [
     Section::Scene,
     Section::Gravity,
     Section::Bodies,
@@ -34,6 +36,7 @@ const ALL: [Section; 9] = [
     Section::Air,
     Section::Walls,
     Section::Method,
+    Section::Time,
     Section::Colors,
     Section::Trails,
 ];
@@ -84,6 +87,7 @@ impl Section {
                 "asleep",
                 "rest",
             ],
+            Section::Time => &["time", "rate", "pace", "duration", "ends"],
             Section::Colors => {
                 &["colours", "colors", "dark", "light", "palette", "theme", "look", "grid", "numbers", "axes"]
             }
@@ -95,7 +99,7 @@ impl Section {
     fn is_named(self, caption: &str) -> bool {
         let words = match self {
             // What the scene names stands first anyway; colours and trails belong to none.
-            Section::Scene | Section::Colors | Section::Trails => return false,
+            Section::Scene | Section::Time | Section::Colors | Section::Trails => return false,
             Section::Gravity => &["gravity"][..],
             Section::Bodies => &["meet each other", "collide", "areas"],
             Section::Push => &["push of the mouse"],
@@ -117,6 +121,7 @@ impl Section {
             Section::Air => scene.drag_rate.is_some() && scene.wind.is_some(),
             Section::Walls => scene.bounds.is_some(),
             Section::Method => scene.method.is_some(),
+            Section::Time => settings.clock.is_some(),
             Section::Colors | Section::Trails => true,
         }
     }
@@ -149,6 +154,7 @@ impl Section {
                 scene.bounds.iter().for_each(|walls| fields::of_walls(ui, walls.as_ref(), facts.seen, sink));
             }
             Section::Method => scene.method.iter().for_each(|method| fields::of_method(ui, method, facts, sink)),
+            Section::Time => settings.clock.iter().for_each(|clock| time::show(ui, *clock, sink)),
             Section::Colors => of_colors(ui, facts, sink),
             Section::Trails => of_trails(ui, facts, sink),
         }

@@ -108,6 +108,7 @@ impl Stage {
             behind: self.escort.is_behind(&self.history),
             ended: self.pace.is_at_end(&self.history),
             rate: self.pace.rate,
+            clock: self.clock,
             pace: self.reached.value(),
             step: self.steps.value(),
             work: self.works.value(),

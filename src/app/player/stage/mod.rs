@@ -21,7 +21,7 @@ use super::watch::Watch;
 use crate::app::matter::{Among, Matter};
 use crate::app::meter::{Lowest, Meter};
 use crate::app::tools::Hauled;
-use crate::history::{BranchView, History, HistoryError, Recording, Start};
+use crate::history::{BranchView, Clock, History, HistoryError, Recording, Start};
 use crate::scene::{MethodKeys, Parameter, ViewKeys};
 use crate::sim::reach::Reach;
 use crate::sim::{Jam, Knots, MouseForce, PointId};
@@ -34,6 +34,8 @@ const SOLVER: &str = "solver";
 pub struct Stage {
     history: History,
     pace: Pace,
+    /// The clock that it goes by.
+    clock: Clock,
     scenery: Arc<Scenery>,
     /// The topology of the scenery, as the world counts it, and how often it was another one.
     topology: Option<u64>,
@@ -49,6 +51,8 @@ pub struct Stage {
     movers: Arc<Movers>,
     relaxed: Relaxed,
     rungs: Rungs,
+    /// When what gave way is to be given back, if nothing is asked for until then.
+    gives_back_at: Option<Instant>,
     escort: Escort,
     yielded: Option<Yielded>,
     deeds: Deeds,
@@ -112,7 +116,8 @@ impl Stage {
         let paused = start.recording().paused;
         let history = History::new(start)?;
         let scene = history.scene();
-        let mut pace = Pace::new(&history, scene.rate(), scene.duration);
+        let clock = history.clock();
+        let mut pace = Pace::new(&history, clock.rate, clock.duration);
         pace.playing = !paused;
         let force = scene.mouse_force();
         let named = scene.named_parameters();
@@ -120,6 +125,7 @@ impl Stage {
         let mut stage = Stage {
             history,
             pace,
+            clock,
             scenery: Arc::default(),
             topology: None,
             sceneries: 0,
@@ -131,6 +137,7 @@ impl Stage {
             movers: Arc::default(),
             relaxed: Relaxed::default(),
             rungs: Rungs::new(),
+            gives_back_at: None,
             escort: Escort::default(),
             yielded: None,
             deeds: Deeds::default(),
@@ -176,6 +183,7 @@ impl Stage {
     pub fn unfolded(folded: Folded) -> Result<Self, HistoryError> {
         let mut stage = Stage::new(folded.recording.into())?;
         stage.pace.go_to(&mut stage.history, folded.time, None);
+        stage.keep_time();
         (stage.pace.rate, stage.pace.playing) = (folded.rate, folded.playing);
         Ok(stage)
     }
@@ -334,7 +342,9 @@ impl Stage {
         if self.pace.is_taken && !was_taken {
             self.base = self.history.base_strength();
         }
+        self.keep_time();
         self.look();
+        self.note_pause();
         let is_left = is_followed && !goes && self.history.branch() != branch;
         if is_left {
             (self.has_gone, self.figures_at) = (true, None);

@@ -1,17 +1,20 @@
 //! Time that passes, and what gives way where steps take too much of it.
 
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use super::super::movers::{EXACT, exact};
 use super::super::order::Note;
 use super::super::pace::SINGLE_STEP;
 use super::super::rungs::{Load, Rung};
 use super::Stage;
+use crate::history::Do;
 use crate::sim::Cursor;
 
 /// What is dragged is dragged on for so long after it was sent on its way last, in time of the wall `[s]`.
 const DRAGS: f64 = 0.5;
+/// What gave way is given back once the scene was paused for so long: who pauses for a moment goes on as before.
+const PAUSED: Duration = Duration::from_secs(2);
 
 impl Stage {
     /// Lets time pass.
@@ -32,10 +35,47 @@ impl Stage {
             self.reached.push(gone / (wall * self.pace.rate));
             self.give_way(Load { wall, steps, is_late: self.pace.is_late, work: self.works.value() });
         }
+        // It fell asleep or came to its end.
+        if substeps > 0 && !self.pace.is_moving(&self.history) && !self.is_dragging() {
+            self.give_back();
+        }
+    }
+
+    /// Another rate or another end is gone by at once.
+    pub(super) fn keep_time(&mut self) {
+        let clock = self.history.clock();
+        self.pace.follow(std::mem::replace(&mut self.clock, clock), clock);
+    }
+
+    /// Where time passes no more, what gave way is given back. Returns whether anything was.
+    fn give_back(&mut self) -> bool {
+        let Some((act, name)) = self.rungs.rest(&self.history) else { return false };
+        self.give_aside(act, name);
+        true
+    }
+
+    /// Notes when what gave way is to be given back, should nothing be asked for until then and no time pass.
+    pub(super) fn note_pause(&mut self) {
+        let waits = !self.pace.is_moving(&self.history) && self.rungs.yielded(&self.history).is_some();
+        self.gives_back_at = waits.then(|| Instant::now() + PAUSED);
+    }
+
+    /// How long until something is to be done though nothing is asked for; `None`: nothing is.
+    pub fn patience(&self) -> Option<Duration> {
+        self.gives_back_at.map(|at| at.saturating_duration_since(Instant::now()))
+    }
+
+    /// Nothing was asked for until `now`. Returns whether something was done.
+    pub fn idle(&mut self, now: Instant) -> bool {
+        if self.gives_back_at.is_none_or(|at| now < at) {
+            return false;
+        }
+        self.gives_back_at = None;
+        self.give_back()
     }
 
     /// Where steps took too long for a while, something gives way; it is given back where they do no more.
-    pub(super) fn give_way(&mut self, load: Load) {
+    pub(in crate::app::player) fn give_way(&mut self, load: Load) {
         // Companions wait first.
         if self.escort.gives_way(&self.history, load) {
             return;
@@ -45,6 +85,10 @@ impl Stage {
             return;
         }
         let Some((act, name)) = self.rungs.look(&self.history, load) else { return };
+        self.give_aside(act, name);
+    }
+
+    fn give_aside(&mut self, act: Do, name: &'static str) {
         // Nobody asked for it: it is in the log, and no step of undo.
         if self.history.give_aside(act, name).is_err() {
             // A world that cannot be moved so goes on as it is.

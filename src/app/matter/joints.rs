@@ -1,0 +1,113 @@
+//! Angles of a selection: where they are at rest, and the stops of joints.
+
+use super::Among;
+use crate::history::{Do, OneOrEach, RangeOrNone, SetKeys};
+use crate::scene::{AddKeys, AngleKeys, Row};
+use crate::sim::vector::sub;
+use crate::sim::{Angle, AngleDrive, Dynamics, PointId};
+
+use super::extent::place;
+
+/// A joint that gets stops turns so far to both sides of its angle at rest at first `[rad]`.
+const SWING: f64 = std::f64::consts::FRAC_PI_3;
+/// Where the stops of one joint are.
+const ORDER: &str = "the least angle is below the largest, and they are less than a full turn apart";
+
+/// The stops of joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stops {
+    /// Some, on both sides of where they are at rest, for those that have none.
+    Some,
+    /// None: they turn freely.
+    None,
+    /// The least angle of those that have stops `[rad]`.
+    Least(f64),
+    /// The largest angle of those `[rad]`.
+    Most(f64),
+}
+
+impl Among {
+    /// The angles among the points, but for motors, which turn.
+    pub(super) fn angles_of(&self, world: &dyn Dynamics) -> Vec<Angle> {
+        let has = |point: &PointId| self.points.binary_search(point).is_ok();
+        let is_motor = |angle: &Angle| matches!(angle.drive, Some(AngleDrive::Motor { .. }));
+        let angles = world.angles().iter().filter(|angle| angle.points.iter().all(has) && !is_motor(angle));
+        angles.copied().collect()
+    }
+
+    /// The joint without an angle that two bonds alone make: i, j, k, the angle at j no more than half a turn, and that angle `[rad]`.
+    pub(super) fn knee_of(&self, world: &dyn Dynamics) -> Option<([PointId; 3], f64)> {
+        let bonds = self.bonds_of(world);
+        let [(_, first), (_, second)] = bonds[..] else { return None };
+        let (first, second) = ([first.a, first.b], [second.a, second.b]);
+        let middle = first.into_iter().find(|end| second.contains(end))?;
+        let other = |ends: [PointId; 2]| ends.into_iter().find(|end| *end != middle);
+        let (i, k) = (other(first)?, other(second)?);
+        let is_free = i != k && world.dimensions() == 2 && self.angles_of(world).is_empty();
+        let at = |[i, k]: [PointId; 2]| {
+            let [p, q] = [i, k].map(|end| sub(place(world, end), place(world, middle)));
+            libm::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1])
+        };
+        let angle = at([i, k]);
+        let (points, angle) = if angle < 0.0 { ([k, middle, i], -angle) } else { ([i, middle, k], angle) };
+        (is_free && angle > 0.0).then_some((points, angle))
+    }
+}
+
+/// Commands that give joints among some points these stops.
+///
+/// Errors: in words, why they cannot be so.
+pub(super) fn stops(world: &dyn Dynamics, among: &Among, stops: Stops) -> Result<Vec<Do>, &'static str> {
+    let angles = among.angles_of(world);
+    let ranges = angles.iter().filter_map(|angle| {
+        let range = match (stops, angle.range) {
+            (Stops::Some, None) => Some([angle.rest - SWING, angle.rest + SWING]),
+            (Stops::Least(least), Some([_, most])) => Some([least, most]),
+            (Stops::Most(most), Some([least, _])) => Some([least, most]),
+            (Stops::None, Some(_)) => None,
+            (Stops::Some, Some(_)) | (Stops::None | Stops::Least(_) | Stops::Most(_), None) => return None,
+        };
+        Some((angle.number, range))
+    });
+    let ranges: Vec<(u32, Option<[f64; 2]>)> = ranges.collect();
+    let is_range = |[least, most]: [f64; 2]| least < most && most - least < 2.0 * std::f64::consts::PI;
+    if ranges.iter().any(|(_, range)| range.is_some_and(|range| !is_range(range))) {
+        return Err(ORDER);
+    }
+    if let (Stops::Some, Some((points, rest))) = (stops, among.knee_of(world)) {
+        return Ok(vec![jointed(points, [rest - SWING, rest + SWING])]);
+    }
+    // A command gives all that it names the same stops.
+    let mut groups: Vec<(Option<[f64; 2]>, Vec<u32>)> = Vec::new();
+    for (number, range) in ranges {
+        match groups.iter_mut().find(|(other, _)| *other == range) {
+            Some((_, numbers)) => numbers.push(number),
+            None => groups.push((range, vec![number])),
+        }
+    }
+    let set = |(range, numbers): (Option<[f64; 2]>, Vec<u32>)| {
+        let range = Some(range.map_or(RangeOrNone::None(()), RangeOrNone::These));
+        Do::Set(Box::new(SetKeys { angles: Some(numbers), range, ..SetKeys::default() }))
+    };
+    Ok(groups.into_iter().map(set).collect())
+}
+
+/// Two bonds turn no further than this about the point that they share `[rad]`.
+fn jointed(points: [PointId; 3], [min, max]: [f64; 2]) -> Do {
+    let points = Row(points.map(|point| point.0));
+    let angle =
+        AngleKeys { points, rest: None, stiffness: None, damping: None, min: Some(min), max: Some(max), drive: None };
+    Do::Add(Box::new(AddKeys { angles: vec![angle], ..AddKeys::default() }))
+}
+
+/// The angles that resist being elsewhere than at rest.
+pub(super) fn held(angles: &[Angle]) -> impl Iterator<Item = &Angle> {
+    angles.iter().filter(|angle| angle.stiffness > 0.0)
+}
+
+/// The command that gives those another angle at rest `[rad]`.
+pub(super) fn rest(world: &dyn Dynamics, among: &Among, rest: f64) -> Do {
+    let angles = among.angles_of(world);
+    let numbers = held(&angles).map(|angle| angle.number).collect();
+    Do::Set(Box::new(SetKeys { angles: Some(numbers), rest: Some(OneOrEach::One(rest)), ..SetKeys::default() }))
+}
