@@ -35,6 +35,7 @@ mod thumbnails;
 mod tools;
 mod trailing;
 mod warnings;
+pub mod words;
 
 pub use shell::Statistics;
 

@@ -692,6 +692,34 @@ fn numbers_that_overflow_are_refused_when_the_model_is_made() {
 }
 
 #[test]
+fn labels() {
+    hold(
+        plane,
+        &[
+            ("\"labels\": [{\"text\": \"a\"}]", "labels[0]: the key `at` is missing: add `at`"),
+            (
+                "\"labels\": [{\"at\": [0, 0], \"text\": \" \"}]",
+                "labels[0].text: is empty: give a few words, or leave the label out",
+            ),
+            (
+                "\"labels\": [{\"at\": [0, 0], \"text\": \"a\"}, {\"at\": [0, 0], \"text\": \"b\", \"point\": 2}]",
+                "labels[1].point: point 2 does not exist: there are 2 points, so use 0 to 1",
+            ),
+        ],
+    );
+    let one = |at: &str, text: &str| format!("{{\"at\": [{at}], \"text\": \"{text}\"}}");
+    let list = |all: &[String]| plane(&format!("\"labels\": [{}]", all.join(", ")));
+    let good = vec![one("1e300, -4", &"é".repeat(200)); 100];
+    assert_eq!(Scene::parse(&list(&good), "x.json").unwrap().labels.len(), 100);
+    let said = |all: &[String]| refusal(&list(all));
+    assert!(said(&[good, vec![one("0, 0", "a")]].concat()).contains("labels: has 101 entries: give 100 at most"));
+    assert!(said(&[one("0, 0", &"a".repeat(201))]).contains("labels[0].text: has 201 characters: give 200 at most"));
+    assert!(said(&[one("0, 0, 0", "a")]).contains("labels[0].at: has 3 numbers"));
+    assert!(said(&[one("1e999, 0", "a")]).contains("labels[0].at"), "not finite");
+    assert!(said(&[one("0, 0", "a\", \"points\": 1, \"text\": \"b")]).contains("labels[0]"), "an unknown key");
+}
+
+#[test]
 fn groups_of_points() {
     hold(
         plane,

@@ -4,6 +4,7 @@ mod beside;
 mod body;
 mod bond;
 mod cutout;
+mod labels;
 mod number;
 mod repeat;
 mod surfaces;
@@ -40,6 +41,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     beside::check(scene).at("beside")?;
     check_times(scene)?;
     super::parameter::check(scene, dimensions)?;
+    labels::check(&scene.labels, count, dimensions).at("labels")?;
     match &scene.view {
         Some(view) => check_view(view, count, dimensions).at("view"),
         None => Ok(()),
