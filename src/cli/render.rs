@@ -107,7 +107,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     }
     let alone = opening::alone(scene, &View::of(run.world()));
     let worlds = (1 + scene.beside.len(), arguments.size);
-    let tiles = opening::tiles(&alone, &View::of(run.world()), worlds, ([0.0; 2], 0.0));
+    let tiles = opening::tiles((scene, &alone), &View::of(run.world()), worlds, ([0.0; 2], 0.0));
     let mut own = opening::camera(scene, &View::of(run.world()), tiles.pane(arguments.size));
     let followed = opening::followed(scene, &View::of(run.world()), tiles.pane(arguments.size));
     let difference_full = distances::full_distance(&alone) as f32;

@@ -546,7 +546,7 @@ fn surfaces_method_times_and_view() {
             ("\"samples\": [1,0.5]", "samples[1]: 0.5 comes after 1.0: sort the times upwards"),
             (
                 "\"view\": { \"target\": [0,0] }",
-                "view.target: is no key of a view in the plane: its keys are `center`, `height` or `follow`",
+                "view.target: is no key of a view in the plane: its keys are `center`, `height`, `width` or `follow`",
             ),
             (
                 "\"view\": { \"center\": [0,0], \"height\": 1, \"follow\": [] }",
@@ -558,6 +558,10 @@ fn surfaces_method_times_and_view() {
             ),
             ("\"view\": { \"center\": [0,0] }", "view: a view in the plane needs `height`: add it"),
             ("\"view\": { \"center\": [0,0], \"height\": 0 }", "view.height: is 0.0: give a number above 0"),
+            (
+                "\"view\": { \"center\": [0,0], \"height\": 1, \"width\": 0 }",
+                "view.width: is 0.0: give a number above 0",
+            ),
         ],
     );
     hold(

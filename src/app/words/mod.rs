@@ -163,7 +163,7 @@ mod tests {
         let world = scene.world(None).unwrap();
         let view = View::of(&*world);
         let alone = opening::alone(scene, &view);
-        let tiles = opening::tiles(&alone, &view, (1 + scene.beside.len(), size), ([0.0; 2], 0.0));
+        let tiles = opening::tiles((scene, &alone), &view, (1 + scene.beside.len(), size), ([0.0; 2], 0.0));
         let whole = tiles.whole(&opening::camera(scene, &view, tiles.pane(size)), size);
         let context = Context::default();
         let mut list = Vec::new();

@@ -166,7 +166,7 @@ fn check_times(scene: &Scene) -> Result<(), Fault> {
 }
 
 fn check_view(view: &ViewKeys, count: u32, dimensions: usize) -> Result<(), Fault> {
-    let (plane, space) = (["center", "height", "follow"], ["target", "distance", "yaw", "pitch"]);
+    let (plane, space) = (["center", "height", "width", "follow"], ["target", "distance", "yaw", "pitch"]);
     let (what, allowed): (_, &[&str]) = if dimensions == 2 { ("the plane", &plane) } else { ("space", &space) };
     if let Some(key) = view.given().find(|key| !allowed.contains(key)) {
         let keys = super::nearest::list(allowed);
@@ -190,6 +190,7 @@ fn check_view(view: &ViewKeys, count: u32, dimensions: usize) -> Result<(), Faul
         }
     }
     Range::Positive.maybe(view.height).at("height")?;
+    Range::Positive.maybe(view.width).at("width")?;
     Range::Positive.maybe(view.distance).at("distance")?;
     Range::Finite.maybe(view.yaw).at("yaw")?;
     Range::Finite.maybe(view.pitch).at("pitch")
