@@ -265,8 +265,12 @@ fn what_is_printed_as_the_order_is_that_of_one_step() {
 
 /// The lowest point of the cloth after a time [m], and the largest strain of its bonds [1].
 fn hanging(method: &str, t: f64) -> [f64; 2] {
-    let mut world = of_gallery("cloth-space-as-printed", Some(method));
-    let sample = run_to(&mut *world, t);
+    let mut scene = Scene::load("cloth-space-as-printed").unwrap();
+    scene.obstacles.clear();
+    scene.method = Scene::parse(&format!(r#"{{"wobble":1,"points":{{"position":[]}},"method":{{{method}}}}}"#), "x")
+        .unwrap()
+        .method;
+    let sample = run_to(&mut *scene.world(None).unwrap(), t);
     [sample.position.iter().map(|x| x[1]).fold(f64::INFINITY, f64::min), sample.max_strain]
 }
 
@@ -291,6 +295,7 @@ fn stretch_by_a_hitch(method: &str) -> [f64; 2] {
     let times = (0..=60).map(|k| f64::from(k) / 60.0).chain((0..=60).map(|k| 1.5 + f64::from(k) / 60.0));
     let track: Vec<[f64; 4]> = times.map(|t| [t, -10.0, 0.0, 0.0]).collect();
     scene["pin_motion"] = json!([{ "point": 0, "track": track }]);
+    scene["obstacles"] = json!([]);
     scene["method"] = serde_json::from_str(&format!("{{{method}}}")).unwrap();
     let mut world = Scene::parse(&scene.to_string(), "hitch.json").unwrap().world(None).unwrap();
     let bonds: Vec<Bond> = world.bonds().iter().collect();
@@ -315,6 +320,30 @@ fn a_hitch_tears_the_cloth_apart() {
     assert!(most > next, "it goes on: {most}");
     let [_, right] = stretch_by_a_hitch(r#""substep":0.004166666666666667"#);
     assert!(right < 1.01, "{right}");
+}
+
+#[test]
+fn threads_that_a_bar_leads_to_a_wall_end_behind_it_where_they_are_swept_last() {
+    // How far the farthest thread is behind the wall at z = -4 m, once the bar is 1 m behind it [m].
+    let beyond = |method: &str| {
+        let mut scene =
+            serde_json::from_str::<Value>(&Scene::load("cloth-space-as-printed").unwrap().to_json().unwrap()).unwrap();
+        let led = |k: i32| json!({ "point": k, "track": [[4, 2 * k - 10, 0, 0], [6, 2 * k - 10, 0, -5]] });
+        scene["pin_motion"] = (0..11).map(led).collect();
+        scene["method"] = serde_json::from_str(&format!("{{{method}}}")).unwrap();
+        let mut world = Scene::parse(&scene.to_string(), "wall.json").unwrap().world(None).unwrap();
+        run_to(&mut *world, 6.5);
+        let mut most = f64::NEG_INFINITY;
+        while world.time() < 8.0 {
+            world.step();
+            let sample = world.sample(world.time());
+            most = sample.position[11..].iter().fold(most, |most, x| most.max(-4.0 - x[2]));
+        }
+        most
+    };
+    is_near(beyond(r#""solver":"as-printed","source":"004""#), 0.223, 0.005);
+    let right = beyond(r#""solver":"path","substep":0.002"#);
+    assert!(right < 1e-9, "{right}");
 }
 
 #[test]
