@@ -265,8 +265,12 @@ fn what_is_printed_as_the_order_is_that_of_one_step() {
 
 /// The lowest point of the cloth after a time [m], and the largest strain of its bonds [1].
 fn hanging(method: &str, t: f64) -> [f64; 2] {
-    let mut world = of_gallery("cloth-space-as-printed", Some(method));
-    let sample = run_to(&mut *world, t);
+    let mut scene = Scene::load("cloth-space-as-printed").unwrap();
+    scene.obstacles.clear();
+    scene.method = Scene::parse(&format!(r#"{{"wobble":1,"points":{{"position":[]}},"method":{{{method}}}}}"#), "x")
+        .unwrap()
+        .method;
+    let sample = run_to(&mut *scene.world(None).unwrap(), t);
     [sample.position.iter().map(|x| x[1]).fold(f64::INFINITY, f64::min), sample.max_strain]
 }
 
@@ -291,6 +295,7 @@ fn stretch_by_a_hitch(method: &str) -> [f64; 2] {
     let times = (0..=60).map(|k| f64::from(k) / 60.0).chain((0..=60).map(|k| 1.5 + f64::from(k) / 60.0));
     let track: Vec<[f64; 4]> = times.map(|t| [t, -10.0, 0.0, 0.0]).collect();
     scene["pin_motion"] = json!([{ "point": 0, "track": track }]);
+    scene["obstacles"] = json!([]);
     scene["method"] = serde_json::from_str(&format!("{{{method}}}")).unwrap();
     let mut world = Scene::parse(&scene.to_string(), "hitch.json").unwrap().world(None).unwrap();
     let bonds: Vec<Bond> = world.bonds().iter().collect();
@@ -318,6 +323,30 @@ fn a_hitch_tears_the_cloth_apart() {
 }
 
 #[test]
+fn threads_that_a_bar_leads_to_a_wall_end_behind_it_where_they_are_swept_last() {
+    // How far the farthest thread is behind the wall at z = -4 m, once the bar is 1 m behind it [m].
+    let beyond = |method: &str| {
+        let mut scene =
+            serde_json::from_str::<Value>(&Scene::load("cloth-space-as-printed").unwrap().to_json().unwrap()).unwrap();
+        let led = |k: i32| json!({ "point": k, "track": [[4, 2 * k - 10, 0, 0], [6, 2 * k - 10, 0, -5]] });
+        scene["pin_motion"] = (0..11).map(led).collect();
+        scene["method"] = serde_json::from_str(&format!("{{{method}}}")).unwrap();
+        let mut world = Scene::parse(&scene.to_string(), "wall.json").unwrap().world(None).unwrap();
+        run_to(&mut *world, 6.5);
+        let mut most = f64::NEG_INFINITY;
+        while world.time() < 8.0 {
+            world.step();
+            let sample = world.sample(world.time());
+            most = sample.position[11..].iter().fold(most, |most, x| most.max(-4.0 - x[2]));
+        }
+        most
+    };
+    is_near(beyond(r#""solver":"as-printed","source":"004""#), 0.223, 0.005);
+    let right = beyond(r#""solver":"path","substep":0.002"#);
+    assert!(right < 1e-9, "{right}");
+}
+
+#[test]
 fn what_is_swept_after_the_box_ends_in_it() {
     let depth = |method: &str| {
         let keys = r#""dimensions":3,"gravity":[0,-196.2,0],
@@ -338,6 +367,119 @@ fn what_is_swept_after_the_box_ends_in_it() {
     assert!(printed > 1.0, "{printed}");
     let right = depth(r#""solver":"auto""#);
     assert!(right < 1e-3, "{right}");
+}
+
+#[test]
+fn damping_a_step_is_another_at_another_step() {
+    // What is left of 1 m/s after a second.
+    let left = |method: &str, hertz: u32| {
+        let keys = r#""points":{"position":[[0,0]],"velocity":[[1,0]]}"#;
+        let mut world = world(keys, &format!(r#"{method},"substep":{}"#, 1.0 / f64::from(hertz)));
+        (0..hertz).for_each(|_| world.step());
+        world.sample(world.time()).velocity[0][0]
+    };
+    for (hertz, of_001, of_004) in [(30, 0.1638, 0.9560), (60, 0.0268, 0.9139), (144, 0.000169, 0.8056)] {
+        is_near(left(PRINTED_001, hertz), of_001, 1e-3 * of_001 + 1e-6);
+        is_near(left(PRINTED_001, hertz), 0.99_f64.powi(6 * hertz as i32), 1e-9);
+        is_near(left(r#""solver":"as-printed","source":"004""#, hertz), of_004, 1e-4);
+        // The rate that 004 has at 60 Hz.
+        let keys = r#""points":{"position":[[0,0]],"velocity":[[1,0]]},"drag_rate":0.0900675845"#;
+        let mut right = world(keys, &format!(r#""substep":{}"#, 1.0 / f64::from(hertz)));
+        (0..hertz).for_each(|_| right.step());
+        is_near(right.sample(right.time()).velocity[0][0], 0.9139, 1e-4);
+    }
+}
+
+/// How many bonds of a scene are of length 0 at its start, and how many hold the point that has the fewest.
+fn loose(name: &str) -> (usize, usize) {
+    let world = of_gallery(name, None);
+    let start = world.sample(0.0);
+    let bonds: Vec<Bond> = world.bonds().iter().collect();
+    let empty = bonds.iter().filter(|bond| distance(&start, bond.a.index(), bond.b.index()) == 0.0).count();
+    let held =
+        |point: usize| bonds.iter().filter(|bond| [bond.a, bond.b].iter().any(|end| end.index() == point)).count();
+    (empty, (0..start.position.len()).map(held).min().unwrap())
+}
+
+#[test]
+fn the_notebooks_rim_says_an_angle_twice_and_its_last_point_hangs_by_one_bond() {
+    assert_eq!(loose("rim-as-printed"), (1, 1));
+    let mut world = of_gallery("rim-as-printed", None);
+    let start = world.sample(0.0);
+    // By its numbers points 25 and 1, 26 and 2 begin in one place.
+    assert_eq!([distance(&start, 24, 0), distance(&start, 25, 1)], [0.0; 2]);
+    let mut most = 0.0_f64;
+    while world.time() < 8.0 {
+        world.step();
+        most = most.max(distance(&world.sample(world.time()), 25, 1));
+    }
+    assert!(most > 0.35 && most < 0.42, "it swings about the next one, on a bond of 0.2 m: {most}");
+    for name in ["rim", "rim-relaxed"] {
+        let (empty, fewest) = loose(name);
+        assert!(empty == 0 && fewest >= 4, "{name}: {empty} {fewest}");
+    }
+}
+
+#[test]
+fn the_cloth_as_printed_starts_at_half_its_size_and_above_its_bar() {
+    // The shortest thread, in parts of its rest length, and how far the topmost free point is above the bar [m].
+    let start = |name: &str| {
+        let world = of_gallery(name, None);
+        let sample = world.sample(0.0);
+        let size = |bond: &Bond| distance(&sample, bond.a.index(), bond.b.index()) / bond.rest_length;
+        let shortest = world.bonds().iter().map(|bond| size(&bond)).fold(f64::INFINITY, f64::min);
+        let highest = |pinned: bool| {
+            let all = sample.position.iter().enumerate();
+            let all = all.filter(|(k, _)| world.pinned().iter().any(|pin| pin.index() == *k) == pinned);
+            all.map(|(_, x)| x[1]).fold(f64::NEG_INFINITY, f64::max)
+        };
+        [shortest, highest(false) - highest(true)]
+    };
+    assert_eq!(start("cloth-space-as-printed"), [0.5, 10.0]);
+    let [shortest, above] = start("cloth-space");
+    is_near(shortest, 1.0, 1e-9);
+    is_near(above, -0.2, 1e-9);
+}
+
+#[test]
+fn the_linear_mouse_jumps_at_its_edge_and_the_smooth_one_does_not() {
+    // What a point at rest is drawn or pushed by at a share of the radius [m/s^2].
+    let pull = |name: &str, share: f64| {
+        let mouse = Scene::load(name).unwrap().mouse.unwrap();
+        let at = share * mouse.radius;
+        let mut keys = serde_json::to_value(&mouse).unwrap();
+        keys["track"] = json!([[0, 0, 0]]);
+        let keys = format!(r#""points":{{"position":[[{at},0]]}},"mouse":{keys}"#);
+        after(&keys, r#""solver":"euler","substep":0.001"#, 0.001).velocity[0][0] / 0.001
+    };
+    for name in ["points-as-printed", "random-graph-as-printed", "rim-as-printed", "image-mesh-as-printed"] {
+        is_near(pull(name, 0.999), -13.986, 1e-6);
+        assert_eq!(pull(name, 1.001), 0.0, "{name}");
+    }
+    for name in ["points", "random-graph", "rim", "image-mesh"] {
+        let [middle, edge] = [0.5, 0.999].map(|share| pull(name, share).abs());
+        assert!(middle > 1.0 && edge < 1e-3 * middle, "{name}: {middle} {edge}");
+    }
+}
+
+#[test]
+fn a_box_whose_edges_are_in_no_list_is_four_loose_points() {
+    // How far its left corners are above each other a quarter of a second later, with bonds or without.
+    let side = |method: &str, has_bonds: bool| {
+        let mut scene =
+            serde_json::from_str::<Value>(&Scene::load("box-as-printed").unwrap().to_json().unwrap()).unwrap();
+        scene["method"] = serde_json::from_str(&format!("{{{method}}}")).unwrap();
+        scene["beside"] = json!([]);
+        if !has_bonds {
+            scene["bonds"] = json!([]);
+        }
+        let mut world = Scene::parse(&scene.to_string(), "box.json").unwrap().world(None).unwrap();
+        let sample = run_to(&mut *world, 0.25);
+        sample.position[0][1] - sample.position[2][1]
+    };
+    is_near(side(PRINTED_001, false), -0.0241, 1e-3);
+    let right = side(r#""solver":"auto""#, true);
+    is_near(right, 0.05, 1e-6);
 }
 
 #[test]

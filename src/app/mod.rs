@@ -36,6 +36,7 @@ mod thumbnails;
 mod tools;
 mod trailing;
 mod warnings;
+pub mod words;
 
 pub use shell::Statistics;
 

@@ -13,6 +13,7 @@ use super::{progress, values};
 use crate::app::distances;
 use crate::app::opening::{self, Followed};
 use crate::app::player::driven;
+use crate::app::words;
 use crate::history::{Companion, Do, Entry, Replay, Start, chunk, distances};
 use crate::output;
 use crate::picture::{Skin, Tint};
@@ -106,7 +107,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     }
     let alone = opening::alone(scene, &View::of(run.world()));
     let worlds = (1 + scene.beside.len(), arguments.size);
-    let tiles = opening::tiles(&alone, &View::of(run.world()), worlds, ([0.0; 2], 0.0));
+    let tiles = opening::tiles((scene, &alone), &View::of(run.world()), worlds, ([0.0; 2], 0.0));
     let mut own = opening::camera(scene, &View::of(run.world()), tiles.pane(arguments.size));
     let followed = opening::followed(scene, &View::of(run.world()), tiles.pane(arguments.size));
     let difference_full = distances::full_distance(&alone) as f32;
@@ -153,7 +154,8 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
                 Pane::of(&tiles, place, view, &camera, look, arguments.size)
             })
             .collect();
-        let picture = capture.pictures(&panes)?;
+        let mut picture = capture.pictures(&panes)?;
+        words::label(&mut picture, &scene.labels, &panes, (arguments.palette.into(), scale_factor));
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
             let scene = inside(&run)?;

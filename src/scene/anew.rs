@@ -102,10 +102,11 @@ impl Scene {
             || self.cursor_pin.is_some_and(|pin| pin >= first)
             || self.click_start.is_some_and(|point| point >= first)
             || self.forces.iter().any(|force| force.points.iter().any(|&point| point >= first))
+            || self.labels.iter().any(|label| label.point.is_some_and(|point| point >= first))
             || self.groups.iter().any(|group| group.points.iter().any(|&point| point >= first))
             || self.skins.iter().any(|skin| skin.points.iter().any(|&point| point >= first));
         if is_named {
-            let message = "pins, bonds, triangles, angles, groups, skins or forces of the scene name its points or later ones by number, and cut out \
+            let message = "pins, bonds, triangles, angles, groups, labels, skins or forces of the scene name its points or later ones by number, and cut out \
                            anew it has others: make it a body of its own";
             return Err(Fault::invalid(message));
         }

@@ -50,10 +50,10 @@ pub(crate) use keys::macros::object;
 pub use keys::{
     AddKeys, AngleKeys, AreaKeys, AreaKindName, BesideKeys, BodyKeys, BondKeys, BondList, BoundsKeys, BoxKeys,
     BraceName, BudgetKeys, CircleKeys, ColorKey, ContactKeys, DiagonalsName, DrawnKeys, DriveKeys, ForceKeys, KeyName,
-    KindName, LimitName, LookKeys, MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys, ObstacleKeys,
-    OrderName, ParameterKeys, PatternName, PenaltyKeys, PictureKeys, PinMotionKeys, PlaneKeys, PointGroupKeys,
-    PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys, SolverName,
-    SourceName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
+    KindName, LabelKeys, LimitName, LookKeys, MakerName, MassKeys, Material, Meeting, MethodKeys, MouseKeys,
+    ObstacleKeys, OrderName, ParameterKeys, PatternName, PenaltyKeys, PictureKeys, PinMotionKeys, PlaneKeys,
+    PointGroupKeys, PointKeys, PrecisionName, ProfileName, RegionName, RepeatKeys, RotationKeys, Row, Scene, SkinKeys,
+    SolverName, SourceName, StrokesName, TextureKeys, Vector, Version, ViewKeys, WindKeys,
 };
 pub(crate) use keys::{ObjectOnly, present};
 pub use keywords::{keywords, topic_place};

@@ -546,7 +546,7 @@ fn surfaces_method_times_and_view() {
             ("\"samples\": [1,0.5]", "samples[1]: 0.5 comes after 1.0: sort the times upwards"),
             (
                 "\"view\": { \"target\": [0,0] }",
-                "view.target: is no key of a view in the plane: its keys are `center`, `height` or `follow`",
+                "view.target: is no key of a view in the plane: its keys are `center`, `height`, `width` or `follow`",
             ),
             (
                 "\"view\": { \"center\": [0,0], \"height\": 1, \"follow\": [] }",
@@ -558,6 +558,10 @@ fn surfaces_method_times_and_view() {
             ),
             ("\"view\": { \"center\": [0,0] }", "view: a view in the plane needs `height`: add it"),
             ("\"view\": { \"center\": [0,0], \"height\": 0 }", "view.height: is 0.0: give a number above 0"),
+            (
+                "\"view\": { \"center\": [0,0], \"height\": 1, \"width\": 0 }",
+                "view.width: is 0.0: give a number above 0",
+            ),
         ],
     );
     hold(
@@ -689,6 +693,34 @@ fn numbers_that_overflow_are_refused_when_the_model_is_made() {
         let scene = Scene::parse(&text, "x.json").unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(scene.model::<2>().unwrap_err().to_string(), message);
     }
+}
+
+#[test]
+fn labels() {
+    hold(
+        plane,
+        &[
+            ("\"labels\": [{\"text\": \"a\"}]", "labels[0]: the key `at` is missing: add `at`"),
+            (
+                "\"labels\": [{\"at\": [0, 0], \"text\": \" \"}]",
+                "labels[0].text: is empty: give a few words, or leave the label out",
+            ),
+            (
+                "\"labels\": [{\"at\": [0, 0], \"text\": \"a\"}, {\"at\": [0, 0], \"text\": \"b\", \"point\": 2}]",
+                "labels[1].point: point 2 does not exist: there are 2 points, so use 0 to 1",
+            ),
+        ],
+    );
+    let one = |at: &str, text: &str| format!("{{\"at\": [{at}], \"text\": \"{text}\"}}");
+    let list = |all: &[String]| plane(&format!("\"labels\": [{}]", all.join(", ")));
+    let good = vec![one("1e300, -4", &"é".repeat(200)); 100];
+    assert_eq!(Scene::parse(&list(&good), "x.json").unwrap().labels.len(), 100);
+    let said = |all: &[String]| refusal(&list(all));
+    assert!(said(&[good, vec![one("0, 0", "a")]].concat()).contains("labels: has 101 entries: give 100 at most"));
+    assert!(said(&[one("0, 0", &"a".repeat(201))]).contains("labels[0].text: has 201 characters: give 200 at most"));
+    assert!(said(&[one("0, 0, 0", "a")]).contains("labels[0].at: has 3 numbers"));
+    assert!(said(&[one("1e999, 0", "a")]).contains("labels[0].at"), "not finite");
+    assert!(said(&[one("0, 0", "a\", \"points\": 1, \"text\": \"b")]).contains("labels[0]"), "an unknown key");
 }
 
 #[test]

@@ -29,7 +29,8 @@ const PLANE: &str = r#"{ "wobble": 1, "name": "all \"keys\" é", "tags": ["a", "
     { "polygon": [[[0,0],[3,0],[0,3]], [[0.5,0.5],[1,0.5],[0.5,1]]] } ],
   "method": { "solver": "blanes-moan-4", "substep": 0.01, "iterations": 3, "order": "symmetric", "seed": 4,
     "precision": "f32", "tolerance": 0.001, "max_strain": 0.1 },
-  "rate": 2, "duration": 3, "samples": [0,1,1,3], "view": { "center": [0,0], "height": 10 } }"#;
+  "rate": 2, "duration": 3, "samples": [0,1,1,3], "view": { "center": [0,0], "height": 10, "width": 4 },
+  "labels": [ { "at": [1,2], "text": "here" }, { "at": [0,0.5], "text": "λ, \"there\"", "point": 2 } ] }"#;
 
 /// What is different in space.
 const SPACE: &str = r#"{ "wobble": 1, "dimensions": 3,
@@ -38,7 +39,8 @@ const SPACE: &str = r#"{ "wobble": 1, "dimensions": 3,
   "texture": { "image": "a.png", "uv": [[0,0],[0,1],[1,0],[1,1],[0,0],[0,0]] },
   "pin_motion": [ { "point": 0, "track": [[0,1,2,3]] } ],
   "obstacles": [ { "box": { "min": [0,0,0], "max": [1,1,1], "rotation": { "axis": [0,1,0], "angle": 1 } } } ],
-  "view": { "target": [0,0,0], "distance": 4, "yaw": 1, "pitch": -1 } }"#;
+  "view": { "target": [0,0,0], "distance": 4, "yaw": 1, "pitch": -1 },
+  "labels": [ { "at": [1,2,3], "text": "here", "point": 1 } ] }"#;
 
 #[test]
 fn every_key_survives() {

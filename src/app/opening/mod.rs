@@ -30,7 +30,7 @@ const SLIMMEST: f64 = 0.75;
 /// The camera of a scene's `view`; what that leaves out fits the scene.
 pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
     let [width, tall] = size.map(f64::from);
-    let height = |height: f64, center: DVec2| height_for(height, width / tall, center.x, seen);
+    let height = |height: f64, center: DVec2| height.max(across(scene, height, center.x, seen) * tall / width);
     if roaming::roams(scene, seen, size) {
         return roaming::camera(scene, seen, size);
     }
@@ -89,7 +89,12 @@ fn look(view: Option<&ViewKeys>, height_at: impl Fn(f64, DVec2) -> f64, seen: &V
 
 /// How `count` worlds of a scene share a picture of `size` `[px]`; `alone` is its camera in a picture of usual shape. `taken` is what of each pane's
 /// width and height is not for the world `[px]`, below what lies over the upper edge of the picture, so high.
-pub fn tiles(alone: &Camera, seen: &View<'_>, (count, size): (usize, [u32; 2]), taken: ([f64; 2], f64)) -> Tiles {
+pub fn tiles(
+    (scene, alone): (&Scene, &Camera),
+    seen: &View<'_>,
+    (count, size): (usize, [u32; 2]),
+    taken: ([f64; 2], f64),
+) -> Tiles {
     if count < 2 {
         return Tiles::ALONE;
     }
@@ -99,7 +104,7 @@ pub fn tiles(alone: &Camera, seen: &View<'_>, (count, size): (usize, [u32; 2]), 
             let sides = [points(seen), surroundings(seen)].map(|extent| extent.map(|at| (at[0] - center.x).abs()));
             let shown = |side: &f64| *side <= 0.5 * MADE_FOR * height;
             let shown = sides.into_iter().flatten().filter(shown).fold(0.0, f64::max);
-            (2.0 * ROOM * shown).max(SLIMMEST * height)
+            said_width(scene).unwrap_or((2.0 * ROOM * shown).max(SLIMMEST * height))
         }
         Pose::Orbit { .. } => height,
     };
@@ -112,7 +117,7 @@ pub fn shared(scene: &Scene, seen: &View<'_>, count: usize, (area, free, titles)
     let [low, high] = free;
     let head = (low[1] - titles).max(0.0);
     let [across, down] = [0, 1].map(|axis| (f64::from(area[axis]) - (high[axis] - low[axis])).max(0.0));
-    tiles(&alone(scene, seen), seen, (count, area), ([across, (down - head).max(0.0)], head))
+    tiles((scene, &alone(scene, seen)), seen, (count, area), ([across, (down - head).max(0.0)], head))
 }
 
 /// The camera of a pane that a panel takes room from, or gives some back: as large as before, with the same place in the left upper corner, and
@@ -154,16 +159,20 @@ pub fn keys(camera: &Camera) -> ViewKeys {
     }
 }
 
-/// The height `[m]` of a picture `aspect` times as wide as high, in which nothing of points and walls is cut off to the sides
-/// that one of `height` shows which is as wide as views are made for.
-fn height_for(height: f64, aspect: f64, center: f64, view: &View<'_>) -> f64 {
+/// How much a picture narrower than views are made for shows across `[m]`, of a view so high: what the scene says, else so much that nothing of
+/// points and walls is cut off to the sides which one of usual width shows.
+fn across(scene: &Scene, height: f64, center: f64, view: &View<'_>) -> f64 {
     let shown = |extent: [[f64; 3]; 2]| {
         let sides = extent.map(|corner| (corner[0] - center).abs());
         sides.into_iter().filter(|&side| side <= 0.5 * MADE_FOR * height).fold(0.0, f64::max)
     };
     let wide = (2.0 * OUTER * shown(points(view))).max(2.0 * ROOM * shown(surroundings(view)));
     // In a picture higher than wide there is room beside what is slim, too.
-    height.max(SLIMMEST * height / aspect).max(wide / aspect)
+    said_width(scene).unwrap_or(wide.max(SLIMMEST * height))
+}
+
+fn said_width(scene: &Scene) -> Option<f64> {
+    scene.view.as_ref().and_then(|view| view.width)
 }
 
 /// A camera that shows all points, with walls and polygons too or without. Where there are no points it shows those anyway.
@@ -386,6 +395,27 @@ fn surroundings(view: &View<'_>) -> [[f64; 3]; 2] {
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_width_is_shown_where_there_is_less_room_and_walls_beyond_it_are_cut_off() {
+        let of = |view: &str| {
+            let text = r#"{"wobble": 1, "points": {"position": [[-1, 0], [1, 0]]}, "bounds": {"min": [-5, -5], "max": [5, 1]},
+                "beside": [{"method": {"solver": "verlet"}}], "view": {"center": [1, -2], "height": 6.4VIEW}}"#;
+            Scene::parse(&text.replace("VIEW", view), "x.json").unwrap()
+        };
+        let heights = |scene: &Scene| {
+            let world = scene.world(None).unwrap();
+            let seen = View::of(&*world);
+            [[1280, 720], [720, 1280]].map(|size| {
+                let tiles = tiles((scene, &alone(scene, &seen)), &seen, (2, size), ([0.0; 2], 0.0));
+                camera(scene, &seen, tiles.pane(size)).height()
+            })
+        };
+        let (usual, close) = (heights(&of("")), heights(&of(r#", "width": 4"#)));
+        assert!(usual[0] > 9.0 && close == [6.4; 2], "{usual:?} {close:?}");
+        let narrow = heights(&of(r#", "width": 8"#));
+        assert!((narrow[0] - 9.0).abs() < 1e-9, "eight metres in 640 pixels: {narrow:?}");
+    }
 
     #[test]
     fn what_a_view_shows_whole_lies_beside_what_covers_it() {

@@ -14,6 +14,7 @@ use crate::app::canvas::{Canvas, Paint};
 use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, theme};
 use crate::app::swept::{apart, places_of};
 use crate::app::tools::{Mark, Role, Scope, labels, no_motors, no_muscles, probe};
+use crate::app::words::{self, Anchor};
 use crate::lessons::heading_of;
 use crate::render::{Look, Overlay, RenderError, View, body_color};
 use crate::scene::{Parameter, PrecisionName};
@@ -27,10 +28,6 @@ const MOST_SEEN: usize = 2_000;
 const MOST_MARKS: usize = 16;
 /// Panels that lie elsewhere than the time before are laid out so often once more in a row at most.
 const MOST_LAID_ANEW: u8 = 3;
-/// Size of words over the world `[points]`.
-const WORDS: f32 = 13.0;
-/// Room between them and an edge `[points]`.
-const WORDS_APART: f32 = 4.0;
 /// What numbers over the world are written with: signs are given to the GPU with the panels only, so they are had before, each at any part of
 /// a pixel: it stands behind others of several widths.
 const SIGNS: &str = "0123456789.,-× m°";
@@ -65,7 +62,7 @@ impl Session {
         let output = context.run_ui(input, |ui| {
             ui.fonts_mut(|fonts| {
                 for (sign, before) in SIGNS.chars().flat_map(|sign| BEFORE.map(|before| (sign, before))) {
-                    fonts.layout_no_wrap(format!("{before}{sign}"), FontId::proportional(WORDS), Color32::WHITE);
+                    fonts.layout_no_wrap(format!("{before}{sign}"), FontId::proportional(words::SIZE), Color32::WHITE);
                 }
             });
             (wishes, laid) = panels::show(ui, &mut self.panels, &facts);
@@ -334,6 +331,7 @@ impl Session {
         }
         if !self.is_covered() && !self.panels.hides_hud {
             marks.extend(labels(scope, self.shown().figures.relaxed));
+            marks.extend(self.labels());
         }
         marks.extend(probes);
         marks.extend(self.ghosts());
@@ -343,15 +341,18 @@ impl Session {
         if marks.is_empty() {
             return Default::default();
         }
-        let words = marks.iter().filter_map(|mark| if let Mark::Words(_, words) = mark { Some(words) } else { None });
-        let signs = words.flat_map(|words| words.chars()).map(|sign| if sign.is_ascii_digit() { '0' } else { sign });
-        let words = signs.collect();
+        let said = marks.iter().filter_map(|mark| match mark {
+            Mark::Words(_, words) | Mark::Label(_, words, _) => Some(words),
+            _ => None,
+        });
+        let signs = said.flat_map(|words| words.chars()).map(|sign| if sign.is_ascii_digit() { '0' } else { sign });
+        let said = signs.collect();
         let context = self.egui.egui_ctx();
         let scale = context.pixels_per_point();
         let [width, height] = self.area.map(|side| side as f32 / scale);
         let clip_rect = Rect::from_min_max(Pos2::ZERO, Pos2::new(width, height));
         // Words stay off panels at the right edge.
-        let room = clip_rect.with_max_x(width.min(self.free[1][0] as f32 / scale + WORDS)).shrink(WORDS_APART);
+        let room = clip_rect.with_max_x(width.min(self.free[1][0] as f32 / scale + words::SIZE)).shrink(words::APART);
         let room = (room, self.place_of_pointer());
         let shapes = marks
             .iter()
@@ -361,7 +362,23 @@ impl Session {
                 transform_after_tessellation: egui::emath::TSTransform::IDENTITY,
             })
             .collect();
-        (context.tessellate(shapes, scale), words)
+        (context.tessellate(shapes, scale), said)
+    }
+
+    /// What the scene says of itself, in each of its worlds.
+    fn labels(&self) -> Vec<Mark> {
+        if self.scene.labels.is_empty() {
+            return Vec::new();
+        }
+        let others = self.shown().beside.iter().take(self.tiles.count() - 1);
+        let others = others.map(|world| world.view(self.scene.dimensions()));
+        let label = |(place, view): (usize, View<'_>)| -> Vec<Mark> {
+            let camera = self.tiles.camera(place, &self.camera, self.area);
+            let clip = self.tiles.clip(place, self.area);
+            let seen = words::seen(&self.scene.labels, &view, &camera, clip).into_iter();
+            seen.map(|(at, text)| Mark::Label(at, text.to_owned(), clip)).collect()
+        };
+        std::iter::once(self.shown().view()).chain(others).enumerate().flat_map(label).collect()
     }
 
     /// The GPU was lost (a driver's update, a card pulled out): opens what there is now. The world is not touched.
@@ -423,20 +440,10 @@ fn shape(context: &egui::Context, mark: &Mark, scale: f32, room: (Rect, Option<P
                 Shape::rect_filled(square(half), 1.5, color(role)),
             ])
         }
-        Mark::Words(corner, words) => written(context, at(corner), words, room),
+        Mark::Words(corner, said) => words::written(context, (at(corner), Anchor::Corner), said, room),
+        Mark::Label(foot, said, clip) => {
+            let own = words::points(*clip, scale).shrink(words::APART).intersect(room.0);
+            words::written(context, (at(foot), Anchor::Middle), said, (own, room.1))
+        }
     }
-}
-
-/// Words on a ground of their own, up from their lower left corner, kept in a room and off the pointer.
-fn written(context: &egui::Context, corner: Pos2, words: &str, (room, pointer): (Rect, Option<Pos2>)) -> Shape {
-    let font = FontId::proportional(WORDS);
-    let colors = theme::colors(context);
-    let galley = context.fonts_mut(|fonts| fonts.layout_no_wrap(words.to_owned(), font, colors.text));
-    let place = corner - egui::vec2(0.0, galley.size().y);
-    let edge = egui::vec2(6.0, 3.0);
-    let ground = Rect::from_min_size(place, galley.size()).expand2(edge);
-    let ground = panels::kept_in(ground, pointer, room);
-    let place = ground.min + edge;
-    let ground = Shape::rect_filled(ground, 5.0, colors.panel.gamma_multiply(0.92));
-    Shape::Vec(vec![ground, Shape::galley(place, galley, colors.text)])
 }

@@ -48,6 +48,8 @@ pub(in crate::app) enum Mark {
     Square(Role, DVec2, f64),
     /// The lower left corner, and what is written there.
     Words(DVec2, String),
+    /// The middle of the lower edge, what is written there, and the part of the picture that it stays in: left, top, width and height.
+    Label(DVec2, String, [u32; 4]),
 }
 
 impl Mark {
@@ -59,7 +61,7 @@ impl Mark {
             Mark::Frame(_, low, high) => Mark::Frame(role, low, high),
             Mark::Knob(_, middle, radius) => Mark::Knob(role, middle, radius),
             Mark::Square(_, middle, half) => Mark::Square(role, middle, half),
-            words @ Mark::Words(..) => words,
+            words @ (Mark::Words(..) | Mark::Label(..)) => words,
         }
     }
 
@@ -72,6 +74,7 @@ impl Mark {
             Mark::Knob(role, middle, radius) => Mark::Knob(role, place(middle), radius),
             Mark::Square(role, middle, half) => Mark::Square(role, place(middle), half),
             Mark::Words(corner, words) => Mark::Words(place(corner), words),
+            Mark::Label(foot, words, room) => Mark::Label(place(foot), words, room),
         }
     }
 }

@@ -4,6 +4,7 @@ mod beside;
 mod body;
 mod bond;
 mod cutout;
+mod labels;
 mod number;
 mod repeat;
 mod surfaces;
@@ -40,6 +41,7 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     beside::check(scene).at("beside")?;
     check_times(scene)?;
     super::parameter::check(scene, dimensions)?;
+    labels::check(&scene.labels, count, dimensions).at("labels")?;
     match &scene.view {
         Some(view) => check_view(view, count, dimensions).at("view"),
         None => Ok(()),
@@ -164,7 +166,7 @@ fn check_times(scene: &Scene) -> Result<(), Fault> {
 }
 
 fn check_view(view: &ViewKeys, count: u32, dimensions: usize) -> Result<(), Fault> {
-    let (plane, space) = (["center", "height", "follow"], ["target", "distance", "yaw", "pitch"]);
+    let (plane, space) = (["center", "height", "width", "follow"], ["target", "distance", "yaw", "pitch"]);
     let (what, allowed): (_, &[&str]) = if dimensions == 2 { ("the plane", &plane) } else { ("space", &space) };
     if let Some(key) = view.given().find(|key| !allowed.contains(key)) {
         let keys = super::nearest::list(allowed);
@@ -188,6 +190,7 @@ fn check_view(view: &ViewKeys, count: u32, dimensions: usize) -> Result<(), Faul
         }
     }
     Range::Positive.maybe(view.height).at("height")?;
+    Range::Positive.maybe(view.width).at("width")?;
     Range::Positive.maybe(view.distance).at("distance")?;
     Range::Finite.maybe(view.yaw).at("yaw")?;
     Range::Finite.maybe(view.pitch).at("pitch")

@@ -28,7 +28,8 @@ pub use contact::{ContactKeys, Meeting, SkinKeys};
 pub use drive::{DriveKeys, KeyName};
 pub use method::{MethodKeys, OrderName, PrecisionName, SolverName, SourceName};
 pub use scene::{
-    AngleKeys, AreaKeys, AreaKindName, MassKeys, ParameterKeys, PointGroupKeys, PointKeys, Scene, TextureKeys, Version,
+    AngleKeys, AreaKeys, AreaKindName, LabelKeys, MassKeys, ParameterKeys, PointGroupKeys, PointKeys, Scene,
+    TextureKeys, Version,
 };
 pub use surroundings::{
     BoundsKeys, BoxKeys, CircleKeys, ForceKeys, MouseKeys, ObstacleKeys, PenaltyKeys, PictureKeys, PinMotionKeys,

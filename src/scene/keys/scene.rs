@@ -197,6 +197,22 @@ object! {
 }
 
 object! {
+    /// A few words that stand in the world.
+    LabelKeys: "a label: an object with the keys `at` and `text`" {
+        required {
+            /// The middle of their lower edge `[m]`: with `point` as seen from there.
+            at: Vector,
+            /// The words, 200 characters at most.
+            text: String,
+        }
+        optional {
+            /// The point that they go along with.
+            point: u32,
+        }
+    }
+}
+
+object! {
     /// Points that are selected as one in the window.
     PointGroupKeys: "a group: an object with the key `points`" {
         required {
@@ -314,6 +330,10 @@ object! {
         optional {
             /// What a picture shows at first: everything if not said.
             view: ViewKeys,
+        }
+        lists {
+            /// Words that stand in the world, 100 labels at most.
+            labels: LabelKeys,
         }
         beside {
             /// How the motion is computed; a call may set these over the file's.

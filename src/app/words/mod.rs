@@ -1,0 +1,239 @@
+//! Words over the world: where labels of a scene are seen, and how they and what tools say are painted.
+
+mod raster;
+
+use egui::epaint::{ClippedShape, Shape};
+use egui::{Context, FontId, Pos2, Rect, Vec2, emath::TSTransform};
+use glam::{DVec2, DVec3};
+use image::RgbaImage;
+
+use super::panels::{kept_in, theme};
+use crate::render::{Camera, Palette, Pane, View};
+use crate::scene::LabelKeys;
+
+/// Size of words over the world `[points]`.
+pub(super) const SIZE: f32 = 13.0;
+/// Room between them and an edge `[points]`.
+pub(super) const APART: f32 = 4.0;
+/// From words to the rim of their ground `[points]`.
+const MARGIN: Vec2 = Vec2::new(6.0, 3.0);
+
+/// How words lie about where they stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Anchor {
+    /// That is their lower left corner: they are as wide as they are.
+    Corner,
+    /// That is the middle of their lower edge: they have several lines where there is no room for one.
+    Middle,
+}
+
+/// Words on a ground of their own, kept in a room and off the pointer.
+pub(super) fn written(
+    context: &Context,
+    (at, anchor): (Pos2, Anchor),
+    words: &str,
+    (room, pointer): (Rect, Option<Pos2>),
+) -> Shape {
+    let font = FontId::proportional(SIZE);
+    let colors = theme::colors(context);
+    let width = match anchor {
+        Anchor::Corner => f32::INFINITY,
+        Anchor::Middle => (room.width() - 2.0 * MARGIN.x).max(SIZE),
+    };
+    let galley = context.fonts_mut(|fonts| fonts.layout(words.to_owned(), font, colors.text, width));
+    let size = galley.size();
+    let left = if anchor == Anchor::Middle { 0.5 * size.x } else { 0.0 };
+    let ground = Rect::from_min_size(at - egui::vec2(left, size.y), size).expand2(MARGIN);
+    let ground = kept_in(ground, pointer, room);
+    let place = ground.min + MARGIN;
+    let ground = Shape::rect_filled(ground, 5.0, colors.panel.gamma_multiply(0.92));
+    Shape::Vec(vec![ground, Shape::galley(place, galley, colors.text)])
+}
+
+/// Labels of a scene and the pixels that they stand at: those whose point is gone, behind the camera or beside the picture are left out.
+pub(super) fn seen<'a>(
+    labels: &'a [LabelKeys],
+    view: &View<'_>,
+    camera: &Camera,
+    [left, top, width, height]: [u32; 4],
+) -> Vec<(DVec2, &'a str)> {
+    let within = |at: &DVec2| {
+        (f64::from(left)..=f64::from(left + width)).contains(&at.x)
+            && (f64::from(top)..=f64::from(top + height)).contains(&at.y)
+    };
+    let pixel = |label: &LabelKeys| {
+        let place =
+            DVec3::from(label.at.embed()) + label.point.map_or(Some(DVec3::ZERO), |point| place(view, point))?;
+        camera.screen_from_world(place).map(DVec2::from).filter(within)
+    };
+    labels.iter().filter_map(|label| Some((pixel(label)?, label.text.as_str()))).collect()
+}
+
+/// Where a point is drawn `[m]`; `None` of one that is not there.
+fn place(view: &View<'_>, point: u32) -> Option<DVec3> {
+    let first = view.dimensions * point as usize;
+    if first + view.dimensions > view.current.len().min(view.previous.len()) {
+        return None;
+    }
+    let at = |axis: usize| {
+        let [from, to] = [&view.previous, &view.current].map(|places| places.get(first + axis));
+        from + f64::from(view.mix) * (to - from)
+    };
+    let at: [f64; 3] = std::array::from_fn(|axis| if axis < view.dimensions { at(axis) } else { 0.0 });
+    Some(DVec3::from(at)).filter(|at| at.is_finite())
+}
+
+/// Writes the labels of a scene into a picture of it, world by world, as the window does: `scale` is pixels of the picture in a logical one.
+pub fn label(picture: &mut RgbaImage, labels: &[LabelKeys], panes: &[Pane<'_>], (palette, scale): (Palette, f32)) {
+    if labels.is_empty() {
+        return;
+    }
+    let context = Context::default();
+    theme::apply(&context, palette);
+    let input = egui::RawInput {
+        screen_rect: Some(points([0, 0, picture.width(), picture.height()], scale)),
+        ..egui::RawInput::default()
+    };
+    context.set_pixels_per_point(scale);
+    let mut shapes = Vec::new();
+    let mut output = context.run_ui(input, |_| {
+        shapes.clear();
+        for pane in panes {
+            let clip_rect = points(pane.clip, scale);
+            let room = clip_rect.shrink(APART);
+            for (at, words) in seen(labels, &pane.view, &pane.camera, pane.clip) {
+                let at = Pos2::new(at.x as f32 / scale, at.y as f32 / scale);
+                let shape = written(&context, (at, Anchor::Middle), words, (room, None));
+                shapes.push(ClippedShape { clip_rect, shape, transform_after_tessellation: TSTransform::IDENTITY });
+            }
+        }
+    });
+    let textures = std::mem::take(&mut output.textures_delta);
+    raster::paint(picture, &context.tessellate(shapes, scale), &textures, scale);
+}
+
+/// A part of a picture in points.
+pub(super) fn points([left, top, width, height]: [u32; 4], scale: f32) -> Rect {
+    let corner = |x: u32, y: u32| Pos2::new(x as f32 / scale, y as f32 / scale);
+    Rect::from_min_max(corner(left, top), corner(left + width, top + height))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+    use crate::app::opening;
+    use crate::render::{Look, Pose};
+    use crate::scene::{Scene, gallery};
+    use crate::sim::{Bonds, Positions};
+
+    const SIZES: [[u32; 2]; 2] = [[320, 200], [120, 200]];
+
+    fn labels(text: &str) -> Vec<LabelKeys> {
+        let scene = format!(r#"{{"wobble": 1, "points": {{"position": [[0, 0], [1, 0]]}}, "labels": {text}}}"#);
+        Scene::parse(&scene, "test").unwrap().labels
+    }
+
+    /// Pixels of a picture of one colour that labels changed: from the left, the top, to the right and the bottom.
+    fn inked(labels: &[LabelKeys], size: [u32; 2], places: &[f64]) -> Option<[u32; 4]> {
+        let bonds = Bonds::default();
+        let current = Positions::F64(places);
+        let view = View { previous: current, current, ..View::empty(&bonds, 2) };
+        let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 2.0 }, size);
+        let ground = image::Rgba([200, 30, 30, 255]);
+        let mut picture = RgbaImage::from_pixel(size[0], size[1], ground);
+        label(&mut picture, labels, &[Pane::whole(view, camera, Look::default(), size)], (Palette::Dark, 1.0));
+        let inked = picture.enumerate_pixels().filter(|(.., pixel)| **pixel != ground);
+        inked.fold(None, |all: Option<[u32; 4]>, (x, y, _)| {
+            let [left, top, right, bottom] = all.unwrap_or([x, y, x, y]);
+            Some([left.min(x), top.min(y), right.max(x), bottom.max(y)])
+        })
+    }
+
+    #[test]
+    fn labels_stand_with_the_middle_of_their_lower_edge_where_the_scene_says() {
+        let [left, top, right, bottom] =
+            inked(&labels(r#"[{"at": [0.5, 0], "text": "one"}]"#), SIZES[0], &[0.0; 4]).unwrap();
+        assert!((left + right).abs_diff(2 * 210) <= 3, "{left} to {right}: about 210");
+        assert!(bottom.abs_diff(100 + MARGIN.y as u32) <= 2 && top > 70, "{top} to {bottom}");
+    }
+
+    /// Where labels of a scene lie at its start `[px]`, and the points of each of its worlds.
+    fn laid(scene: &Scene, size: [u32; 2]) -> Vec<(Rect, Vec<Rect>, Vec<Pos2>)> {
+        let world = scene.world(None).unwrap();
+        let view = View::of(&*world);
+        let alone = opening::alone(scene, &view);
+        let tiles = opening::tiles((scene, &alone), &view, (1 + scene.beside.len(), size), ([0.0; 2], 0.0));
+        let whole = tiles.whole(&opening::camera(scene, &view, tiles.pane(size)), size);
+        let context = Context::default();
+        let mut list = Vec::new();
+        let _ = context.run_ui(egui::RawInput::default(), |_| {
+            list.clear();
+            for pane in 0..tiles.count() {
+                let (camera, clip) = (tiles.camera(pane, &whole, size), tiles.clip(pane, size));
+                let room = points(clip, 1.0);
+                let of = |(at, words): (DVec2, &str)| {
+                    let at = (Pos2::new(at.x as f32, at.y as f32), Anchor::Middle);
+                    written(&context, at, words, (room.shrink(APART), None)).visual_bounding_rect()
+                };
+                let labels = seen(&scene.labels, &view, &camera, clip).into_iter().map(of).collect();
+                let count = (view.current.len() / view.dimensions) as u32;
+                let pixels = (0..count).filter_map(|point| camera.screen_from_world(place(&view, point)?));
+                list.push((room, labels, pixels.map(|[x, y]| Pos2::new(x as f32, y as f32)).collect()));
+            }
+        });
+        list
+    }
+
+    #[test]
+    fn labels_of_the_gallery_lie_beside_bodies_and_each_other_and_are_whole() {
+        let scenes = gallery().iter().map(|entry| entry.scene().unwrap());
+        let labelled: Vec<Scene> = scenes.filter(|scene| !scene.labels.is_empty()).collect();
+        assert!(labelled.len() >= 4);
+        let sizes = [[1280, 720], [720, 1280], [640, 360], [360, 640]];
+        for (scene, size) in labelled.iter().flat_map(|scene| sizes.map(|size| (scene, size))) {
+            let about = format!("{} at {size:?}", scene.name());
+            for (room, labels, points) in laid(scene, size) {
+                assert_eq!(labels.len(), scene.labels.len(), "{about}: all are in view");
+                for (k, label) in labels.iter().enumerate() {
+                    assert!(room.contains_rect(*label), "{about}: label {k} at {label:?} is cut off");
+                    let over = |other: &&Rect| other.intersects(*label);
+                    assert_eq!(labels[k + 1..].iter().find(over), None, "{about}: on label {k}");
+                    // A pin is so large.
+                    let near = label.expand(5.0);
+                    assert_eq!(
+                        points.iter().find(|at| near.contains(**at)),
+                        None,
+                        "{about}: under label {k} at {label:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_label_goes_along_with_its_point_and_goes_with_it() {
+        let of = labels(r#"[{"at": [0, 0.1], "text": "one", "point": 1}]"#);
+        let at = |places: &[f64]| inked(&of, SIZES[0], places);
+        let ([left, top, ..], [there, low, ..]) = (at(&[0.0; 4]).unwrap(), at(&[0.0, 0.0, 0.3, -0.2]).unwrap());
+        assert!((there - left).abs_diff(30) <= 1 && (low - top).abs_diff(20) <= 1, "{left} {top}, {there} {low}");
+        assert_eq!([at(&[0.0, 0.0, f64::NAN, f64::NAN]), at(&[0.0; 2])], [None; 2]);
+    }
+
+    #[test]
+    fn labels_are_whole_at_the_edge_and_have_lines_where_there_is_no_room_for_one() {
+        let of = labels(r#"[{"at": [-0.55, 0.99], "text": "a few words, more than there is room for in one line"}]"#);
+        for [width, height] in SIZES {
+            let all = inked(&of, [width, height], &[0.0; 4]).unwrap();
+            let [left, top, right, bottom] = all;
+            assert!(left >= APART as u32 && top >= APART as u32, "{all:?}");
+            assert!(right < width - APART as u32 && bottom < height - APART as u32, "{all:?}");
+            assert_eq!(bottom - top > 40, width < 200, "{all:?}");
+        }
+        assert_eq!(
+            inked(&labels(r#"[{"at": [9, 0], "text": "one"}]"#), SIZES[0], &[0.0; 4]),
+            None,
+            "out of the picture"
+        );
+    }
+}
