@@ -581,6 +581,49 @@ fn a_session_is_recorded_and_replays_to_its_marks() {
 }
 
 #[test]
+fn every_tool_does_its_work_by_a_key_and_a_drag() {
+    let Some(display) = Display::start() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("tools.jsonl");
+    let app = display.open_recorded(&common::file("rim-still.json"), None, Some(&path));
+    app.move_mouse(1090, 300);
+    app.wait_until_still();
+    app.key("space");
+    let gestures = [
+        ("2", [719, 324], [719, 324]),
+        ("0", [475, 322], [380, 322]),
+        ("7", [595, 420], [595, 460]),
+        ("8", [595, 440], [595, 440]),
+        ("9", [660, 400], [700, 360]),
+        ("5", [800, 150], [900, 250]),
+        ("6", [850, 200], [850, 260]),
+        ("3", [660, 324], [780, 324]),
+        ("4", [870, 260], [870, 260]),
+        ("1", [475, 322], [440, 300]),
+    ];
+    for (key, from, to) in gestures {
+        app.key(key);
+        app.move_mouse(from[0], from[1]);
+        std::thread::sleep(Duration::from_millis(200));
+        app.press(from);
+        app.move_mouse((from[0] + to[0]) / 2, (from[1] + to[1]) / 2);
+        std::thread::sleep(Duration::from_millis(150));
+        app.move_mouse(to[0], to[1]);
+        std::thread::sleep(Duration::from_millis(150));
+        app.let_go();
+        std::thread::sleep(Duration::from_millis(300));
+        app.key("Escape");
+    }
+    app.quit();
+    // Each is a step of undo that is called by what was done.
+    let text = std::fs::read_to_string(&path).unwrap();
+    let lines = text.lines().map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap());
+    let mut names: Vec<String> = lines.filter_map(|line| Some(line["name"].as_str()?.to_owned())).collect();
+    names.dedup();
+    assert_eq!(names, ["pin", "push", "muscle", "hinge", "Rubber", "Box", "move", "cut", "delete", "move"]);
+}
+
+#[test]
 fn a_window_that_plays_asks_once_a_frame() {
     let Some(display) = Display::start() else { return };
     let app = display.open(Path::new("rim"));

@@ -218,19 +218,19 @@ impl Session {
     }
 }
 
-/// How the pointer looks over the world with a tool, wherever it has nothing else to say: each tool has an icon of its own.
+/// How the pointer looks over the world with a tool, wherever it has nothing else to say: each tool has an icon of its own, but the brush,
+/// which has its ring.
 fn idle_icon(tool: Tool) -> CursorIcon {
     match tool {
-        Tool::Hand => CursorIcon::AllScroll,
-        Tool::Pin => CursorIcon::Cell,
-        Tool::Cut => CursorIcon::Crosshair,
-        Tool::Paint => CursorIcon::Text,
+        Tool::Hand => CursorIcon::Default,
+        Tool::Pin => CursorIcon::Pointer,
+        Tool::Cut | Tool::Paint => CursorIcon::Crosshair,
         Tool::Push => CursorIcon::EResize,
         Tool::Erase => CursorIcon::NoDrop,
         Tool::Build => CursorIcon::Copy,
-        Tool::Muscle => CursorIcon::Pointer,
+        Tool::Muscle => CursorIcon::EwResize,
         Tool::Motor => CursorIcon::Alias,
-        Tool::Select => CursorIcon::Default,
+        Tool::Select => CursorIcon::Cell,
     }
 }
 
@@ -240,8 +240,9 @@ mod tests {
 
     #[test]
     fn every_tool_has_a_pointer_of_its_own() {
-        for (place, tool) in Tool::ALL.into_iter().enumerate() {
-            for other in Tool::ALL.into_iter().skip(place + 1) {
+        let tools: Vec<Tool> = Tool::ALL.into_iter().filter(|&tool| tool != Tool::Paint).collect();
+        for (place, &tool) in tools.iter().enumerate() {
+            for &other in &tools[place + 1..] {
                 assert_ne!(idle_icon(tool), idle_icon(other), "{tool:?} and {other:?}");
             }
             // Those say what is going on, or that nothing can be done.
