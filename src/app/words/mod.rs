@@ -108,8 +108,8 @@ pub fn label(picture: &mut RgbaImage, labels: &[LabelKeys], panes: &[Pane<'_>], 
             }
         }
     });
-    let textures = std::mem::take(&mut output.textures_delta);
-    raster::paint(picture, &context.tessellate(shapes, scale), &textures, scale);
+    raster::paint(picture, &context.tessellate(shapes, scale), &output.textures_delta, scale);
+    output.textures_delta.clear();
 }
 
 /// A part of a picture in points.
@@ -167,7 +167,7 @@ mod tests {
         let whole = tiles.whole(&opening::camera(scene, &view, tiles.pane(size)), size);
         let context = Context::default();
         let mut list = Vec::new();
-        let _ = context.run_ui(egui::RawInput::default(), |_| {
+        let mut output = context.run_ui(egui::RawInput::default(), |_| {
             list.clear();
             for pane in 0..tiles.count() {
                 let (camera, clip) = (tiles.camera(pane, &whole, size), tiles.clip(pane, size));
@@ -182,6 +182,7 @@ mod tests {
                 list.push((room, labels, pixels.map(|[x, y]| Pos2::new(x as f32, y as f32)).collect()));
             }
         });
+        output.textures_delta.clear();
         list
     }
 
