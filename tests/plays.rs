@@ -75,6 +75,8 @@ enum What {
     Extent,
     /// From the first point to the second `[m]`.
     Length,
+    /// What points enclose, in their order, in the plane `[m^2]`.
+    Area,
     /// Of the fastest point `[m/s]`.
     Speed,
     /// The largest |length/rest - 1| of a bond `[1]`.
@@ -119,6 +121,11 @@ impl What {
             What::Length => {
                 let [a, b] = [points[0], points[1]].map(|point| sample.position[point]);
                 size([0, 1, 2].map(|axis| a[axis] - b[axis]))
+            }
+            What::Area => {
+                let corners = points.iter().zip(points.iter().cycle().skip(1));
+                let corners = corners.map(|(&a, &b)| [sample.position[a], sample.position[b]]);
+                0.5 * corners.map(|[a, b]| a[0] * b[1] - b[0] * a[1]).sum::<f64>()
             }
             What::Speed => points.iter().map(|&point| size(sample.velocity[point])).fold(0.0, f64::max),
             What::Strain => sample.max_strain,

@@ -1,5 +1,5 @@
 //! What a view goes along with, and pictures higher than wide: there a wide room would be a strip in the middle, so where what is in it
-//! takes less than a quarter of its width, the view shows that, as large as the height lets it, and goes along with it from wall to wall.
+//! takes less than nine twentieths of its width, the view shows that, as large as the height lets it, and goes along with it from wall to wall.
 
 use glam::{DVec2, DVec3};
 
@@ -8,8 +8,9 @@ use crate::render::{Camera, Pose, View};
 use crate::scene::Scene;
 use crate::sim::PointId;
 
-/// Width of all points from which on the whole room is shown, as a share of the room's `[1]`.
-const ROAMING: f64 = 0.25;
+/// Width of all points from which on the whole room is shown, as a share of the room's `[1]`: below it they are seen a quarter larger at least,
+/// with so much [`ABOUT`] them.
+const ROAMING: f64 = 0.45;
 /// How much wider than all points a picture is at least that goes along with them `[1]`: room to move before the view does.
 const ABOUT: f64 = 1.6;
 /// Points from which on none is followed but those that a scene names: their middle is worked out in every frame.
@@ -138,6 +139,14 @@ mod tests {
         let at = |x: f64| whole.screen_from_world(DVec3::new(x, 0.0, 0.0)).unwrap()[0];
         assert!(followed.points.is_empty() && at(-4.0) > 0.0 && at(4.0) < 720.0, "{followed:?}");
         assert_eq!(of(-3.0, [1280, 720]).1, Followed::default());
+        // What takes two fifths of the room is seen larger by a fifth than what takes half of it.
+        let scale = |x: f64| {
+            let (own, followed) = of(x, [720, 1280]);
+            let at = |x: f64| own.screen_from_world(DVec3::new(x, 0.0, 0.0)).unwrap()[0];
+            (at(1.0) - at(0.0), !followed.points.is_empty())
+        };
+        let ([near, far], [roams, stays]) = ([0.0, 1.0].map(|x| scale(x).0), [0.0, 1.0].map(|x| scale(x).1));
+        assert!(near > 1.2 * far && roams && !stays, "{near} {far}");
     }
 
     #[test]
