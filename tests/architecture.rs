@@ -95,7 +95,7 @@ const SIM: [(&str, &[&str]); 46] = [
     ("solve", &["real", "vector"]),
     ("kernels", &["real", "threads", "vector"]),
     ("measure", &["bond", "bonds", "drive", "ledger", "points", "real", "vector"]),
-    ("swept", &["real", "sets"]),
+    ("swept", &["real", "sets", "vector"]),
     ("reach", &["bond"]),
     ("contact", &["bond", "points", "real", "sets", "sizes", "vector"]),
     ("force", &["bond", "colour", "drive", "measure", "points", "real", "vector"]),

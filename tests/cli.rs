@@ -358,7 +358,7 @@ fn a_tolerance_is_kept_or_what_was_reached_is_said() {
     success(&["simulate", scene, "--settle", "--out", out]);
     assert!((read()["samples"][0]["position"][2][1].as_f64().unwrap() + 2.0).abs() < 1e-12);
     success(&["simulate", "points", "--samples", "1", "--settle", "--out", out]);
-    let lies = |x: &Value| (x[1].as_f64().unwrap() + 5.0).abs() < 1e-9;
+    let lies = |x: &Value| (x[1].as_f64().unwrap() + 2.6).abs() < 1e-9;
     assert!(read()["samples"][0]["position"].as_array().unwrap().iter().all(lies), "they lie on the floor");
     std::fs::write(
         scene,

@@ -46,7 +46,7 @@ impl Among {
         let is_free = i != k && world.dimensions() == 2 && self.angles_of(world).is_empty();
         let at = |[i, k]: [PointId; 2]| {
             let [p, q] = [i, k].map(|end| sub(place(world, end), place(world, middle)));
-            libm::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1])
+            (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1])
         };
         let angle = at([i, k]);
         let (points, angle) = if angle < 0.0 { ([k, middle, i], -angle) } else { ([i, middle, k], angle) };

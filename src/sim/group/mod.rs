@@ -104,6 +104,8 @@ pub(crate) struct Work {
     pub(crate) robust: u64,
     /// A look for events.
     pub(crate) look: u64,
+    /// All substeps of a step of large bodies, where it is known beforehand how many there are; else 0.
+    pub(crate) batch: u64,
 }
 
 impl<S: Real, const D: usize> Group<S, D> {

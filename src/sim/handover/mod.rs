@@ -75,7 +75,8 @@ fn can_be_cheaper<S: Real, const D: usize>(group: &Group<S, D>) -> bool {
 
 /// Counted work of a frame that a group takes at least, of one that can go.
 fn least_work<S: Real, const D: usize>(group: &Group<S, D>) -> u64 {
-    if can_go(group) && !group.is_asleep() { (group.work.step as f64 * (FRAME / group.substep)) as u64 } else { 0 }
+    let step = if matches!(group.engine, Engine::Bulk(_)) { group.work.batch } else { group.work.step };
+    if can_go(group) && !group.is_asleep() { (step as f64 * (FRAME / group.substep)) as u64 } else { 0 }
 }
 
 impl<S: Real, const D: usize> World<S, D> {

@@ -61,12 +61,12 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             nominal: choice.substep,
         };
         let bulk = mover(order)?;
-        let work = Work { step: self.least_work(scheme, &*bulk), ..Work::default() };
+        let work = Work { batch: self.work_of_a_step(scheme, &*bulk), ..Work::default() };
         Some(Group { work, ..self.batched(points, self.batched_pull(), bulk, breakable) })
     }
 
     /// Counted work of a step, where its substeps are known beforehand: those by forces.
-    fn least_work(&self, scheme: Scheme, bulk: &dyn Mover<S, D>) -> u64 {
+    fn work_of_a_step(&self, scheme: Scheme, bulk: &dyn Mover<S, D>) -> u64 {
         let (None, Some(longest)) = (scheme.target, scheme.longest) else { return 0 };
         let substeps = (self.lot.choice.substep / longest).ceil().max(1.0);
         substeps as u64 * of_a_batch((self.bond_count(), bulk.kernel().work_of_a_bond()), self.points.len(), D)

@@ -25,6 +25,7 @@ pub(crate) fn work<S: Real, const D: usize>(group: &Group<S, D>) -> Work {
         step: of(group) as u64,
         robust: of_engine(group, group.robust.as_deref().unwrap_or(&group.engine)) as u64,
         look: (20 + 4 * D * group.points.len() * looks) as u64,
+        batch: group.work.batch,
     }
 }
 
