@@ -66,6 +66,13 @@ impl Screen {
         found.unwrap_or_else(|| panic!("{text} is not among {texts:?}")).1
     }
 
+    /// How a number is written there.
+    fn number(&mut self, value: f64) -> String {
+        let texts = self.frame(Vec::new()).1;
+        let is_it = |text: &str| text.parse::<f64>().is_ok_and(|number| (number - value).abs() < 1e-6);
+        texts.into_iter().map(|(text, _)| text).find(|text| is_it(text)).unwrap()
+    }
+
     /// Clicks what is written there.
     fn click(&mut self, text: &str) -> Vec<Wish> {
         let at = self.place(text);
@@ -252,8 +259,9 @@ fn stops_of_joints_are_ticked_and_typed_in_degrees() {
         Arc::new(Matter { joints: [1, 1], stops: Some(ends), ..(**shown.matter.as_ref().unwrap()).clone() })
     };
     screen.facts.matter = Some(stopped(30.0, 150.0));
-    let mut type_in = |field: &str, text: &str| {
-        screen.click(field);
+    let mut type_in = |field: f64, text: &str| {
+        let field = screen.number(field);
+        screen.click(&field);
         screen.frame(vec![Event::Text(text.to_owned())]);
         let beside = Pos2::new(300.0, 700.0);
         let wishes: Vec<Wish> =
@@ -262,11 +270,11 @@ fn stops_of_joints_are_ticked_and_typed_in_degrees() {
         change
     };
     let near = |x: f64, degrees: f64| (x.to_degrees() - degrees).abs() < 0.01;
-    let least = type_in("30.0°", "45");
+    let least = type_in(30.0, "45");
     assert!(matches!(least, MatterChange::Stops(Stops::Least(x)) if near(x, 45.0)), "{least:?}");
     // The one end goes no further than the other.
-    let most = type_in("150.0°", "10");
+    let most = type_in(150.0, "10");
     assert!(matches!(most, MatterChange::Stops(Stops::Most(x)) if near(x, 30.1)), "{most:?}");
-    let rest = type_in("90.0°", "100");
+    let rest = type_in(90.0, "100");
     assert!(matches!(rest, MatterChange::RestAngle(x) if near(x, 100.0)), "{rest:?}");
 }
