@@ -118,14 +118,14 @@ fn a_crowd_that_is_sure_to_take_too_much_does_not_begin() {
     let begins = |count: usize| {
         let mut world = world(&bodies(count));
         let live = world.moved_by().iter().filter(|moved| moved.why == Why::Budget).map(|moved| moved.count).sum();
-        world.step();
+        run_to(&mut *world, 1.0 / 60.0);
         (live, world.counters().work)
     };
     let (one, alone) = begins(1);
     assert_eq!(one, 0, "one is moved by its own method");
     let (live, work): (usize, u64) = begins(300);
     assert!(live > 0, "of three hundred most are live from the first step on");
-    assert!(work < 100 * alone, "{work} operations in a step of all, {alone} in one of one");
+    assert!(work < 100 * alone, "{work} operations in a frame of all, {alone} in one of one");
 }
 
 #[test]

@@ -383,7 +383,7 @@ fn the_palette_is_changed_in_the_settings() {
 }
 
 /// Panels with the areas that they lie in, and what is done before.
-const PICTURES: [(&str, &str, &[Action]); 15] = [
+const PICTURES: [(&str, &str, &[Action]); 14] = [
     ("bar", "scene", &[]),
     ("tools", "tools", &[]),
     ("settings", "settings", &[Action::Settings]),
@@ -394,7 +394,6 @@ const PICTURES: [(&str, &str, &[Action]); 15] = [
     ("plots", "plots", &[Action::Plots]),
     ("gallery", "gallery", &[Action::Gallery]),
     ("keys", "keys", &[Action::Help]),
-    ("save", "save to", &[Action::Save]),
     ("strain", "legend", &[Action::Show(Showing::Strain)]),
     ("brush", "brush", &[Action::Take(Tool::Paint)]),
     ("muscles", "drives", &[Action::Take(Tool::Muscle)]),
