@@ -31,11 +31,11 @@ mod saving;
 mod session;
 mod shell;
 mod starting;
-mod swept;
 mod thumbnails;
 mod tools;
 mod trailing;
 mod warnings;
+mod whereabouts;
 pub mod words;
 
 pub use shell::Statistics;

@@ -14,9 +14,9 @@ use crate::app::panels::{PanelState, listen, theme};
 use crate::app::player::{Figures, Player};
 use crate::app::pointer::Pointer;
 use crate::app::recent::Recent;
-use crate::app::swept::Swept;
 use crate::app::tools::{Chosen, Hand};
 use crate::app::trailing::{TrailSettings, Trailing};
+use crate::app::whereabouts::Whereabouts;
 use crate::render::{Camera, Look, Palette, RenderError, Tiles, Trails};
 use crate::scene::Scene;
 use crate::sim::SceneChange;
@@ -55,7 +55,7 @@ impl Session {
             laid_anew: 0,
             trails: Trails::new(TrailSettings::default().length),
             trailing: Trailing::default(),
-            swept: Swept::default(),
+            whereabouts: Whereabouts::default(),
             look: Look { scale_factor: window.scale_factor() as f32, least_pin: LEAST_PIN, ..Look::default() },
             palette: Palette::default(),
             has_picture: false,

@@ -102,7 +102,7 @@ impl Session {
     pub(super) fn begin(&mut self) {
         self.hand.let_go();
         self.hand.renew_brush();
-        self.swept.begin();
+        self.whereabouts.begin();
         self.painted.clear();
         self.wearer = None;
         (self.asked, self.duplicated) = (None, None);

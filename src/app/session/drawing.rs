@@ -12,8 +12,8 @@ use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, theme};
-use crate::app::swept::{apart, places_of};
 use crate::app::tools::{Mark, Role, Scope, labels, no_motors, no_muscles, probe};
+use crate::app::whereabouts::{apart, places_of};
 use crate::app::words::{self, Anchor};
 use crate::lessons::heading_of;
 use crate::render::{Look, Overlay, RenderError, View, body_color};
@@ -218,7 +218,7 @@ impl Session {
         let corners = shown.scenery.polygons.iter().flat_map(|polygon| &polygon.loops).flatten();
         let corners = corners.take(MOST_SEEN).map(|[x, y]| [*x, *y, 0.0]);
         let all = places_of(shown, MOST_SEEN).chain(corners).flat_map(pixel).map(|pixel| self.point_of(pixel));
-        let ways = apart(self.swept.places().flat_map(pixel).map(|pixel| self.point_of(pixel)));
+        let ways = apart(self.whereabouts.places().flat_map(pixel).map(|pixel| self.point_of(pixel)));
         // Where one of what is looked at lies, all else weighs less.
         let marked = self.marked_points().into_iter().flat_map(|at| std::iter::repeat_n(at, MOST_SEEN));
         all.chain(ways).chain(marked).collect()

@@ -15,7 +15,7 @@ impl Session {
         }
         if news.is_new {
             self.dirty = true;
-            self.swept.note(self.player.shown());
+            self.whereabouts.note(self.player.shown());
             self.meet_neighbors();
             self.find_misfits();
             self.panels_dirty |= self.panels.has_settings && self.shown().settings != self.settings;

@@ -54,10 +54,10 @@ use super::preferences::Preferences;
 use super::recent::Recent;
 use super::resting::Resting;
 use super::saving::Saving;
-use super::swept::Swept;
 use super::thumbnails::Thumbnails;
 use super::tools::{Chosen, Hand};
 use super::trailing::Trailing;
+use super::whereabouts::Whereabouts;
 use crate::history::HistoryError;
 use crate::picture::Tint;
 use crate::render::{Camera, Look, Palette, RenderCounters, Tiles, Trails};
@@ -157,7 +157,7 @@ pub(super) struct Session {
     trails: Trails,
     trailing: Trailing,
     /// Where bodies have been lately.
-    swept: Swept,
+    whereabouts: Whereabouts,
     panels: PanelState,
     paint: Paint,
     /// What was written over the world last.

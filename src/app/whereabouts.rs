@@ -16,11 +16,11 @@ const APART: f32 = 8.0;
 
 /// Places of the last seconds, those of the last time last.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Swept {
+pub(super) struct Whereabouts {
     times: VecDeque<(f64, Vec<[f64; 3]>)>,
 }
 
-impl Swept {
+impl Whereabouts {
     /// Another scene is shown.
     pub(super) fn begin(&mut self) {
         self.times.clear();
@@ -75,33 +75,34 @@ mod tests {
     #[test]
     fn the_ways_of_what_swings_are_known_for_some_seconds() {
         let scene = gallery().iter().find(|entry| entry.name == "spring-damper").unwrap().scene().unwrap();
-        let (mut stage, mut shown, mut swept) = (Stage::new(scene.into()).unwrap(), Shown::default(), Swept::default());
+        let (mut stage, mut shown, mut whereabouts) =
+            (Stage::new(scene.into()).unwrap(), Shown::default(), Whereabouts::default());
         let mut lowest = f64::INFINITY;
         for _ in 0..210 {
             stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
             stage.show(&mut shown);
-            swept.note(&shown);
+            whereabouts.note(&shown);
             lowest = lowest.min(shown.place(1)[1]);
         }
-        let is_below = |high: f64| swept.places().any(|place| (place[0] + 3.0).abs() < 1e-6 && place[1] < high);
+        let is_below = |high: f64| whereabouts.places().any(|place| (place[0] + 3.0).abs() < 1e-6 && place[1] < high);
         assert!(is_below(lowest + 0.3), "the first weight was at {lowest} m");
         assert!(shown.place(1)[1] > lowest + 0.3, "it is not there now");
-        let ways = swept.places().count();
+        let ways = whereabouts.places().count();
         assert!((16 * 29..=16 * 37).contains(&ways), "ten times a second of ten points and six bonds: {ways}");
         // What stands still is noted no more.
-        (0..9).for_each(|_| swept.note(&shown));
-        assert_eq!(swept.places().count(), ways);
+        (0..9).for_each(|_| whereabouts.note(&shown));
+        assert_eq!(whereabouts.places().count(), ways);
         for _ in 0..600 {
             stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
             stage.show(&mut shown);
-            swept.note(&shown);
+            whereabouts.note(&shown);
         }
-        assert_eq!(swept.places().count(), 16 * KEPT);
+        assert_eq!(whereabouts.places().count(), 16 * KEPT);
         // What swings weighs more than what stands still.
         let way = (0..40).map(|k| pos2(300.0, 400.0 + 60.0 * (0.3 * k as f32).sin()));
         let still = (0..40).map(|_| pos2(90.0, 200.0));
         assert!(apart(way).count() > 10 && apart(still).count() == 1);
-        swept.begin();
-        assert_eq!(swept.places().count(), 0);
+        whereabouts.begin();
+        assert_eq!(whereabouts.places().count(), 0);
     }
 }
