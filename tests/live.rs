@@ -1,6 +1,7 @@
 //! Bodies that meet: in the plane, on floors, slopes and points, at thin walls, in heaps, and alone in flight.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+mod across;
 mod bad;
 mod bent;
 mod books;

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 mod breaks;
+mod digits;
 mod odd;
 
 use std::f64::consts::PI;

@@ -12,6 +12,10 @@ use super::vector::{add, length, scale, sub};
 const FASTER: f64 = 1.5;
 /// Bodies in a row that a blow goes through within a step.
 const ROW: u32 = 16;
+/// Couples that are looked at for blows for each body, and at least in all: of a crowd in one place each is struck by what is fastest.
+const MOST_LOOKS: [usize; 2] = [256, 4_000_000];
+/// Boxes that a box is looked at against until those that hang together are looked at as the box around them.
+const MOST_OPEN: usize = 512;
 
 /// A time, and what pushes bodies in it.
 #[derive(Clone, Copy, Debug)]
@@ -149,13 +153,24 @@ impl<S: Real, const D: usize> Swept<S, D> {
         Swept { first, margin: self.margin + margin, ..self }.gone()
     }
 
+    /// Whether all that meets the other one meets this one.
+    fn covers(&self, other: &Self) -> bool {
+        let has_all = |k: usize| self.first[0][k] <= other.first[0][k] && other.first[1][k] <= self.first[1][k];
+        let far = length(sub(other.velocities.middle, self.velocities.middle));
+        (0..D).all(has_all)
+            && far + other.velocities.around <= self.velocities.around
+            && other.pushed <= self.pushed
+            && (self.is_held || !other.is_held)
+    }
+
     /// The box around both, of bodies that go together.
     pub(crate) fn with(self, other: Self) -> Self {
         let [[low, high], [others_low, others_high]] = [self.first, other.first];
         let first =
             [std::array::from_fn(|k| low[k].min(others_low[k])), std::array::from_fn(|k| high[k].max(others_high[k]))];
         let velocities = self.velocities.with(other.velocities);
-        Swept { first, velocities, pushed: self.pushed.max(other.pushed), ..self }.gone()
+        let is_held = self.is_held || other.is_held;
+        Swept { first, velocities, is_held, pushed: self.pushed.max(other.pushed), ..self }.gone()
     }
 
     /// Of two of the same body the one that it is more closely in.
@@ -203,23 +218,69 @@ impl<S: Real, const D: usize> Swept<S, D> {
     }
 }
 
-/// Bodies ascending along the first axis by their boxes, as [`meetings`] takes them.
+/// Bodies ascending along the first axis by their boxes, as [`chains`] takes them.
 pub(crate) fn sort<T, S: Real, const D: usize>(list: &mut [T], swept: impl Fn(&T) -> &Swept<S, D>) {
     list.sort_by(|a, b| swept(a).low[0].partial_cmp(&swept(b).low[0]).unwrap_or(std::cmp::Ordering::Equal));
 }
 
-/// Tells of all couples in a sorted list that may meet, by their places there.
-pub(crate) fn meetings<T, S: Real, const D: usize>(
+/// Tells of all couples in a sorted list that may meet, by their places there. Returns whether it could: it looks at so many at `most`.
+fn meetings<T, S: Real, const D: usize>(
     list: &[T],
     swept: impl Fn(&T) -> &Swept<S, D>,
+    mut most: usize,
     mut tell: impl FnMut([usize; 2]),
-) {
+) -> bool {
     let mut open: Vec<usize> = Vec::new();
     for place in 0..list.len() {
         let own = swept(&list[place]);
         open.retain(|&other| swept(&list[other]).high[0] >= own.low[0]);
+        if open.len() > most {
+            return false;
+        }
+        most -= open.len();
         open.iter().filter(|&&other| swept(&list[other]).meets(own)).for_each(|&other| tell([other, place]));
         open.push(place);
+    }
+    true
+}
+
+/// Tells of couples in a sorted list that may meet, by their places there: of all, but for what others stand for.
+///
+/// `tell` says whether the two stand for each other from then on: then nobody has to be told of the one that lies within the other. Those that are
+/// `loose` do not meet each other. So what lies in one place takes no more than what lies apart; where more than [`MOST_OPEN`] boxes lie beside
+/// each other, those that stand for each other count as the box around them, which may meet more.
+pub(crate) fn chains<T, S: Real, const D: usize>(
+    list: &[T],
+    swept: impl Fn(&T) -> &Swept<S, D>,
+    is_loose: impl Fn(&T) -> bool,
+    mut tell: impl FnMut([usize; 2]) -> bool,
+) {
+    // Those that are loose, and the others.
+    let mut open: [Vec<(usize, Swept<S, D>)>; 2] = Default::default();
+    for (place, of) in list.iter().enumerate() {
+        let (mut own, is_loose) = (*swept(of), is_loose(of));
+        let mut is_covered = false;
+        for (kind, list) in open.iter_mut().enumerate() {
+            if kind == 0 && is_loose {
+                continue;
+            }
+            let is_crowd = list.len() > MOST_OPEN;
+            list.retain(|(other, around)| {
+                if around.high[0] < own.low[0] {
+                    return false;
+                }
+                let is_one = around.meets(&own) && tell([*other, place]) && (kind == 0) == is_loose;
+                if is_one && is_crowd {
+                    own = own.with(*around);
+                    return false;
+                }
+                is_covered |= is_one && around.covers(&own);
+                is_covered || !(is_one && own.covers(around))
+            });
+        }
+        if !is_covered {
+            open[usize::from(!is_loose)].push((place, own));
+        }
     }
 }
 
@@ -249,7 +310,8 @@ pub(crate) fn pass_on<T, S: Real, const D: usize>(
             return;
         }
         let mut blows: Vec<Option<Velocities<S, D>>> = vec![None; list.len()];
-        meetings(list, &swept, |[a, b]| {
+        let most = (MOST_LOOKS[0] * list.len()).max(MOST_LOOKS[1]);
+        let is_seen = meetings(list, &swept, most, |[a, b]| {
             for [from, to] in [[a, b], [b, a]] {
                 let [by, own] = [from, to].map(|place| swept(&list[place]).velocities);
                 let own = blows[to].unwrap_or(own);
@@ -263,6 +325,11 @@ pub(crate) fn pass_on<T, S: Real, const D: usize>(
                 }
             }
         });
+        if !is_seen {
+            blows.iter_mut().zip(&*list).for_each(|(blow, body)| {
+                *blow = all.map(|all| swept(body).velocities.with(all)).filter(|&all| swept(body).goes_further(all));
+            });
+        }
         if blows.iter().all(Option::is_none) {
             return;
         }
@@ -280,5 +347,99 @@ pub(crate) fn pass_on<T, S: Real, const D: usize>(
 pub(crate) fn join<S: Real, const D: usize>(together: &mut Sets, mut bodies: Vec<(usize, Swept<S, D>)>) {
     pass_on(&mut bodies, |body| &body.1, |body, grown| body.1 = grown, |_, _| Strikes::Loose);
     let of = |place: usize| bodies[place].0 as u32;
-    meetings(&bodies, |body| &body.1, |[a, b]| together.join(of(a), of(b)));
+    chains(
+        &bodies,
+        |body| &body.1,
+        |_| false,
+        |[a, b]| {
+            together.join(of(a), of(b));
+            true
+        },
+    );
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+
+    /// What stays in a box for a second.
+    fn still(low: [f64; 2], high: [f64; 2]) -> Swept<f64, 2> {
+        let span = Span { h: 1.0, fall: 0.0, pushed: 0.0 };
+        Swept::new([low, high].map(|x| (x, [0.0; 2])).into_iter(), span, 0.0).unwrap()
+    }
+
+    /// Boxes of sizes up to `size` in the unit square, sorted.
+    fn boxes(count: u32, size: f64) -> Vec<(usize, Swept<f64, 2>)> {
+        let share = |k: u32, by: f64| (f64::from(k) * by).fract();
+        let of = |k: u32| {
+            let low = [share(k, 0.754_877_666), share(k, 0.569_840_29)];
+            let wide = [share(k, 0.618_034) * size, share(k, 0.414_213_56) * size];
+            still(low, [low[0] + wide[0], low[1] + wide[1]])
+        };
+        let mut list: Vec<_> = (0..count).map(|k| (k as usize, of(k))).collect();
+        sort(&mut list, |body| &body.1);
+        list
+    }
+
+    #[test]
+    fn chains_put_together_what_all_couples_would() {
+        for size in [0.01, 0.05, 0.1, 0.3] {
+            let list = boxes(400, size);
+            let [mut by_couples, mut by_chains] = [Sets::new(400), Sets::new(400)];
+            let all = meetings(
+                &list,
+                |body| &body.1,
+                usize::MAX,
+                |[a, b]| by_couples.join(list[a].0 as u32, list[b].0 as u32),
+            );
+            join(&mut by_chains, list);
+            assert!(all);
+            assert!((0..400).all(|k| by_couples.find(k) == by_chains.find(k)), "{size}");
+        }
+    }
+
+    #[test]
+    fn what_lies_in_one_place_is_looked_at_once_each() {
+        let one = still([0.0; 2], [1.0; 2]);
+        let list: Vec<(usize, Swept<f64, 2>)> = (0..10_000).map(|k| (k, one)).collect();
+        let mut told = 0;
+        chains(
+            &list,
+            |body| &body.1,
+            |_| false,
+            |_| {
+                told += 1;
+                true
+            },
+        );
+        assert_eq!(told, 9_999);
+        assert!(!meetings(&list, |body| &body.1, 1_000_000, |_| {}), "all couples are too many");
+        chains(&list, |body| &body.1, |_| true, |_| unreachable!("what is loose does not meet"));
+    }
+
+    #[test]
+    fn a_crowd_beside_each_other_hangs_together_as_the_box_around_it() {
+        let of = |k: u32| {
+            still(
+                [f64::from(k) * 1e-6, f64::from(k * 7 % 20_000) * 1e-5],
+                [1.0 + f64::from(k) * 1e-6, f64::from(k * 7 % 20_000) * 1e-5 + 0.1],
+            )
+        };
+        let list: Vec<(usize, Swept<f64, 2>)> = (0..20_000).map(|k| (k as usize, of(k))).collect();
+        let mut sets = Sets::new(list.len());
+        let mut told = 0;
+        chains(
+            &list,
+            |body| &body.1,
+            |_| false,
+            |[a, b]| {
+                told += 1;
+                sets.join(a as u32, b as u32);
+                true
+            },
+        );
+        assert!((0..20_000).all(|k| sets.find(k) == 0));
+        assert!(told < 20_000 * MOST_OPEN, "{told}");
+    }
 }

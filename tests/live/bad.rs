@@ -72,6 +72,40 @@ fn two_thousand_points_in_one_place_stay_finite() {
     energies("rope", &rope, 0.2);
 }
 
+/// Work that is counted for each point in the first steps of so many that lie in one place, in the milliseconds of a frame.
+fn work_in_one_place(scene: &Value, points: f64) -> f64 {
+    let mut world = world(scene);
+    let before = world.counters().work;
+    for _ in 0..3 {
+        world.step();
+    }
+    (world.counters().work - before) as f64 / points
+}
+
+#[test]
+fn a_hundred_thousand_points_in_one_place_take_as_much_each_as_a_thousand() {
+    let loose = |count: usize| {
+        json!({"wobble": 1, "contact": true, "method": {"solver": "live"}, "gravity": [0, -9.81],
+            "points": {"position": vec![[0.5, 0.5]; count]}, "bounds": {"min": [-2, 0], "max": [2, 3]}})
+    };
+    let began = std::time::Instant::now();
+    let [few, many] = [1_000, 100_000].map(|count| work_in_one_place(&loose(count), count as f64));
+    assert!(many < 1.5 * few, "{few} and {many} operations a point");
+    // Twenty minutes by looking at every couple; all but frozen machines take seconds.
+    assert!(began.elapsed().as_secs() < 120, "{:?}", began.elapsed());
+}
+
+#[test]
+fn points_of_a_crowd_meet_so_many_edges_and_no_more() {
+    let rope = |count: usize| {
+        let bonds: Vec<Value> =
+            (1..count).map(|k| json!({"a": k - 1, "b": k, "kind": "spring", "rest": 0.01, "stiffness": 100})).collect();
+        json!({"wobble": 1, "contact": true, "method": {"solver": "live"}, "points": {"position": vec![[0.5, 0.5]; count]}, "bonds": bonds})
+    };
+    let [few, many] = [1_000, 4_000].map(|count| work_in_one_place(&rope(count), count as f64));
+    assert!(many < 1.2 * few, "{few} and {many} operations a point");
+}
+
 #[test]
 fn many_bodies_in_one_place_come_apart() {
     let bodies: Vec<Value> = (0..12).map(|_| disc([0.0, 0.0], [0.0; 2])).collect();

@@ -109,9 +109,10 @@ fn bodies_that_give_all_back_lose_little_and_that_is_seen() {
 /// What begins in walls, hung up so that it cannot be put beside them, is led out at walking pace; that is told from what the method makes.
 #[test]
 fn what_begins_in_a_wall_is_led_out_slowly_and_that_is_told() {
+    // It hangs askew: what stands quite straight over a wall is a strut, and held.
     let net = |kind: Value| {
         json!({"wobble": 1, "gravity": [0, -9.81], "drag_rate": 0.5, "method": {"ledger": true},
-            "bodies": [{"make": "cloth", "columns": 3, "rows": 8, "spacing": 0.2, "diagonals": "none", "pinned": [0, 2], "material": kind}],
+            "bodies": [{"make": "cloth", "columns": 3, "rows": 8, "spacing": 0.2, "diagonals": "none", "angle": 0.1, "pinned": [0, 2], "material": kind}],
             "bounds": {"min": [-3, -0.9], "max": [3, 3], "restitution": 0.3, "friction": 0.2}})
     };
     for kind in

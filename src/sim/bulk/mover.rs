@@ -72,6 +72,11 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
         false
     }
 
+    /// Whether it leads bodies out of obstacles that pins hold them over: other methods would put their points out at once.
+    fn leads_out(&self) -> bool {
+        false
+    }
+
     /// The points of bodies that left the finite numbers, by their slots, since this was asked last: they are where the step began.
     fn take_lost(&mut self) -> Vec<u32> {
         Vec::new()

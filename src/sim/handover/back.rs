@@ -28,7 +28,8 @@ impl<S: Real, const D: usize> World<S, D> {
             groups.filter(|(_, group)| is_due(group)).map(|(place, _)| place).take(MOST_TRIED).collect();
         for place in due {
             let around = self.around.clone();
-            let parts = self.parted(place);
+            let leads_out = matches!(&self.plan.groups[place].engine, Engine::Bulk(mover) if mover.leads_out());
+            let parts = if leads_out { None } else { self.parted(place) };
             let is_put = parts
                 .as_ref()
                 .is_some_and(|parts| self.put_back_exactly(place, parts, |old, new, way| fits(&around, old, new, way)));

@@ -47,6 +47,14 @@ impl<const D: usize> Reach<D> {
         are_bodies && !is_own_pin && (self.is_awake || other.is_awake)
     }
 
+    /// Whether what meets the one meets the other as well, with nothing else to be done: they are of one group, or have just been put together.
+    fn stands_for(&self, other: &Self, have_met: bool) -> bool {
+        let are_one = self.place == other.place && self.root == other.root;
+        let are_together = have_met && self.place != FIXED && other.place != FIXED;
+        let are_alike = self.is_loose == other.is_loose && self.is_awake == other.is_awake;
+        are_alike && (are_one || are_together)
+    }
+
     /// How it may strike the other one.
     fn strikes(&self, other: &Self) -> Strikes {
         match self.place {
@@ -280,14 +288,17 @@ fn join<const D: usize>(sets: &mut Sets, goes: &mut [bool], [a, b]: [&Reach<D>; 
     }
 }
 
-/// Tells of all in a sorted list that may meet.
+/// Tells of those in a sorted list that may meet, but for what others stand for.
 fn sweep<const D: usize>(reaches: &[Reach<D>], mut tell: impl FnMut(&Reach<D>, &Reach<D>)) {
-    swept::meetings(reaches, swept_of, |couple| {
+    let tell = |couple: [usize; 2]| {
         let [a, b] = couple.map(|place| &reaches[place]);
-        if a.may_meet(b) {
+        let meets = a.may_meet(b);
+        if meets {
             tell(a, b);
         }
-    });
+        a.stands_for(b, meets)
+    };
+    swept::chains(reaches, swept_of, |reach| reach.is_loose, tell);
 }
 
 fn swept_of<const D: usize>(reach: &Reach<D>) -> &Swept<f64, D> {

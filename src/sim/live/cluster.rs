@@ -14,6 +14,7 @@ use super::rest::Lies;
 use super::rig::Rigged;
 use super::rigid::Frame;
 use super::tangle::Tangle;
+use super::tether::Tethers;
 use super::walls::Walls;
 use crate::sim::contact::skin::Contact;
 use crate::sim::contact::surface::Surface;
@@ -113,6 +114,8 @@ pub(super) struct Cluster<S: Real> {
     /// How its bodies lie in others as the step begins, and which of them were led out but not far enough.
     pub(super) lies: Vec<Lies>,
     pub(super) sunk: Vec<bool>,
+    /// What holds those of them that are pinned.
+    pub(super) tethers: Tethers<S>,
     /// Something pressed something in this step.
     pub(super) has_pressed: bool,
     /// Work that mouse and other forces did in this step `[J]`.

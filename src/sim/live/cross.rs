@@ -89,22 +89,42 @@ fn crossing<S: Real>(state: &Cluster<S>, [first, second]: [&Side; 2]) -> Option<
     })
 }
 
-/// Couples of bodies, ascending, one of which lies inside the skin of the other without crossing it.
-pub(super) fn swallowed<S: Real>(state: &Cluster<S>) -> Vec<[u32; 2]> {
-    let boxes: Vec<[[S; 2]; 2]> = (0..state.bodies.len()).map(|k| extent(state, k)).collect();
+/// Couples of bodies, ascending, one of which lies inside the skin of the other without crossing it: only what is closed has an inside.
+pub(super) fn swallowed<S: Real>(state: &mut Cluster<S>) -> Vec<[u32; 2]> {
+    let count = state.bodies.len();
+    let has_inside = |k: usize| state.edges[edges_of(state, k as u32)].iter().any(|edge| edge.is_closed);
+    let outers: Vec<usize> = (0..count).filter(|&k| has_inside(k)).collect();
+    let boxes: Vec<[[S; 2]; 2]> =
+        if outers.is_empty() { Vec::new() } else { (0..count).map(|k| extent(state, k)).collect() };
     let mut found = Vec::new();
-    for outer in 0..boxes.len() {
-        for inner in (0..boxes.len()).filter(|&inner| inner != outer) {
+    let mut left = (MOST_LOOKS[0] * count).max(MOST_LOOKS[1]);
+    for outer in outers {
+        let own = edges_of(state, outer as u32).len();
+        for inner in (0..count).filter(|&inner| inner != outer) {
             let is_within =
                 (0..2).all(|k| boxes[outer][0][k] <= boxes[inner][0][k] && boxes[inner][1][k] <= boxes[outer][1][k]);
-            if is_within && is_inside(state, state.now[state.bases[inner] as usize], outer as u32) {
+            if !is_within {
+                continue;
+            }
+            if own > left {
+                break;
+            }
+            left -= own;
+            if is_inside(state, state.now[state.bases[inner] as usize], outer as u32) {
                 found.push([inner.min(outer) as u32, inner.max(outer) as u32]);
             }
         }
+        state.counts.work += 4 * count as u64;
     }
     found.sort_unstable();
     found.dedup();
     found
+}
+
+/// The edges of a body among those of its cluster.
+fn edges_of<S: Real>(state: &Cluster<S>, body: u32) -> std::ops::Range<usize> {
+    let [first, end] = [body, body + 1].map(|body| state.edges.partition_point(|edge| edge.body < body));
+    first..end
 }
 
 fn extent<S: Real>(state: &Cluster<S>, k: usize) -> [[S; 2]; 2] {
@@ -121,7 +141,7 @@ fn extent<S: Real>(state: &Cluster<S>, k: usize) -> [[S; 2]; 2] {
 /// Whether a place is inside what the closed edges of a body bound, by the even-odd rule.
 pub(super) fn is_inside<S: Real>(state: &Cluster<S>, x: [S; 2], body: u32) -> bool {
     let mut is_inside = false;
-    for edge in state.edges.iter().filter(|edge| edge.body == body && edge.is_closed) {
+    for edge in state.edges[edges_of(state, body)].iter().filter(|edge| edge.is_closed) {
         let [a, b] = edge.ends.map(|end| state.now[end as usize]);
         if (a[1] > x[1]) != (b[1] > x[1]) {
             let along = wedge(sub(b, a), sub(x, a));

@@ -26,7 +26,7 @@ const LEAST_SHARE: f64 = 0.25;
 /// Edges that all points look at together, each at so many at least, and pairs that they make, each so many at least: where a crowd lies in
 /// one place every point meets those that are nearest, of as many as it can be expected to look at.
 const MOST_LOOKS: [usize; 2] = [500_000, 64];
-const MOST_PAIRS: [usize; 2] = [100_000, 16];
+const MOST_PAIRS: [usize; 2] = [32_000, 16];
 
 /// Counted work of a search for each edge and each cell that it is in, each edge that a corner looks at, and each pair.
 const OF_AN_EDGE: u64 = 20;

@@ -7,6 +7,7 @@ use super::bend::Bends;
 use super::body::Body;
 use super::cluster::{Cluster, Common, Counts, OBSTACLE, Side};
 use super::given::Given;
+use super::tether::Tethers;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::kernels::links::Links;
@@ -187,6 +188,7 @@ impl<S: Real> Live<S> {
             gentle: S::ZERO,
             lies: bodies.iter().map(|&body| self.rests[body].lies).collect(),
             sunk: vec![false; bodies.len()],
+            tethers: Tethers::none(),
             has_pressed: false,
             work: S::ZERO,
             debt: S::from_f64(bodies.iter().map(|&body| self.rests[body].debt).sum()),

@@ -49,6 +49,7 @@ mod space;
 mod strap;
 mod substep;
 mod tangle;
+mod tether;
 mod tree;
 mod truncate;
 mod walls;
@@ -240,6 +241,7 @@ impl<S: Real> Live<S> {
         detect::look(cluster, common);
         cluster.is_violent = cluster.is_struck();
         cluster.see_within(common);
+        cluster.tether(common);
         bonds::prepare(cluster, common, cluster.span);
         bend::prepare(cluster, common, cluster.span);
         drives::prepare(cluster, common, (t, around), cluster.span);
@@ -331,6 +333,10 @@ impl<S: Real> Mover<S, 2> for Live<S> {
 
     fn parts(&self, points: &Points<S, 2>, pull: &Pull<S, 2>, around: &Environment<2>, h: f64) -> Vec<Part> {
         self.all_parts(points, (pull, around), h)
+    }
+
+    fn leads_out(&self) -> bool {
+        self.rests.iter().any(|rest| rest.is_tethered)
     }
 
     fn take_lost(&mut self) -> Vec<u32> {

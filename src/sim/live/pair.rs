@@ -193,7 +193,12 @@ impl<S: Real> Pair<S> {
                     }
                     // A circle whose middle is behind the edge is as deep as it is large.
                     false if self.is_round && before.gap < S::ZERO => overlap.min(state.gentle),
-                    false => state.led_out(p.min(a), overlap),
+                    false => {
+                        let is_point = p < state.own();
+                        let led = if is_point { [p, p] } else { [a, b] };
+                        let out = if is_point { normal } else { scale(normal, -S::ONE) };
+                        state.led_out(led, out, overlap)
+                    }
                 };
                 state.push(points, at, scale(normal, mended / w), Change::Place);
                 gap += mended;

@@ -41,7 +41,7 @@ impl<S: Real> OnPlane<S> {
             self.approach = dot(state.begun[p], normal);
             let depth = self.depth(common, state.start[p]);
             if depth > S::ZERO {
-                let out = state.led_out(p, depth);
+                let out = state.led_out([p, p], normal, depth);
                 state.push_one(p, scale(normal, out / state.own_weight(p, normal)), Change::Place);
                 gap += out;
                 self.old = depth - out;

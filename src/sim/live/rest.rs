@@ -45,8 +45,9 @@ pub(super) struct Rest {
     aloft: f64,
     /// Its share of the energy that its cluster owes `[J]`.
     pub(super) debt: f64,
-    /// How it lies in others.
+    /// How it lies in others, and whether pins hold it there.
     pub(super) lies: Lies,
+    pub(super) is_tethered: bool,
 }
 
 /// How a body lies in obstacles, in others or in itself since it began.
@@ -76,6 +77,11 @@ impl Rest {
     pub(super) fn awake(self) -> Self {
         Rest { is_asleep: false, since: None, ..self }
     }
+
+    /// Nothing is known but how it lies in others, which does not end by itself.
+    fn anew(self) -> Self {
+        Rest { lies: self.lies, is_tethered: self.is_tethered, ..Rest::default() }
+    }
 }
 
 impl<S: Real> Live<S> {
@@ -90,7 +96,7 @@ impl<S: Real> Live<S> {
             let places: Vec<[S; 2]> = slots.iter().map(|&slot| points.position[slot as usize]).collect();
             let is_reached = || measure::extent(&places).is_some_and(|bounds| around.may_reach(bounds, span));
             if moves || is_reached() {
-                self.rests[body] = Rest::default();
+                self.rests[body] = self.rests[body].anew();
             }
         }
     }
@@ -100,7 +106,7 @@ impl<S: Real> Live<S> {
         let Live { sources, rests, .. } = self;
         for body in sources.iter().filter_map(|source| source.moves(t, &around.keys)) {
             if rests[body].is_asleep {
-                rests[body] = Rest::default();
+                rests[body] = rests[body].anew();
             }
         }
     }
@@ -130,6 +136,7 @@ impl<S: Real> Live<S> {
             let rest = &mut self.rests[body];
             rest.debt = (cluster.debt * count).to_f64() / cluster.own() as f64;
             rest.lies = if cluster.sunk[k] { Lies::Within } else { Lies::Clear };
+            rest.is_tethered = cluster.sunk[k] && cluster.tethers.holds(k);
             rest.touches = sticks + slips > 0;
             rest.aloft = if rest.touches { 0.0 } else { rest.aloft + h };
             let slow = S::from_f64(SLOW[usize::from(cluster.is_rigid(k as u32))]);
@@ -164,7 +171,7 @@ impl<S: Real> Live<S> {
                 continue;
             }
             for &body in &cluster.bodies {
-                self.rests[body] = Rest { is_asleep: true, ..Rest::default() };
+                self.rests[body] = Rest { is_asleep: true, ..self.rests[body].anew() };
                 self.settling[body] = S::ZERO;
                 for &slot in &self.bodies.order[self.bodies.list[body].points.range()] {
                     points.velocity[slot as usize] = zero();

@@ -197,8 +197,11 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: f64) 
 }
 
 /// Bodies that cross each other now.
-fn couples<S: Real>(state: &Cluster<S>, tangle: &mut Tangle<S>, crossings: &[Crossing<S>], (h, first): (f64, f64)) {
+fn couples<S: Real>(state: &mut Cluster<S>, tangle: &mut Tangle<S>, crossings: &[Crossing<S>], (h, first): (f64, f64)) {
     let old = std::mem::take(&mut tangle.couples);
+    let are_asked = first > 0.0 || old.iter().any(Couple::is_parted);
+    let swallowed = if are_asked { cross::swallowed(state) } else { Vec::new() };
+    let state = &*state;
     let known = |bodies: [u32; 2]| old.binary_search_by_key(&bodies, |couple| couple.bodies).ok().map(|k| old[k]);
     let mut add = |bodies: [u32; 2], crossings: &[Crossing<S>]| {
         let mut couple = known(bodies).unwrap_or(Couple { bodies, time: first, out: zero() });
@@ -215,9 +218,9 @@ fn couples<S: Real>(state: &Cluster<S>, tangle: &mut Tangle<S>, crossings: &[Cro
             add(group[0].bodies, group);
         }
     }
-    if first > 0.0 || old.iter().any(Couple::is_parted) {
+    if are_asked {
         let is_crossed = |bodies: &[u32; 2]| crossings.binary_search_by_key(bodies, |crossing| crossing.bodies).is_ok();
-        for bodies in cross::swallowed(state).into_iter().filter(|bodies| !is_crossed(bodies)) {
+        for bodies in swallowed.into_iter().filter(|bodies| !is_crossed(bodies)) {
             add(bodies, &[]);
         }
         tangle.couples.sort_by_key(|couple| couple.bodies);

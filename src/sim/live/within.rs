@@ -36,10 +36,15 @@ impl<S: Real> Cluster<S> {
         }
     }
 
-    /// How far a point, or an edge by one of its ends, is led out of an obstacle that it lies in so deep, in a substep `[m]`.
+    /// How far the ends of an edge, or a point twice, are led out of an obstacle that they lie in so deep, in a substep `[m]`; `out` is the unit
+    /// vector that way.
     #[inline(always)]
-    pub(super) fn led_out(&mut self, i: usize, depth: S) -> S {
-        if self.note_within(i, depth) { self.gentle } else { depth }
+    pub(super) fn led_out(&mut self, ends: [usize; 2], out: [S; 2], depth: S) -> S {
+        let most = if self.note_within(ends[0], depth) { self.gentle } else { depth };
+        if self.is_tethered(ends[0]) {
+            return self.yields(ends[0], out, most).min(self.yields(ends[1], out, most));
+        }
+        most
     }
 
     /// Whether a point that lies in something so deep `[m]` is of a body that began there, and will still lie there after this substep.

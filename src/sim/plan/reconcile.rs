@@ -23,15 +23,12 @@ const MOST_ROUNDS: u32 = 200;
 pub(crate) fn reconcile<const D: usize>(bonds: &mut Bonds, position: &mut [[f64; D]], w: &[f64]) -> Vec<usize> {
     let rigid: Vec<usize> = (0..bonds.len()).filter(|&k| bonds.get(k).is_held()).collect();
     let is_free: Vec<bool> = w.iter().map(|&w| w > 0.0).collect();
-    let pairs: Vec<[u32; 2]> = rigid.iter().map(|&k| bonds.ends()[k].map(|end| end.0)).collect();
-    let mut system = Blocks::<f64, D>::new(&is_free, &pairs, &[]);
-    let mut best = position.to_vec();
-    let mut least = descend(bonds, &rigid, &mut best, &mut system);
+    let (mut best, mut least) = nearest(bonds, &rigid, (position, w), MOST_ROUNDS);
     if least > AGREES {
         // A straight row of bonds that are too long has no way to go: another start may have.
         let mut other = position.to_vec();
         nudge(&mut other, &is_free, NUDGE);
-        let found = descend(bonds, &rigid, &mut other, &mut system);
+        let (other, found) = nearest(bonds, &rigid, (&other, w), MOST_ROUNDS);
         if found < 0.999 * least {
             (best, least) = (other, found);
         }
@@ -48,6 +45,23 @@ pub(crate) fn reconcile<const D: usize>(bonds: &mut Bonds, position: &mut [[f64;
         }
     }
     changed
+}
+
+/// Where the points of some rigid bonds have the least sum of (|d| - rest)^2, from `position` on in so many rounds, and the largest strain that is
+/// left. Other points stay.
+pub(super) fn nearest<const D: usize>(
+    bonds: &Bonds,
+    rigid: &[usize],
+    (position, w): (&[[f64; D]], &[f64]),
+    rounds: u32,
+) -> (Vec<[f64; D]>, f64) {
+    let mut is_free = vec![false; w.len()];
+    let pairs: Vec<[u32; 2]> = rigid.iter().map(|&k| bonds.ends()[k].map(|end| end.0)).collect();
+    pairs.iter().flatten().map(|&end| end as usize).for_each(|end| is_free[end] = w[end] > 0.0);
+    let mut system = Blocks::<f64, D>::new(&is_free, &pairs, &[]);
+    let mut found = position.to_vec();
+    let strain = descend(bonds, rigid, &mut found, (&mut system, rounds));
+    (found, strain)
 }
 
 /// Moves free points by up to `share` of the extent of all, each in a direction of its own, the same every time.
@@ -67,10 +81,10 @@ fn descend<const D: usize>(
     bonds: &Bonds,
     rigid: &[usize],
     position: &mut [[f64; D]],
-    system: &mut Blocks<f64, D>,
+    (system, rounds): (&mut Blocks<f64, D>, u32),
 ) -> f64 {
     let (mut force, mut work) = (vec![[0.0; D]; position.len()], Vec::new());
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..rounds {
         system.clear();
         system.shift(1e-6);
         force.fill([0.0; D]);

@@ -81,7 +81,7 @@ pub(super) fn mark<S: Real, const D: usize>(
 
 /// Whether a method that is asked for by its name moves what is one rigid body as such: its flight is exact, so that no order shows. Those
 /// that are there to show what sweeps do move its bonds.
-fn moves_bodies(solver: Solver) -> bool {
+pub(super) fn moves_bodies(solver: Solver) -> bool {
     use Solver::{BackwardEuler, BlanesMoan4, BlanesMoan6, ImplicitMidpoint, Pefrl, Rk2, Rk4, Rk8, VelocityVerlet};
     matches!(
         solver,

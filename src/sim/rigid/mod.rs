@@ -22,7 +22,7 @@ pub(crate) mod joints;
 mod linkage;
 mod merge;
 pub(crate) mod motion;
-mod pieces;
+pub(crate) mod pieces;
 pub(crate) mod place;
 pub(crate) mod shape;
 mod slide;

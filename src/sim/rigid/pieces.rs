@@ -32,6 +32,13 @@ pub(super) fn find(held: &Held<'_>) -> Option<Found> {
     Some(Found { pieces, rods })
 }
 
+/// Whether lengths contradict each other where bonds hold points in their places.
+pub(crate) fn contradicts(held: &Held<'_>) -> bool {
+    let net = Net::new(held);
+    let apart = apart(held, &net, usize::MAX);
+    apart.and_then(|(pieces, mut covered)| merge(pieces, &net, &mut covered)).is_none()
+}
+
 /// The pieces that grow from single bonds, and which bonds are in one; `None`: lengths contradict each other, or there are more than `most`,
 /// loose bonds among them.
 pub(super) fn apart(held: &Held<'_>, net: &Net<'_>, most: usize) -> Option<(Vec<Piece>, Vec<bool>)> {

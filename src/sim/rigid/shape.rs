@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::sim::vector::{add, cross, dot, scale, sub};
 
 /// Least share of the length of a bond by which a point that two bonds hold must be off the line through their other ends.
-const LEAST_HEIGHT: f64 = 1e-2;
+pub(crate) const LEAST_HEIGHT: f64 = 1e-2;
 /// Share of its length by which a bond may differ from what the others say.
 pub(crate) const FITS: f64 = 1e-6;
 

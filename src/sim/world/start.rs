@@ -21,7 +21,7 @@ impl<S: Real, const D: usize> World<S, D> {
     ///
     /// Bodies that start inside obstacles are moved out, each as a whole, with a warning.
     /// Rigid bonds that the start violates are projected, positions first, then velocities, weighted by mass; lengths
-    /// that contradict each other are met in least squares, with a warning. Triangles that repeat others are left out, with a warning.
+    /// that contradict each other are met in least squares, with a warning where that is by more than rounding. Triangles that repeat others are left out, with a warning.
     /// Errors: as [`Model::check`]; outlines of polygons that cross too often.
     pub fn new(model: &Model<D>) -> Result<Self, ModelError> {
         model.check()?;
@@ -55,14 +55,16 @@ impl<S: Real, const D: usize> World<S, D> {
         let obstacles = Obstacles::of(model).map_err(|_| ModelError::Crossings)?;
         let cleared = plan::clear(&obstacles.widened(model), &model.bonds, (&model.position, &w), |_| false);
         let velocity = model.velocity.iter().zip(&w).map(|(&v, &w)| if w == 0.0 { zero() } else { convert(v) });
-        let position = cleared.moved(&model.position);
+        let mut position = cleared.moved(&model.position).into_owned();
+        let mut bonds = model.bonds.clone();
+        let fitted = plan::fit_rest_lengths(model, &mut bonds, &mut position);
         let state = State {
             position: position.iter().map(|&x| convert(x)).collect(),
             velocity: velocity.collect(),
             position_lost: vec![zero(); count],
             velocity_lost: vec![zero(); count],
         };
-        let plan = plan::compile((model, &obstacles, count), (&model.bonds, None), &state, &[]);
+        let plan = plan::compile((model, &obstacles, count), (&bonds, None), &state, &[]);
         let mut world = World {
             timeline: Timeline::new(plan.substep, model.knots()),
             around: Environment {
@@ -75,7 +77,7 @@ impl<S: Real, const D: usize> World<S, D> {
             plan,
             obstacles,
             counters: Counters::default(),
-            bonds: Arc::new(model.bonds.clone()),
+            bonds: Arc::new(bonds),
             numbers: Numbers::of(model),
             inverse_mass: Arc::new(w),
             scene_points: count,
@@ -107,6 +109,7 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_friction();
         world.warn_of_flat(&position);
         world.warn_of_nested(&position);
+        world.warn_of_fit(&fitted);
         world.begin(&state);
         world.within = cleared.stuck;
         world.foresee();

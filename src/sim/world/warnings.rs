@@ -11,7 +11,7 @@ use crate::sim::force::angle::Angle;
 use crate::sim::force::area;
 use crate::sim::force::mouse::Track;
 use crate::sim::model::Model;
-use crate::sim::plan::Cleared;
+use crate::sim::plan::{Cleared, Fitted};
 use crate::sim::plan_part::PlanPart;
 use crate::sim::reach::{self, Reach};
 use crate::sim::real::Real;
@@ -30,6 +30,18 @@ impl<S: Real, const D: usize> World<S, D> {
             self.warnings.push(format!(
                 "rigid bonds contradict each other: they were given the lengths of the nearest shape: make them agree ({})",
                 list(changed)
+            ));
+        }
+    }
+
+    /// Tells of bonds that were given the lengths of one shape, where they were off that by more than a body bears.
+    pub(crate) fn warn_of_fit(&mut self, fitted: &Fitted) {
+        if fitted.is_told() {
+            self.warnings.push(format!(
+                "rigid bonds contradict each other by up to {:.1e} of their length: they were given the lengths of the nearest shape: \
+                 write them with more digits ({})",
+                fitted.most,
+                list(&fitted.bonds)
             ));
         }
     }

@@ -1,0 +1,58 @@
+//! What is pinned across a wall, some of it above and some below: led out only as far as its bonds yield, and no energy from that.
+
+use serde_json::{Value, json};
+
+use super::world;
+
+/// The energy at the start, the most that it is and the largest strain in three seconds.
+fn held(bodies: &Value) -> [f64; 3] {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "bodies": bodies,
+        "bounds": {"min": [-90, 0], "max": [90, 90], "friction": 0.5, "restitution": 0.3}});
+    let mut world = world(&scene);
+    let start = world.energy();
+    let (mut most, mut strain) = (start, 0.0_f64);
+    while world.time() < 3.0 {
+        world.step();
+        assert!(world.is_finite(), "{bodies} at {} s", world.time());
+        most = most.max(world.energy());
+        strain = strain.max(world.sample(world.time()).max_strain);
+    }
+    [start, most, strain]
+}
+
+fn spring() -> Value {
+    json!({"kind": "spring", "stiffness": 1e4, "mass": 2})
+}
+
+#[test]
+fn a_soft_body_that_is_pinned_across_a_floor_is_held() {
+    // By one point above, by points on both sides, and by points below.
+    for pinned in [json!([60]), json!([0, 7, 56, 63]), json!([0, 7])] {
+        let lattice = json!([{"make": "lattice", "columns": 8, "rows": 8, "spacing": 0.2, "origin": [-0.7, -0.7],
+            "pinned": pinned, "material": spring()}]);
+        let [start, most, strain] = held(&lattice);
+        assert!(most < start + 0.1, "{pinned}: from {start} J to {most} J");
+        assert!(strain < 0.01, "{pinned}: {strain}");
+    }
+}
+
+#[test]
+fn ropes_that_are_pinned_below_a_floor_keep_their_lengths() {
+    for kind in [spring(), json!({"kind": "rigid", "mass": 2})] {
+        let rope = json!([{"make": "rope", "count": 10, "spacing": 0.2, "origin": [0, -1], "angle": 1.57,
+            "pinned": [0], "material": kind}]);
+        let [start, most, strain] = held(&rope);
+        assert!(most < start + 0.1, "{kind}: from {start} J to {most} J");
+        assert!(strain < 0.05, "{kind}: {strain}");
+    }
+}
+
+#[test]
+fn a_net_of_rods_that_hangs_into_a_floor_is_lifted_and_no_more() {
+    let net = json!([{"make": "cloth", "columns": 8, "rows": 8, "spacing": 0.2, "diagonals": "none", "origin": [-0.7, 0.7],
+        "pinned": [0], "material": {"kind": "rigid", "mass": 2}}]);
+    let [start, most, strain] = held(&net);
+    // Half of it, of 1 kg, lies 0.4 m deep in the mean.
+    assert!(most < start + 9.81 * 0.4, "from {start} J to {most} J");
+    assert!(strain < 0.01, "{strain}");
+}
