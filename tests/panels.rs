@@ -4,7 +4,7 @@
 use egui::{Event, Id, Key, Modifiers, PointerButton, Pos2, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use wobble::app::action::{Action, Showing, Tool};
+use wobble::app::action::{Action, Tool};
 use wobble::app::rehearsal::Rehearsal;
 use wobble::render::Palette;
 use wobble::scene::{Scene, gallery};
@@ -383,7 +383,7 @@ fn the_palette_is_changed_in_the_settings() {
 }
 
 /// Panels with the areas that they lie in, and what is done before.
-const PICTURES: [(&str, &str, &[Action]); 14] = [
+const PICTURES: [(&str, &str, &[Action]); 13] = [
     ("bar", "scene", &[]),
     ("tools", "tools", &[]),
     ("settings", "settings", &[Action::Settings]),
@@ -394,7 +394,6 @@ const PICTURES: [(&str, &str, &[Action]); 14] = [
     ("plots", "plots", &[Action::Plots]),
     ("gallery", "gallery", &[Action::Gallery]),
     ("keys", "keys", &[Action::Help]),
-    ("strain", "legend", &[Action::Show(Showing::Strain)]),
     ("brush", "brush", &[Action::Take(Tool::Paint)]),
     ("muscles", "drives", &[Action::Take(Tool::Muscle)]),
     ("force", "push", &[Action::Take(Tool::Push)]),

@@ -10,8 +10,10 @@ use crate::sim::vector::{dot, scale, sub};
 /// What leading a point may pull against its springs, in what gravity and forces give to it: its own weight and as much again, which lifts
 /// what hangs on it.
 const LIFTS: f64 = 2.0;
-/// Share of its length by which leading may strain a rigid bond, or one of what has no inside: the next substeps take that back, and it folds.
-const STRAINED: f64 = 5e-3;
+/// Share of its length by which leading may strain a rigid bond, which the next substeps take back, and a spring of what has no inside: that gets
+/// around what lies on it, or folds.
+const STRAINED: f64 = 1e-2;
+const STRETCHED: f64 = 0.04;
 
 /// A bond of a point that is led.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +24,7 @@ struct Tether<S> {
     /// `[N/m]`; infinite: rigid.
     stiffness: S,
     limit: Limit,
-    /// It is of what has no inside, and folds: then it may be strained as a rigid one.
+    /// It is of what has no inside, and folds.
     folds: bool,
 }
 
@@ -103,11 +105,13 @@ impl<S: Real> Cluster<S> {
             }
             let along = dot(scale(d, S::ONE / length), out);
             let strained = if along > S::ZERO { longer } else { -longer };
+            let is_spring = tether.stiffness.is_finite();
+            let share = if is_spring { STRETCHED } else { STRAINED };
             let until_strained = match along == S::ZERO {
                 true => most,
-                false => (tether.rest * S::from_f64(STRAINED) - strained) / along.abs(),
+                false => (tether.rest * S::from_f64(share) - strained) / along.abs(),
             };
-            if tether.stiffness.is_finite() {
+            if is_spring {
                 answer += tether.stiffness * longer * along;
                 stiffness += tether.stiffness;
                 folding = folding.min(if tether.folds { until_strained } else { S::ZERO });
