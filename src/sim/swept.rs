@@ -2,7 +2,7 @@
 //!
 //! What flies side by side does not meet, however fast it flies: of two bodies only what one does beside the other counts. So each has a box
 //! where it is, and the velocities that it may take: those of its points alone as long as it is free; all up to its speed, where something
-//! that stays may throw it back; and those of both where two may strike each other.
+//! that stays may throw it back; and where two may strike each other those of both, and beyond them, for what is light is thrown back.
 
 use super::real::Real;
 use super::sets::Sets;
@@ -10,6 +10,9 @@ use super::vector::{add, length, scale, sub};
 
 /// How much faster a body may get within a step, or go askew, about.
 const FASTER: f64 = 1.5;
+/// How many times as far from the middle of the velocities of what strikes each other one of them may get, beside [`FASTER`]: what is light comes
+/// back from what is heavy as fast as it came.
+const THROWN: f64 = 2.4;
 /// Bodies in a row that a blow goes through within a step.
 const ROW: u32 = 16;
 /// Couples that are looked at for blows for each body, and at least in all: of a crowd in one place each is struck by what is fastest.
@@ -50,10 +53,14 @@ impl<S: Real, const D: usize> Velocities<S, D> {
         Velocities { middle: add(self.middle, scale(way, (around - self.around) / far)), around }
     }
 
-    /// What is thrown back by what has these velocities: it comes from them as fast as it came.
-    fn back_from(self, other: Self) -> Self {
-        let around = length(sub(self.middle, other.middle)) + self.around + other.around;
-        Velocities { middle: other.middle, around }
+    /// What those that have them may throw each other to.
+    fn thrown(self) -> Self {
+        Velocities { around: self.around * S::from_f64(THROWN), ..self }
+    }
+
+    /// What something that stays may throw them back to.
+    fn held(self) -> Self {
+        Velocities { middle: [S::ZERO; D], around: self.most() }
     }
 
     /// The largest speed along an axis.
@@ -80,6 +87,8 @@ pub(crate) struct Swept<S, const D: usize> {
     /// The box around it at first, and what is left there around it `[m]`.
     first: [[S; D]; 2],
     margin: S,
+    /// What it has, and what strikes it; and what it may take of that.
+    struck: Velocities<S, D>,
     velocities: Velocities<S, D>,
     /// How far it is pushed at most, and how far all fall `[m]`.
     pushed: S,
@@ -111,6 +120,7 @@ impl<S: Real, const D: usize> Swept<S, D> {
             high,
             first: [low.map(|x| x - margin), high.map(|x| x + margin)],
             margin,
+            struck: Velocities { middle, around },
             velocities: Velocities { middle, around },
             pushed: way(span.pushed),
             falls: way(span.fall),
@@ -133,8 +143,15 @@ impl<S: Real, const D: usize> Swept<S, D> {
 
     /// The same of a body that is pinned, or that what does not move may throw back.
     pub(crate) fn held(self) -> Self {
-        let velocities = Velocities { middle: [S::ZERO; D], around: self.velocities.most() };
-        Swept { velocities, is_held: true, ..self }.gone()
+        let [struck, velocities] = [self.struck, self.velocities].map(Velocities::held);
+        Swept { struck, velocities, is_held: true, ..self }.gone()
+    }
+
+    /// The same of a body that these velocities strike too, which takes it further than what is left around it; `None`: no further.
+    fn struck_by(self, other: Velocities<S, D>) -> Option<Self> {
+        let struck = self.struck.with(other);
+        let velocities = self.velocities.with(struck.thrown());
+        self.goes_further(velocities).then(|| Swept { struck, velocities, ..self }.gone())
     }
 
     /// The same of what does not fall.
@@ -168,9 +185,9 @@ impl<S: Real, const D: usize> Swept<S, D> {
         let [[low, high], [others_low, others_high]] = [self.first, other.first];
         let first =
             [std::array::from_fn(|k| low[k].min(others_low[k])), std::array::from_fn(|k| high[k].max(others_high[k]))];
-        let velocities = self.velocities.with(other.velocities);
+        let (struck, velocities) = (self.struck.with(other.struck), self.velocities.with(other.velocities));
         let is_held = self.is_held || other.is_held;
-        Swept { first, velocities, is_held, pushed: self.pushed.max(other.pushed), ..self }.gone()
+        Swept { first, struck, velocities, is_held, pushed: self.pushed.max(other.pushed), ..self }.gone()
     }
 
     /// Of two of the same body the one that it is more closely in.
@@ -204,6 +221,7 @@ impl<S: Real, const D: usize> Swept<S, D> {
             high: wide(self.high),
             first: self.first.map(wide),
             margin: self.margin.to_f64(),
+            struck: self.struck.widen(),
             velocities: self.velocities.widen(),
             pushed: self.pushed.to_f64(),
             falls: self.falls.to_f64(),
@@ -284,68 +302,55 @@ pub(crate) fn chains<T, S: Real, const D: usize>(
     }
 }
 
-/// What strikes another.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Strikes {
-    /// Not so that it goes on.
-    Not,
-    /// It takes what the other has, and gives.
-    Loose,
-    /// It goes on as it goes, whatever it strikes.
-    Fixed,
-}
-
-/// What may be struck within the time takes the velocities that the blow may give it; `strikes`: how the first may strike the second.
-/// Leaves the list sorted.
+/// What may be struck within the time takes the velocities that the blow may give it; `strikes`: whether the first may strike the second, so
+/// that this one goes on; `put` says what comes of it. Leaves the list sorted.
 pub(crate) fn pass_on<T, S: Real, const D: usize>(
     list: &mut [T],
     swept: impl Fn(&T) -> &Swept<S, D>,
     mut put: impl FnMut(&mut T, Swept<S, D>),
-    strikes: impl Fn(&T, &T) -> Strikes,
+    strikes: impl Fn(&T, &T) -> bool,
 ) {
     sort(list, &swept);
     for _ in 0..ROW {
-        let all = list.iter().map(|body| swept(body).velocities).reduce(Velocities::with);
-        if all.is_none_or(|all| !list.iter().any(|body| swept(body).goes_further(all))) {
-            return;
-        }
+        let all = list.iter().map(|body| swept(body).struck).reduce(Velocities::with);
+        let Some(all) = all.filter(|&all| list.iter().any(|body| swept(body).struck_by(all).is_some())) else { return };
+        // What strikes each.
         let mut blows: Vec<Option<Velocities<S, D>>> = vec![None; list.len()];
         let most = (MOST_LOOKS[0] * list.len()).max(MOST_LOOKS[1]);
         let is_seen = meetings(list, &swept, most, |[a, b]| {
             for [from, to] in [[a, b], [b, a]] {
-                let [by, own] = [from, to].map(|place| swept(&list[place]).velocities);
-                let own = blows[to].unwrap_or(own);
-                let given = match strikes(&list[from], &list[to]) {
-                    Strikes::Not => continue,
-                    Strikes::Loose => own.with(by),
-                    Strikes::Fixed => own.with(own.back_from(by)),
-                };
-                if swept(&list[to]).goes_further(given) {
-                    blows[to] = Some(given);
+                if strikes(&list[from], &list[to]) {
+                    let by = swept(&list[from]).struck;
+                    blows[to] = Some(blows[to].map_or(by, |blow| blow.with(by)));
                 }
             }
         });
         if !is_seen {
-            blows.iter_mut().zip(&*list).for_each(|(blow, body)| {
-                *blow = all.map(|all| swept(body).velocities.with(all)).filter(|&all| swept(body).goes_further(all));
-            });
+            blows.fill(Some(all));
         }
-        if blows.iter().all(Option::is_none) {
-            return;
-        }
+        let mut is_done = true;
         for (body, blow) in list.iter_mut().zip(blows) {
-            if let Some(velocities) = blow {
-                let grown = Swept { velocities, is_held: true, ..*swept(body) }.gone();
-                put(body, grown);
+            if let Some(grown) = blow.and_then(|blow| swept(body).struck_by(blow)) {
+                // What lies on something may be held by it.
+                put(body, Swept { is_held: true, ..grown });
+                is_done = false;
             }
+        }
+        if is_done {
+            return;
         }
         sort(list, &swept);
     }
 }
 
-/// Bodies, by their numbers, that may meet, or strike each other through others, come together.
-pub(crate) fn join<S: Real, const D: usize>(together: &mut Sets, mut bodies: Vec<(usize, Swept<S, D>)>) {
-    pass_on(&mut bodies, |body| &body.1, |body, grown| body.1 = grown, |_, _| Strikes::Loose);
+/// Bodies, by their numbers, that may meet, or strike each other through others, come together; `settled`: the same of a body, held if something
+/// that stays may throw it back.
+pub(crate) fn join<S: Real, const D: usize>(
+    together: &mut Sets,
+    mut bodies: Vec<(usize, Swept<S, D>)>,
+    settled: impl Fn(Swept<S, D>) -> Swept<S, D>,
+) {
+    pass_on(&mut bodies, |body| &body.1, |body, grown| body.1 = settled(grown), |_, _| true);
     let of = |place: usize| bodies[place].0 as u32;
     chains(
         &bodies,
@@ -393,7 +398,7 @@ mod tests {
                 usize::MAX,
                 |[a, b]| by_couples.join(list[a].0 as u32, list[b].0 as u32),
             );
-            join(&mut by_chains, list);
+            join(&mut by_chains, list, |swept| swept);
             assert!(all);
             assert!((0..400).all(|k| by_couples.find(k) == by_chains.find(k)), "{size}");
         }

@@ -8,7 +8,7 @@ use crate::sim::group::engine::Engine;
 use crate::sim::moved::{Moved, Why};
 use crate::sim::plan::{OWN, Sets};
 use crate::sim::real::Real;
-use crate::sim::swept::{self, Span, Strikes, Swept};
+use crate::sim::swept::{self, Span, Swept};
 use crate::sim::vector::{length, widen};
 use crate::sim::world::World;
 
@@ -55,13 +55,9 @@ impl<const D: usize> Reach<D> {
         are_alike && (are_one || are_together)
     }
 
-    /// How it may strike the other one.
-    fn strikes(&self, other: &Self) -> Strikes {
-        match self.place {
-            _ if other.place == FIXED || !self.may_touch(other) => Strikes::Not,
-            FIXED => Strikes::Fixed,
-            _ => Strikes::Loose,
-        }
+    /// Whether it may strike the other one, so that this one goes on.
+    fn may_strike(&self, other: &Self) -> bool {
+        other.place != FIXED && self.may_touch(other)
     }
 }
 
@@ -85,7 +81,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let is_live = |place: usize| self.plan.groups[place].is_live();
         let meets_others = self.model.contact.is_some_and(|contact| contact.with_others);
         if meets_others {
-            swept::pass_on(&mut reaches, swept_of, |reach, grown| reach.swept = grown, Reach::strikes);
+            swept::pass_on(&mut reaches, swept_of, |reach, grown| reach.swept = self.settled(grown), Reach::may_strike);
             sweep(&reaches, |a, b| join(&mut sets, &mut goes, [a, b], is_live));
         }
         if !goes.contains(&true) {

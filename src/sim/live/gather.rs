@@ -104,11 +104,9 @@ impl<S: Real> Live<S> {
         if self.contact.is_some_and(|contact| contact.with_others) {
             let span = Span { h, fall: length(pull.gravity), pushed: pull.most_push() + around.most_push() };
             let obstacles = &pull.contacts.obstacles;
-            let reach = |body| {
-                let swept = self.reach(body, points, span, S::from_f64(2.0 * PROMISE))?;
-                Some((body, if obstacles.may_touch(swept.bounds()) { swept.held() } else { swept }))
-            };
-            swept::join(&mut together, (0..self.bodies.list.len()).filter_map(reach).collect());
+            let settled = |swept: Swept<S, 2>| if obstacles.may_touch(swept.bounds()) { swept.held() } else { swept };
+            let reach = |body| Some((body, settled(self.reach(body, points, span, S::from_f64(2.0 * PROMISE))?)));
+            swept::join(&mut together, (0..self.bodies.list.len()).filter_map(reach).collect(), settled);
         }
         self.fields.iter().for_each(|field| field.join(&mut together));
         let mut members: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.list.len()];

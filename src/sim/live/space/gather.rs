@@ -32,11 +32,9 @@ impl<S: Real> Space<S> {
         if self.contact.is_some_and(|contact| contact.with_others) {
             let span = Span { h, fall: length(around.gravity), pushed: around.most_push() };
             let obstacles = &pull.contacts.obstacles;
-            let reach = |body| {
-                let swept = self.reach(body, points, span)?;
-                Some((body, if obstacles.may_touch(swept.bounds()) { swept.held() } else { swept }))
-            };
-            swept::join(&mut together, all.clone().filter_map(reach).collect());
+            let settled = |swept: Swept<S, 3>| if obstacles.may_touch(swept.bounds()) { swept.held() } else { swept };
+            let reach = |body| Some((body, settled(self.reach(body, points, span)?)));
+            swept::join(&mut together, all.clone().filter_map(reach).collect(), settled);
         }
         let mut members: Vec<Vec<usize>> = vec![Vec::new(); self.bodies.list.len()];
         all.filter(is_there).for_each(|body| members[together.find(body as u32) as usize].push(body));
