@@ -43,7 +43,7 @@ fn ropes_that_are_pinned_below_a_floor_keep_their_lengths() {
             "pinned": [0], "material": kind}]);
         let [start, most, strain] = held(&rope);
         // What bonds yield is some joules of springs of 10 kN/m, and lifts the rope by a little.
-        assert!(most < start + 2.0, "{kind}: from {start} J to {most} J");
+        assert!(most < start + 3.0, "{kind}: from {start} J to {most} J");
         assert!(strain < 0.06, "{kind}: {strain}");
     }
 }
