@@ -89,6 +89,30 @@ fn who_comes_into_a_crowd_in_flight_is_met() {
 }
 
 #[test]
+fn what_is_light_is_thrown_back_by_what_is_heavy_and_meets_what_lies_behind() {
+    let boxed = |x: f64, [width, height]: [f64; 2], mass: f64, v: f64| {
+        json!({"make": "box", "width": width,
+        "height": height, "supports": 2, "origin": [x, 0], "velocity": [v, 0], "material": {"mass": mass}})
+    };
+    for v in [6.0, 20.0, 60.0] {
+        for far in [0.05, 0.2] {
+            let heavy = boxed(0.1 + 0.01 + 1.0, [2.0, 1.0], 100.0, 0.0);
+            let behind = boxed(-0.1 - far - 0.05, [0.1, 0.5], 1.0, 0.0);
+            let mut scene = scene(json!([boxed(0.0, [0.2, 0.2], 0.1, v), heavy, behind]));
+            scene["contact"] = json!({"restitution": 0.8, "friction": 0});
+            let mut world = world(&scene);
+            while world.time() < 0.3 {
+                world.step();
+                let [light, behind] = [0..4, 8..12].map(|range| middle(&*world, range)[0]);
+                assert!(light > behind, "at {v} m/s, {far} m behind: through it at {} s", world.time());
+            }
+            let pushed = world.sample(world.time()).velocity[8][0];
+            assert!(pushed < -0.05 * v, "at {v} m/s, {far} m behind: it is pushed by {pushed} m/s");
+        }
+    }
+}
+
+#[test]
 fn what_may_meet_goes_live_together_before_it_touches_and_back_when_it_is_apart() {
     let far = disc([0.0, 20.0], [0.2, 0.0]);
     let bodies = json!([disc([-2.0, 0.0], [2.0, 0.0]), disc([2.0, 0.1], [-2.0, 0.0]), far.clone()]);
