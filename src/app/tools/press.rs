@@ -25,6 +25,8 @@ impl Hand {
     /// The left button went down at a pixel.
     pub(in crate::app) fn press(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
         self.beside = DVec3::ZERO;
+        let is_there = !self.is_dragged && !is_drag(scope, [self.pressed, at]);
+        let is_second = std::mem::take(&mut self.is_quick) && is_there;
         (self.pressed, self.is_dragged) = (at, false);
         match self.tool() {
             Tool::Hand => self.take_hold(scope, at),
@@ -70,7 +72,7 @@ impl Hand {
                 Err(why) => Deed::words(why.words().to_owned()),
             },
             Tool::Select => {
-                self.begin_to_select(scope, at);
+                self.begin_to_select(scope, at, is_second);
                 Deed::default()
             }
         }
