@@ -169,6 +169,8 @@ fn bad_commands_are_refused_with_number_time_and_reason() {
         (r#"{"at": 0.1, "do": "explode"}"#, "", "commands[0]: do: `explode` is nothing that is done here"),
         (r#"{"at": 0.1, "do": "grab"}"#, "", "commands[0]: takes nothing: give `points` or `within`"),
         (r#"{"at": 0.1, "do": "set", "wind": {}}"#, "", "commands[0]: wind: "),
+        (r#"{"at": 0.1, "do": "set", "duration": "x"}"#, "", "commands[0]: duration: give a time, or null"),
+        (r#"{"at": 0.1, "do": "set", "bounds": 3}"#, "", "commands[0]: bounds: give an object with the keys `min`"),
         (r#"{"at": 0.1, "do": "set", "drives": {}}"#, "", "commands[0]: `drives` is not in this version"),
         (r#"{"at": 0.1, "do": "pin", "points": [0], "bond": 1}"#, "", "unknown key"),
         (r#"{"at": 0.1, "do": "pin", "points": [-1]}"#, "", "commands[0]: points[0]: "),
@@ -235,6 +237,23 @@ fn bad_commands_are_refused_with_number_time_and_reason() {
         let path = file(&folder, "x.json", &whole);
         let line = refused(1, &["replay", text(&path), "--hash"]);
         assert!(line.contains(reason), "{line}");
+    }
+}
+
+#[test]
+fn numbers_that_are_set_and_refused_are_said_as_they_were_written() {
+    let scene = r#"{"wobble": 1, "points": {"position": [[1, 0], [0, 0], [0, 1]]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}], "angles": [{"points": [0, 1, 2], "min": 1, "max": 2}],
+        "obstacles": [{"plane": {"point": [0, -5], "normal": [0, 1]}}]}"#;
+    let folder = tempfile::tempdir().unwrap();
+    for (keys, reason) in [
+        (r#""angles": [0], "range": [4, 2]"#, "angle 0 is [4.0, 2.0]: it must be within min < max"),
+        (r#""obstacles": [0], "penalty": {"stiffness": -1}"#, "penalty of plane 0 is [-1.0, 0.0]: it must be finite"),
+    ] {
+        let command = format!(r#"{{"at": 0.1, "do": "set", {keys}}}"#);
+        let path = file(&folder, "x.json", &recording(&command, "").replace("\"rim\"", scene));
+        let line = refused(1, &["replay", text(&path), "--hash"]);
+        assert!(line.contains(reason) && !line.contains("Some"), "{line}");
     }
 }
 

@@ -281,7 +281,7 @@ pub enum Weather {
 
 /// The least and the largest angle of a joint, or none any more.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
-#[serde(untagged, expecting = "range: a list of the least and the largest angle, or null")]
+#[serde(untagged, expecting = "give a list of the least and the largest angle, or null")]
 pub enum RangeOrNone {
     /// These `[rad]`.
     These([f64; 2]),
@@ -291,7 +291,7 @@ pub enum RangeOrNone {
 
 /// Where a scene ends by itself, or no end any more.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
-#[serde(untagged, expecting = "duration: a time, or null")]
+#[serde(untagged, expecting = "give a time, or null")]
 pub enum EndOrNone {
     /// There `[s]`.
     At(f64),
@@ -321,7 +321,7 @@ pub enum PenaltyOrNone {
 
 /// Areas that resist, or none any more.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
-#[serde(untagged, expecting = "areas: an object with keys such as `kind` and `stiffness`, or null")]
+#[serde(untagged, expecting = "give an object with keys such as `kind` and `stiffness`, or null")]
 pub enum AreasOrNone {
     /// So.
     These(AreaKeys),
@@ -331,7 +331,7 @@ pub enum AreasOrNone {
 
 /// Walls, or none any more.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
-#[serde(untagged, expecting = "bounds: an object with the keys `min` and `max`, or null")]
+#[serde(untagged, expecting = "give an object with the keys `min` and `max`, or null")]
 pub enum Walls {
     /// These, in place of those before.
     These(BoundsKeys),

@@ -61,9 +61,9 @@ pub enum Target {
     ObstacleFriction(RangeInclusive<u32>),
     /// Of obstacles, by their numbers `[1]`.
     ObstacleRestitution(RangeInclusive<u32>),
-    /// Of planes that push out what gets into them, by their numbers: which number, and both as they are `[N/m]`, `[N s/m]`; a command
-    /// sets both.
-    Penalty(RangeInclusive<u32>, OfPenalty, [f64; 2]),
+    /// Of planes that push out what gets into them, by their numbers: which number, and both of each plane as they are `[N/m]`,
+    /// `[N s/m]`; a command sets both.
+    Penalty(RangeInclusive<u32>, OfPenalty, Vec<(u32, [f64; 2])>),
     /// Of the material of a body, by its place among `bodies`; or whether its diagonals hold: 0 or 1.
     Body(usize, OfBody, Arc<BodyPart>),
 }
@@ -177,8 +177,8 @@ impl Target {
             return match key {
                 "friction" => Some(Target::ObstacleFriction(numbers)),
                 "restitution" => Some(Target::ObstacleRestitution(numbers)),
-                "penalty.stiffness" => Some(Target::Penalty(numbers, OfPenalty::Stiffness, [0.0; 2])),
-                "penalty.damping" => Some(Target::Penalty(numbers, OfPenalty::Damping, [0.0; 2])),
+                "penalty.stiffness" => Some(Target::Penalty(numbers, OfPenalty::Stiffness, Vec::new())),
+                "penalty.damping" => Some(Target::Penalty(numbers, OfPenalty::Damping, Vec::new())),
                 _ => None,
             };
         }
@@ -496,7 +496,7 @@ impl Scene {
             let target = match Target::of(&keys.path)? {
                 Target::Body(body, of, _) => Target::Body(body, of, Arc::clone(parts.get(body)?)),
                 Target::Penalty(numbers, of, _) => {
-                    let both = penalty(self, *numbers.start())?;
+                    let both = numbers.clone().filter_map(|number| Some((number, penalty(self, number)?))).collect();
                     Target::Penalty(numbers, of, both)
                 }
                 target => target,

@@ -304,7 +304,9 @@ impl<const D: usize> Model<D> {
                 && plane.normal.iter().any(|&n| n != 0.0);
             require(is_fine, &format!("plane {i}"), plane, "finite, with a normal that is not zero")?;
             let is_fine = plane.penalty.is_none_or(|penalty| penalty.is_fine());
-            require(is_fine, &format!("the penalty of plane {i}"), plane.penalty, "finite and >= 0")?;
+            let numbers = plane.penalty.map_or([0.0; 2], |penalty| [penalty.stiffness, penalty.damping]);
+            let place = format!("the `stiffness` and `damping` of the penalty of plane {i}");
+            require(is_fine, &place, numbers, "finite and >= 0")?;
         }
         self.check_penalties()?;
         for (i, polygon) in self.polygons.iter().enumerate() {

@@ -556,6 +556,7 @@ fn surfaces_method_times_and_view() {
                 "\"view\": { \"center\": [0,0], \"height\": 1, \"follow\": [0,9] }",
                 "view.follow[1]: point 9 does not exist: there are 2 points, so use 0 to 1",
             ),
+            ("\"view\": { \"width\": 4 }", "view: a view in the plane needs `center` and `height`: add them"),
             ("\"view\": { \"center\": [0,0] }", "view: a view in the plane needs `height`: add it"),
             ("\"view\": { \"center\": [0,0], \"height\": 0 }", "view.height: is 0.0: give a number above 0"),
             (

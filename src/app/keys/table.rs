@@ -136,12 +136,13 @@ pub static TABLE: &[Binding] = &[
 ];
 
 /// What the mouse does, in the same form.
-pub fn by_mouse() -> [[&'static str; 2]; 10] {
+pub fn by_mouse() -> [[&'static str; 2]; 11] {
     [
         ["left button on a body, or with one in the circle", "grab it; let go and it flies"],
         ["left button on a pin", "lead it elsewhere; pins that bonds join go as one bar, with Shift it turns"],
         ["left button beside all bodies", "push through them"],
         ["select: drag beside all bodies", "select what the box touches; with Alt what a free stroke goes around"],
+        ["select: double click or Ctrl+click", "take one bond or one point; with Shift beside what is selected"],
         ["select: drag a corner", "scale it; with Shift in proportion"],
         ["select: drag the knob above", "turn it; with Shift in steps of 15°"],
         ["select, while plots are shown: click a point or a bond", "put a probe on it, or take it off"],

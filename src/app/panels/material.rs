@@ -162,6 +162,9 @@ pub(in crate::app) fn lies(context: &egui::Context) -> Option<Rect> {
 /// A button: its name, what it does, and the action.
 const PASTE: (&str, &str, Action) = ("Paste", "what was copied, into the middle of what is seen", Action::Paste);
 
+/// How to select more than one body, or less.
+const HOW: &str = "Shift adds to what is selected; a double click or Ctrl+click takes one bond or one point";
+
 /// How to select, where nothing is.
 fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
     ui.label(RichText::new("click a body or an obstacle, or drag beside them").color(colors(ui).weak));
@@ -180,7 +183,7 @@ fn of_nothing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
             sink.act(action);
         }
     });
-    ui.label(RichText::new("Shift adds to what is selected").color(colors(ui).weak));
+    ui.label(RichText::new(HOW).color(colors(ui).weak));
     if facts.hidden > 0 {
         let bodies = if facts.hidden == 1 {
             "a body is hidden".to_owned()

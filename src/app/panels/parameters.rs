@@ -1,5 +1,7 @@
 //! Sliders of the numbers that a scene names, above all that can be set.
 
+use std::ops::RangeInclusive;
+
 use egui::{Response, Slider, SliderClamping, Ui};
 
 use super::settings::Sink;
@@ -30,14 +32,14 @@ pub(in crate::app) fn all(named: &[Parameter], shown: &Shown, push: Option<[f64;
 fn as_now(parameter: &Parameter, scenery: &Scenery) -> Parameter {
     let mut parameter = parameter.clone();
     if let Target::Penalty(numbers, _, both) = &mut parameter.target {
-        *both = penalty(numbers, scenery).unwrap_or(*both);
+        *both = penalties(numbers, scenery).collect();
     }
     parameter
 }
 
-/// By how much the first that is left of some planes pushes out what gets into it `[N/m]`, `[N s/m]`.
-fn penalty(numbers: &std::ops::RangeInclusive<u32>, scenery: &Scenery) -> Option<[f64; 2]> {
-    scenery.penalties.iter().find(|(number, _)| numbers.contains(number)).map(|(_, both)| *both)
+/// By how much those that are left of some planes push out what gets into them, each with its number `[N/m]`, `[N s/m]`.
+fn penalties(numbers: &RangeInclusive<u32>, scenery: &Scenery) -> impl Iterator<Item = (u32, [f64; 2])> {
+    scenery.penalties.iter().copied().filter(|(number, _)| numbers.contains(number))
 }
 
 /// The number that a parameter is now; `None` where what it is of has gone, and of bodies and obstacles, which the world itself is asked for.
@@ -65,7 +67,7 @@ pub(super) fn value(target: &Target, scene: &SceneChange, push: Option<[f64; 2]>
         Target::Rest(numbers) => numbers.clone().find_map(bond).map(|bond| bond.rest_length),
         Target::Meets => scene.contact.map(|contact| f64::from(u8::from(contact.is_some()))),
         Target::ContactRadius => scene.contact??.radius,
-        Target::Penalty(numbers, of, _) => penalty(numbers, scenery).map(|both| of.of(both)),
+        Target::Penalty(numbers, of, _) => penalties(numbers, scenery).next().map(|(_, both)| of.of(both)),
         Target::ObstacleFriction(_) | Target::ObstacleRestitution(_) | Target::Body(..) => None,
     }
 }
@@ -100,9 +102,8 @@ pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &Scene
 }
 
 fn set(by: &Response, target: &Target, to: f64, scene: &SceneChange, sink: &mut Sink<'_>) {
-    if let Some(act) = command(target, to, scene, |v| sink.vector(v)) {
-        sink.set(by, name(target), act);
-    }
+    let acts = commands(target, to, scene, |v| sink.vector(v)).unwrap_or_default();
+    sink.set_all(by, name(target), acts);
 }
 
 /// What the change of a parameter is called when it is undone.
@@ -130,18 +131,18 @@ fn name(target: &Target) -> &'static str {
 }
 
 /// What sets a parameter, where the scene is so now; `None`: what it is of has gone. `vector`: as the scene writes them.
-pub(super) fn command(
+pub(super) fn commands(
     target: &Target,
     to: f64,
     scene: &SceneChange,
     vector: impl Fn([f64; 3]) -> Vector,
-) -> Option<Do> {
-    let bonds = |numbers: &std::ops::RangeInclusive<u32>, keys: SetKeys| {
+) -> Option<Vec<Do>> {
+    let bonds = |numbers: &RangeInclusive<u32>, keys: SetKeys| {
         Do::Set(Box::new(SetKeys { bonds: Some(numbers.clone().collect()), ..keys }))
     };
     let one = Some(OneOrEach::One(to));
     let nothing = SetKeys::default;
-    Some(match target {
+    Some(vec![match target {
         Target::Gravity(axis) => {
             let mut gravity = scene.gravity.unwrap_or_default();
             gravity[*axis] = to;
@@ -187,12 +188,7 @@ pub(super) fn command(
             let obstacles = Some(numbers.clone().collect());
             Do::Set(Box::new(SetKeys { obstacles, restitution: Some(to), ..nothing() }))
         }
-        Target::Penalty(numbers, of, both) => {
-            let [stiffness, damping] = of.put(*both, to);
-            let penalty = Some(PenaltyOrNone::This(PenaltyKeys { stiffness, damping: Some(damping) }));
-            let obstacles = Some(numbers.clone().collect());
-            Do::Set(Box::new(SetKeys { obstacles, penalty, ..nothing() }))
-        }
+        Target::Penalty(_, of, each) => return Some(set_penalties(*of, each, to)),
         Target::Body(_, of, part) => Do::Set(Box::new(set_body(*of, part, to))),
         Target::Friction | Target::Restitution | Target::ContactRadius => {
             let before = scene.contact??;
@@ -215,7 +211,24 @@ pub(super) fn command(
         Target::Stiffness(numbers) => bonds(numbers, SetKeys { stiffness: one, ..nothing() }),
         Target::Damping(numbers) => bonds(numbers, SetKeys { damping: one, ..nothing() }),
         Target::Rest(numbers) => bonds(numbers, SetKeys { rest: one, ..nothing() }),
-    })
+    }])
+}
+
+/// One number of planes, each of which keeps its other one: a command gives all planes that it names both.
+fn set_penalties(of: OfPenalty, each: &[(u32, [f64; 2])], to: f64) -> Vec<Do> {
+    let mut groups: Vec<([f64; 2], Vec<u32>)> = Vec::new();
+    for &(number, both) in each {
+        let both = of.put(both, to);
+        match groups.iter_mut().find(|(other, _)| *other == both) {
+            Some((_, numbers)) => numbers.push(number),
+            None => groups.push((both, vec![number])),
+        }
+    }
+    let set = |([stiffness, damping], numbers): ([f64; 2], Vec<u32>)| {
+        let penalty = Some(PenaltyOrNone::This(PenaltyKeys { stiffness, damping: Some(damping) }));
+        Do::Set(Box::new(SetKeys { obstacles: Some(numbers), penalty, ..SetKeys::default() }))
+    };
+    groups.into_iter().map(set).collect()
 }
 
 /// The keys that set a number of a body.

@@ -126,8 +126,8 @@ fn every_number_that_a_scene_of_the_gallery_names_can_be_set_to_both_ends_while_
             for to in [*parameter.range.start(), *parameter.range.end()] {
                 let now = shown(&mut stage);
                 let vector = |v: [f64; 3]| Vector::new(v, now.dimensions);
-                let act = parameters::command(&parameter.target, to, &now.settings, vector).unwrap();
-                assert_eq!(stage.obey(Order::Give(vec![act], Some("parameter"))), None, "{case}");
+                let acts = parameters::commands(&parameter.target, to, &now.settings, vector).unwrap();
+                assert_eq!(stage.obey(Order::Give(acts, Some("parameter"))), None, "{case}");
                 (0..6).for_each(|_| _ = stage.obey(Order::Step(None)));
                 assert!(stage.history().world().is_finite(), "{case} at {to}");
                 let now = shown(&mut stage);
@@ -139,6 +139,36 @@ fn every_number_that_a_scene_of_the_gallery_names_can_be_set_to_both_ends_while_
         }
     }
     assert!(count > 60, "{count}");
+}
+
+#[test]
+fn a_slider_over_several_planes_leaves_each_its_other_number() {
+    let plane = |x: i32, both: [f64; 2]| {
+        let [stiffness, damping] = both;
+        format!(
+            r#"{{"plane": {{"point": [{x}, 0], "normal": [{}, 1]}}, "penalty": {{"stiffness": {stiffness}, "damping": {damping}}}}}"#,
+            -x
+        )
+    };
+    let planes = [plane(0, [100.0, 1.0]), plane(1, [200.0, 2.0]), plane(-1, [300.0, 1.0])].join(", ");
+    let text = format!(
+        r#"{{"wobble": 1, "points": {{"position": [[0, 3]]}}, "obstacles": [{planes}],
+        "parameters": [{{"path": "obstacles[0-2].penalty.stiffness", "min": 10, "max": 1000}},
+            {{"path": "obstacles[0-2].penalty.damping", "min": 0, "max": 9}}]}}"#
+    );
+    let scene = Scene::parse(&text, "x.json").unwrap();
+    let named = scene.named_parameters();
+    let mut stage = Stage::new(scene.into()).unwrap();
+    let mut set = |place: usize, to: f64| {
+        let now = shown(&mut stage);
+        let target = &parameters::all(&named, &now, None)[place].0.target;
+        let acts = parameters::commands(target, to, &now.settings, |v| Vector::new(v, 2)).unwrap();
+        assert_eq!(stage.obey(Order::Give(acts, Some("parameter"))), None);
+        shown(&mut stage).scenery.penalties.iter().map(|(_, both)| *both).collect::<Vec<[f64; 2]>>()
+    };
+    assert_eq!(set(0, 500.0), [[500.0, 1.0], [500.0, 2.0], [500.0, 1.0]]);
+    assert_eq!(set(0, 600.0), [[600.0, 1.0], [600.0, 2.0], [600.0, 1.0]]);
+    assert_eq!(set(1, 4.0), [[600.0, 4.0]; 3]);
 }
 
 #[test]

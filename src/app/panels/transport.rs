@@ -7,7 +7,7 @@ use super::icons::{self, Icon};
 use super::theme::colors;
 use super::{At, Facts, Wish, described, icon, moving, short};
 use crate::app::action::Action;
-use crate::app::player::LONGEST_FRAME;
+use crate::app::player::{Figures, LONGEST_FRAME};
 use crate::history::BranchView;
 use crate::lessons::lessons;
 
@@ -156,11 +156,7 @@ fn state(facts: &Facts) -> (String, bool) {
     }
     let is_slow = !figures.asleep && figures.pace > 0.0 && figures.pace < 0.95;
     match (figures.playing, figures.asleep) {
-        (false, _) if figures.ended => (
-            format!("the end of its {} s: R plays it again", plain(figures.clock.duration.unwrap_or(figures.time))),
-            true,
-        ),
-        (false, _) => ("paused".to_owned(), true),
+        (false, _) => (at_end(figures).unwrap_or_else(|| "paused".to_owned()), true),
         // One that is known to be slow is told how slow, however long its steps are.
         (true, _) if facts.is_busy && !is_slow => ("computing a long step".to_owned(), false),
         (true, true) => ("at rest".to_owned(), false),
@@ -169,6 +165,16 @@ fn state(facts: &Facts) -> (String, bool) {
         (true, false) if figures.yielded.is_some() => ("computed more roughly, to keep up".to_owned(), false),
         (true, false) => (String::new(), false),
     }
+}
+
+/// That it stands at its end or past it, in words; `None` where it does not: time goes no further by itself then.
+pub(in crate::app) fn at_end(figures: &Figures) -> Option<String> {
+    if figures.ended {
+        let end = figures.clock.duration.unwrap_or(figures.time);
+        return Some(format!("the end of its {} s: R plays it again", plain(end)));
+    }
+    let end = figures.clock.duration.filter(|end| figures.time >= *end)?;
+    Some(format!("past its end of {} s: R plays it again", plain(end)))
 }
 
 /// A time `[s]` to a tenth of a millisecond, without zeros that say nothing.
@@ -208,7 +214,8 @@ mod tests {
 
     use super::super::theme;
     use super::*;
-    use crate::app::player::{Figures, Moved, Movers};
+    use crate::app::player::{Moved, Movers};
+    use crate::history::Clock;
     use crate::sim::Why;
 
     #[test]
@@ -222,6 +229,13 @@ mod tests {
         };
         assert_eq!(even(20.000_000_004), "the end of its 20 s: R plays it again");
         assert_eq!(even(0.5), "the end of its 0.5 s: R plays it again");
+        let clock = Clock { rate: 1.0, duration: Some(20.0) };
+        let past = |time, playing| {
+            let figures = Figures { time, clock, playing, pace: 1.0, ..Figures::default() };
+            state(&Facts { figures, ..Facts::default() }).0
+        };
+        assert_eq!(past(46.0, false), "past its end of 20 s: R plays it again");
+        assert_eq!((past(46.0, true).as_str(), past(19.0, false).as_str()), ("", "paused"));
     }
 
     #[test]

@@ -232,8 +232,8 @@ impl Pace {
 
     /// Back to the start. What came to its end plays again. Returns how many edits that leaves behind.
     pub fn reset(&mut self, history: &mut History) -> usize {
+        self.playing |= self.ended || self.duration.is_some_and(|end| history.world().time() >= end);
         let left = history.reset();
-        self.playing |= self.ended;
         self.ended = false;
         (self.told, self.jumps, self.is_taken) = (None, true, false);
         self.settle(history);

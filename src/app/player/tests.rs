@@ -4,7 +4,7 @@
 use std::time::{Duration, Instant};
 
 use super::{Keeping, Order, Pace, Player, Shown, Stage};
-use crate::history::{Do, History};
+use crate::history::{Clock, Do, History};
 use crate::scene::Scene;
 use crate::sim::{Cursor, MouseChange, PointId, Reach};
 
@@ -179,6 +179,11 @@ fn a_scene_with_a_duration_stops_there_and_can_go_on() {
     assert_eq!(play(&mut played, 1.0, 60, away), 350, "it plays again from the start, to its end");
     played.1.reset(&mut played.0);
     assert!(played.1.playing, "and does not wait at 0");
+    play(&mut played, 0.3, 60, away);
+    played.1.playing = false;
+    played.1.follow(Clock { rate: 1.0, duration: Some(0.5) }, Clock { rate: 1.0, duration: Some(0.2) });
+    played.1.reset(&mut played.0);
+    assert!(played.1.playing, "so it does where it was paused past an end that came later");
 }
 
 /// The strength of the hover force of what is shown.

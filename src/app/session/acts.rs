@@ -6,7 +6,7 @@ use super::asking::points_of;
 use super::{Framing, Session};
 use crate::app::action::{Action, Primitive, Tool};
 use crate::app::count::counted;
-use crate::app::panels::{Cover, Opened, Setting, Sheet, Wish, search_id};
+use crate::app::panels::{Cover, Opened, Setting, Sheet, Wish, at_end, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
 use crate::app::tools::{Deed, PushWay, is_of_space, lack_of, strength};
@@ -27,7 +27,7 @@ impl Session {
             self.panels.notes.go_on();
         }
         match action {
-            Action::TogglePlay => self.player.play(!self.player.is_playing()),
+            Action::TogglePlay => self.toggle_play(),
             Action::Step => self.player.ask(Order::Step(self.told)),
             Action::Rewind => {
                 self.leave_drawing();
@@ -360,6 +360,16 @@ impl Session {
         }
         if !deed.is_empty() {
             self.ask_if_full(points_of(&deed.commands), move |session| session.player.give(deed.commands, deed.edit));
+        }
+    }
+
+    /// Time stands still or goes on: not past the end, unless what was done there already is followed.
+    fn toggle_play(&mut self) {
+        let figures = &self.shown().figures;
+        let end = at_end(figures).filter(|_| !figures.follows && !self.player.is_playing());
+        match end {
+            Some(words) => self.say(format!("{words}; without \"ends\" in the settings it goes on")),
+            None => self.player.play(!self.player.is_playing()),
         }
     }
 

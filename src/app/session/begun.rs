@@ -116,6 +116,7 @@ impl Session {
             last_frame: None,
             told: None,
             resting: Default::default(),
+            pressed_at: None,
             frame_meter: Meter::default(),
             frames: 0,
             looks_again: None,

@@ -3,6 +3,7 @@
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::{Framing, Session};
+use crate::app::panels::at_end;
 use crate::app::tools::clear_bodies;
 use crate::history::Start;
 use crate::scene::{EMPTY, MakerName, Scene};
@@ -16,7 +17,7 @@ impl Session {
         match EMPTY.scene() {
             Ok(scene) => {
                 // What came to its end by itself was not paused by anybody.
-                let plays = self.player.is_playing() || self.shown().figures.ended;
+                let plays = self.player.is_playing() || at_end(&self.shown().figures).is_some();
                 self.open(scene.into());
                 if !plays {
                     self.player.play(false);

@@ -211,6 +211,8 @@ pub(super) struct Session {
     /// Where the cursor was told to be last, and with the pointer where.
     told: Option<Cursor>,
     resting: Resting,
+    /// When the left button went down over the world last.
+    pressed_at: Option<Instant>,
     frame_meter: Meter,
     frames: u64,
     /// Where to look from when the next history is there.

@@ -1,5 +1,7 @@
 //! The pointer in the window: over a panel, over the world, pressing, dragging.
 
+use std::time::{Duration, Instant};
+
 use egui::Order;
 use glam::DVec2;
 use winit::event::{ElementState, MouseButton, MouseScrollDelta};
@@ -14,6 +16,9 @@ use crate::app::tools::{Hand, Scope};
 use crate::history::Do;
 use crate::scene::Scene;
 use crate::sim::{Cursor, PointId};
+
+/// Two presses within this time are a double click.
+const DOUBLE: Duration = Duration::from_millis(400);
 
 impl Session {
     /// The pointer moved `[px]`.
@@ -75,6 +80,8 @@ impl Session {
             true => {
                 self.used();
                 self.hand.stand_still(!self.player.is_playing());
+                let last = self.pressed_at.replace(Instant::now());
+                self.hand.hasten(last.is_some_and(|last| last.elapsed() < DOUBLE));
                 let mut deed = self.with_scope(|hand, scope| hand.press(scope, at));
                 self.resting.press(at.to_array());
                 if self.hand.is_grabbing() {

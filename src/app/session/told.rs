@@ -73,6 +73,7 @@ impl Session {
     pub(in crate::app) fn hold(&mut self, held: Held) {
         self.held = held;
         self.hand.hold([held.shift, held.alt]);
+        self.hand.hold_command(held.command);
         self.dirty = true;
     }
 }

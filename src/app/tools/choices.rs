@@ -116,6 +116,16 @@ impl Hand {
         (self.maker.is_free, self.maker.is_from_middle) = (shift, alt);
     }
 
+    /// Ctrl is held, or let go.
+    pub(in crate::app) fn hold_command(&mut self, is_held: bool) {
+        self.command = is_held;
+    }
+
+    /// The next press comes so soon after the last one that they are a double click, where both are in one place.
+    pub(in crate::app) fn hasten(&mut self, is_quick: bool) {
+        self.is_quick = is_quick;
+    }
+
     /// Time stands still from now on, or runs.
     pub(in crate::app) fn stand_still(&mut self, is_still: bool) {
         self.is_still = is_still;

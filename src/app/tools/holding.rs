@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Doing, Hand, Held, Mark, PushWay, Scope, hidden, marks, push, throw, wind};
+use super::{Chosen, Doing, Hand, Held, Mark, PushWay, Scope, hidden, marks, push, throw, wind};
 use crate::app::action::Tool;
 use crate::sim::Cursor;
 
@@ -72,6 +72,10 @@ impl Hand {
                 (_, at) => at.map_or_else(Vec::new, |at| throw::marks(scope, at)),
             },
             (Tool::Push, Some(at)) if self.doing == Doing::Nothing => self.pushes().marks(scope, at),
+            (Tool::Select, Some(at)) if self.command && !self.alt && !self.is_busy() => {
+                let part = Chosen::part_at(scope, at).map(|part| part.part_marks(scope));
+                part.unwrap_or_else(|| marks::of((self.tool(), self.maker), &self.doing, scope, Some(at)))
+            }
             // What would come next is not shown over what has just come.
             (Tool::Build, _) if self.built_at.is_some() && !self.is_busy() => Vec::new(),
             _ => marks::of((self.tool(), self.maker), &self.doing, scope, at.map(|at| self.led_at(scope, at))),

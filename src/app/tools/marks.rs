@@ -205,17 +205,20 @@ fn would_go(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
     }
 }
 
-fn line(role: Role, scope: Scope<'_>, [a, b]: [PointId; 2]) -> Option<Mark> {
+pub(super) fn line(role: Role, scope: Scope<'_>, [a, b]: [PointId; 2]) -> Option<Mark> {
     Some(Mark::Line(role, scope.pixel(a)?, scope.pixel(b)?, 1.5 * scope.scale))
 }
 
-/// The bonds of a body, whose points are ascending; a ring about a point that has none.
+/// The bonds among points, which are ascending, and a ring about each that has none.
 fn bonds(role: Role, scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
-    let is_its = |ends: &&[PointId; 2]| points.binary_search(&ends[0]).is_ok();
-    let bonds = scope.shown.scenery.bonds.ends().iter().filter(is_its).take(MOST);
-    let lines: Vec<Mark> = bonds.filter_map(|&ends| line(role, scope, ends)).collect();
-    let ring = |&point| Some(Mark::Ring(role, scope.pixel(point)?, 6.0 * scope.scale));
-    if lines.is_empty() { points.first().and_then(ring).into_iter().collect() } else { lines }
+    let is_its = |ends: &&[PointId; 2]| ends.iter().all(|end| points.binary_search(end).is_ok());
+    let bonds: Vec<[PointId; 2]> = scope.shown.scenery.bonds.ends().iter().filter(is_its).take(MOST).copied().collect();
+    let mut bonded: Vec<PointId> = bonds.iter().flatten().copied().collect();
+    bonded.sort_unstable();
+    let is_bare = |point: &&PointId| bonds.len() < MOST && bonded.binary_search(point).is_err();
+    let ring = |&point: &PointId| Some(Mark::Ring(role, scope.pixel(point)?, 6.0 * scope.scale));
+    let rings = points.iter().filter(is_bare).filter_map(ring).take(MOST);
+    bonds.iter().filter_map(|&ends| line(role, scope, ends)).chain(rings).collect()
 }
 
 /// The skin of bodies, whose points are ascending; their bonds where they cover nothing; boxes around them where that would be too many
@@ -229,7 +232,12 @@ pub(super) fn body(role: Role, scope: Scope<'_>, points: &[PointId]) -> Vec<Mark
         return boxes::around(role, scope, points);
     }
     let lines: Vec<Mark> = sides.into_iter().filter_map(|ends| line(role, scope, ends)).collect();
-    if lines.is_empty() { bonds(role, scope, points) } else { lines }
+    if lines.is_empty() {
+        return bonds(role, scope, points);
+    }
+    let covered = skin::corners(scope, points);
+    let bare: Vec<PointId> = points.iter().copied().filter(|point| covered.binary_search(point).is_err()).collect();
+    if bare.is_empty() { lines } else { lines.into_iter().chain(bonds(role, scope, &bare)).collect() }
 }
 
 /// The places of a ball that lie farthest along the axes `[m]`.

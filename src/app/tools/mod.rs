@@ -46,6 +46,7 @@ mod matrix_tests;
 mod muscles;
 #[cfg(test)]
 mod muscles_tests;
+mod part;
 mod pick;
 mod press;
 mod push;
@@ -180,6 +181,12 @@ pub(super) struct Hand {
     draws_lasso: bool,
     shift: bool,
     alt: bool,
+    /// Ctrl is held: a press selects one bond or one point.
+    command: bool,
+    /// The next press comes soon after the last one.
+    is_quick: bool,
+    /// What was selected before the last press, where that was on a body.
+    before: Option<Chosen>,
     doing: Doing,
     /// Where the button went down `[px]`, and whether the pointer left there since.
     pressed: DVec2,

@@ -14,17 +14,21 @@ use super::wind::Blow;
 use super::{Chosen, Deed, Doing, Hand, PinWay, PushWay, Scope, hub};
 use crate::app::action::Tool;
 use crate::history::Do;
-use crate::sim::Reach;
+use crate::sim::{PointId, Reach};
 
 /// Said where the brush finds no numbers to take.
 const NO_SPRINGS: &str = "no body of springs lies here whose numbers the brush could take";
 /// Said where nothing is pinned.
 const NO_POINT: &str = "no point lies here that could be pinned; a rope that is built (5) begins with a pin of its own";
+/// Said of a point that is pinned.
+const PINNED: &str = "pinned";
 
 impl Hand {
     /// The left button went down at a pixel.
     pub(in crate::app) fn press(&mut self, scope: Scope<'_>, at: DVec2) -> Deed {
         self.beside = DVec3::ZERO;
+        let is_there = !self.is_dragged && !is_drag(scope, [self.pressed, at]);
+        let is_second = std::mem::take(&mut self.is_quick) && is_there;
         (self.pressed, self.is_dragged) = (at, false);
         match self.tool() {
             Tool::Hand => self.take_hold(scope, at),
@@ -70,7 +74,7 @@ impl Hand {
                 Err(why) => Deed::words(why.words().to_owned()),
             },
             Tool::Select => {
-                self.begin_to_select(scope, at);
+                self.begin_to_select(scope, at, is_second);
                 Deed::default()
             }
         }
@@ -164,8 +168,23 @@ impl Hand {
 /// Holds the point under a pixel, or lets it go.
 fn pin(scope: Scope<'_>, at: DVec2) -> Deed {
     match scope.nearest(at).map(|hit| hit.point) {
-        Some(point) if scope.is_pinned(point) => Deed::edit("unpin", Do::Unpin(vec![point])),
-        Some(point) => Deed::edit("pin", Do::Pin(vec![point])),
+        Some(point) if scope.is_pinned(point) => {
+            let words = Some(let_go(scope, point).to_owned());
+            Deed { words, ..Deed::edit("unpin", Do::Unpin(vec![point])) }
+        }
+        Some(point) => Deed { words: Some(PINNED.to_owned()), ..Deed::edit("pin", Do::Pin(vec![point])) },
         None => Deed::words(NO_POINT.to_owned()),
+    }
+}
+
+/// What becomes of a pin that is let go: its body falls where nothing else holds that.
+fn let_go(scope: Scope<'_>, pin: PointId) -> &'static str {
+    let falls = scope.shown.settings.gravity.is_some_and(|gravity| gravity != [0.0; 3]);
+    let body = scope.body(pin);
+    let is_held = body.iter().any(|&point| point != pin && scope.is_pinned(point));
+    match (is_held, falls) {
+        (true, _) => "unpinned: other pins still hold it",
+        (false, true) => "unpinned: it falls",
+        (false, false) => "unpinned",
     }
 }

@@ -80,7 +80,7 @@ impl Hand {
         let is_click = matches!(self.doing, Doing::Moving(hold, _) if !is_drag(scope, [hold.at, at]));
         let bond = || scope.bond(at).map(|(place, _)| Probe::Bond(scope.shown.scenery.bond_number(place)));
         let probe = scope.point(at).map(Probe::Point).or_else(bond);
-        probe.filter(|_| is_click && self.tool() == Tool::Select)
+        probe.filter(|_| is_click && !self.command && self.tool() == Tool::Select)
     }
 
     /// Ends what is under way without doing it. Returns whether anything was.

@@ -419,3 +419,76 @@ fn handles_keep_off_what_lies_over_the_world_and_do_there_what_they_do() {
     let far = frame.handles(out_of_view);
     assert!(far.iter().all(|(_, place)| place.x < out_of_view.free[0].x), "a box out of view stays there: {far:?}");
 }
+
+/// Presses twice in one place, the second time soon after the first.
+fn double_click(hand: &mut Hand, seen: &Seen, pixel: DVec2) {
+    hand.hasten(false);
+    click(hand, seen, pixel);
+    hand.hasten(true);
+    click(hand, seen, pixel);
+}
+
+#[test]
+fn a_double_click_or_ctrl_selects_one_bond_or_one_point() {
+    let seen = discs();
+    let first = (seen.0.point_count() - 5) as u32;
+    let points = |hand: &Hand| -> Vec<u32> {
+        let chosen = hand.chosen(scope(&seen)).unwrap_or_default();
+        assert!(chosen.obstacles.is_empty());
+        chosen.points.iter().map(|point| point.0 - first).collect()
+    };
+    // The rope goes up by a quarter of a metre a bond.
+    let on = |place: f64| at(&seen, 0.5, 2.0 + 0.25 * place);
+    let mut hand = hand();
+    double_click(&mut hand, &seen, on(1.5));
+    assert_eq!(points(&hand), [1, 2], "a bond has two points");
+    hand.hold([true, false]);
+    double_click(&mut hand, &seen, on(2.5));
+    assert_eq!(points(&hand), [1, 2, 3], "the bond beside it too");
+    double_click(&mut hand, &seen, on(1.5));
+    assert_eq!(points(&hand), [2, 3], "that one no more, but for what the other has of it");
+    hand.hold([false, false]);
+    double_click(&mut hand, &seen, on(4.0));
+    assert_eq!(points(&hand), [4], "a point");
+    // Two clicks apart in time or place are no double click.
+    hand.hasten(false);
+    click(&mut hand, &seen, on(1.5));
+    assert_eq!(points(&hand).len(), 5);
+    hand.hasten(true);
+    click(&mut hand, &seen, on(2.5));
+    assert_eq!(points(&hand).len(), 5);
+    // By one press with Ctrl, which is shown before.
+    hand.hasten(false);
+    hand.deselect();
+    let whole = hand.marks(scope(&seen), Some(on(1.5)));
+    hand.hold_command(true);
+    let part = hand.marks(scope(&seen), Some(on(1.5)));
+    let rings = part.iter().filter(|mark| matches!(mark, Mark::Ring(..))).count();
+    assert!(rings == 2 && part != whole, "{part:?}");
+    click(&mut hand, &seen, on(1.5));
+    assert_eq!(points(&hand), [1, 2]);
+    hand.hold([true, false]);
+    click(&mut hand, &seen, on(2.5));
+    assert_eq!(points(&hand), [1, 2, 3]);
+    click(&mut hand, &seen, on(0.0));
+    assert_eq!(points(&hand), [0, 1, 2, 3]);
+    click(&mut hand, &seen, on(0.0));
+    assert_eq!(points(&hand), [1, 2, 3]);
+    // A drag moves what was taken alone.
+    hand.hold([false, false]);
+    let deed = drag(&mut hand, &seen, [on(3.5), on(3.5) + DVec2::new(60.0, 0.0)]);
+    let [Do::Move(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    assert_eq!(keys.points, [first + 3, first + 4]);
+}
+
+#[test]
+fn a_body_that_is_dragged_soon_after_a_click_goes_as_a_whole() {
+    let seen = discs();
+    let mut hand = hand();
+    let rod = at(&seen, 0.5, 2.375);
+    click(&mut hand, &seen, rod);
+    hand.hasten(true);
+    let deed = drag(&mut hand, &seen, [rod, rod + DVec2::new(60.0, 0.0)]);
+    let [Do::Move(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    assert_eq!(keys.points.len(), 5);
+}

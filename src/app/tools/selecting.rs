@@ -18,9 +18,15 @@ use crate::sim::Knots;
 const CLICK: f64 = 4.0;
 
 impl Hand {
-    /// A handle is taken; else what lies under the pixel is selected and can be moved; else a region begins.
-    pub(super) fn begin_to_select(&mut self, scope: Scope<'_>, at: DVec2) {
+    /// With Ctrl, or by the second press of a double click, a bond or a point is selected; else a handle is taken; else what lies under the
+    /// pixel is selected and can be moved; else a region begins.
+    pub(super) fn begin_to_select(&mut self, scope: Scope<'_>, at: DVec2, is_second: bool) {
         let chosen = self.selection.begin(scope);
+        let before = self.before.take().filter(|_| is_second && !self.command);
+        let is_part = !self.alt && (self.command || before.is_some());
+        if let Some(part) = is_part.then(|| Chosen::part_at(scope, at)).flatten() {
+            return self.begin_with_part(scope, at, (part, chosen, before));
+        }
         let frame = Frame::of(scope, &chosen);
         if let Some((frame, handle)) = frame.and_then(|frame| Some((frame, frame.handle(scope, at)?))) {
             self.doing = Doing::Handling(frame.grip(scope, handle, at));
@@ -36,6 +42,7 @@ impl Hand {
             self.doing = Doing::Marking(Region::begin(at, is_free));
             return;
         };
+        self.before = Some(chosen.clone());
         if self.shift {
             self.selection.set(chosen.joined(&under, true));
             self.doing = Doing::Nothing;
@@ -45,6 +52,28 @@ impl Hand {
             self.selection.set(under.clone());
         }
         self.doing = Doing::Moving(scope.hold(at), under);
+    }
+
+    /// A bond or a point is selected: with Shift beside what was, or no more. A drag moves it; a drag by the second press of a double click,
+    /// before which its body was selected, moves that.
+    fn begin_with_part(
+        &mut self,
+        scope: Scope<'_>,
+        at: DVec2,
+        (part, chosen, before): (Chosen, Chosen, Option<Chosen>),
+    ) {
+        let is_second = before.is_some();
+        self.before.clone_from(&before);
+        if self.shift {
+            let chosen = before.map_or(chosen, |before| before.left(scope));
+            self.selection.set(chosen.with_part(scope, &part));
+            self.doing = Doing::Nothing;
+            return;
+        }
+        if !is_second {
+            self.selection.set(part.clone());
+        }
+        self.doing = Doing::Moving(scope.hold(at), part);
     }
 
     /// What a press on a pixel takes hold of: of planes of space only what is selected, for a drag over others draws a region.

@@ -125,8 +125,10 @@ fn the_tool_for_pins_holds_and_lets_go() {
     assert_eq!(hand.tool(), Tool::Pin);
     let deed = hand.press(scope(&opened), pixel(&opened, 0));
     assert_eq!((deed.commands, deed.edit), (vec![Do::Unpin(vec![PointId(0)])], Some("unpin")));
+    assert!(deed.words.is_some_and(|words| words.starts_with("unpinned: ")));
     let deed = hand.press(scope(&opened), pixel(&opened, 999));
     assert_eq!((deed.commands, deed.edit), (vec![Do::Pin(vec![PointId(999)])], Some("pin")));
+    assert_eq!(deed.words.as_deref(), Some("pinned"));
     hand.hold_pins(false);
     assert_eq!(hand.tool(), Tool::Hand);
 }

@@ -174,9 +174,11 @@ fn check_view(view: &ViewKeys, count: u32, dimensions: usize) -> Result<(), Faul
         return Err(Fault::invalid(message).at(key));
     }
     let needed = &allowed[..2];
-    if let Some(key) = needed.iter().find(|key| !view.given().any(|k| k == **key)) {
-        let message = format!("a view in {what} needs `{key}`: add it");
-        return Err(Fault::invalid(message));
+    let lacks: Vec<&str> = needed.iter().copied().filter(|key| !view.given().any(|k| k == *key)).collect();
+    match lacks[..] {
+        [] => {}
+        [key] => return Err(Fault::invalid(format!("a view in {what} needs `{key}`: add it"))),
+        _ => return Err(Fault::invalid(format!("a view in {what} needs `{}`: add them", lacks.join("` and `")))),
     }
     if view.follow.as_ref().is_some_and(Vec::is_empty) {
         return Err(Fault::invalid("has no point: name one, or leave it out").at("follow"));

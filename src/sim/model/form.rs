@@ -52,7 +52,8 @@ impl<const D: usize> Model<D> {
         let numbers = [angle.stiffness, angle.damping, angle.stop];
         require(numbers.into_iter().all(at_least_0), &place, angle, "of numbers that are finite and >= 0")?;
         let is_range = |[least, most]: [f64; 2]| least.is_finite() && least < most && most - least < turn;
-        require(angle.range.is_none_or(is_range), &place, angle.range, "within min < max, less than a turn apart")?;
+        let range = angle.range.unwrap_or_default();
+        require(angle.range.is_none_or(is_range), &place, range, "within min < max, less than a turn apart")?;
         let is_arm = |arm: f64| arm > 0.0 && arm.is_finite();
         require(angle.arms.into_iter().all(is_arm), &place, angle.arms, "between arms that have a length")?;
         self.check_angle_drive(angle)?;

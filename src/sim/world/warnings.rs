@@ -237,10 +237,13 @@ impl<S: Real, const D: usize> World<S, D> {
         let asked = self.model.angles.list.iter().filter(|angle| numbers.contains(&angle.number));
         let (found, energies): (Vec<usize>, Vec<f64>) = asked.filter_map(outside).unzip();
         (!found.is_empty()).then(|| {
-            let which = if found.len() == 1 { "a joint".to_owned() } else { format!("{} joints", found.len()) };
+            let (which, them) = match found.len() {
+                1 => ("a joint is outside its stops".to_owned(), "it"),
+                many => (format!("{many} joints are outside their stops"), "them"),
+            };
             format!(
-                "{which} outside `min` to `max` at the start: the stops push with {:.2e} J: start them within ({})",
-                energies.iter().sum::<f64>(),
+                "{which}, which push {them} back in with an energy of {}: let {them} start between `min` and `max` ({})",
+                in_words(energies.iter().sum()),
                 named("angle", &found)
             )
         })
@@ -305,5 +308,16 @@ fn named(what: &str, numbers: &[usize]) -> String {
         ([one], _) => format!("{what} {one}"),
         (some, count) if count > MOST => format!("{what}s {} and {} more", some.join(", "), count - MOST),
         (some, _) => format!("{what}s {} and {}", some[..some.len() - 1].join(", "), some[some.len() - 1]),
+    }
+}
+
+/// An energy `[J]` in few digits.
+fn in_words(energy: f64) -> String {
+    match energy {
+        little if little < 1.0 => "less than 1 J".to_owned(),
+        joules if joules < 1e3 => format!("{joules:.0} J"),
+        joules if joules < 1e6 => format!("{:.1} kJ", 1e-3 * joules),
+        joules if joules < 1e9 => format!("{:.1} MJ", 1e-6 * joules),
+        joules => format!("{joules:.1e} J"),
     }
 }

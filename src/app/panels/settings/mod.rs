@@ -75,9 +75,17 @@ pub(super) struct Sink<'a> {
 impl Sink<'_> {
     /// What is dragged on is one edit.
     pub(super) fn set(&mut self, by: &Response, name: &'static str, act: Do) {
-        let goes_on = *self.gesture == Some(by.id);
+        self.set_all(by, name, vec![act]);
+    }
+
+    /// The same of several commands, which are one edit.
+    pub(super) fn set_all(&mut self, by: &Response, name: &'static str, acts: Vec<Do>) {
+        let mut goes_on = *self.gesture == Some(by.id);
         *self.gesture = by.is_pointer_button_down_on().then_some(by.id);
-        self.wishes.push(Wish::Set(Setting { act, name, goes_on }));
+        for act in acts {
+            self.wishes.push(Wish::Set(Setting { act, name, goes_on }));
+            goes_on = true;
+        }
     }
 
     fn scene(&mut self, by: &Response, name: &'static str, keys: SetKeys) {

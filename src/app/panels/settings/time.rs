@@ -26,7 +26,8 @@ pub(super) fn show(ui: &mut Ui, clock: Clock, sink: &mut Sink<'_>) {
     });
     ui.horizontal(|ui| {
         let mut ends = clock.duration.is_some();
-        let by = ticks::check(ui, &mut ends, "ends").on_hover_text("it stops there by itself; play goes on");
+        let by = ticks::check(ui, &mut ends, "ends")
+            .on_hover_text("it stops there by itself, and plays again from the start");
         let set = |end: Option<f64>| {
             let duration = Some(end.map_or(EndOrNone::None(()), EndOrNone::At));
             SetKeys { duration, ..SetKeys::default() }

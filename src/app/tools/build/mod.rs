@@ -28,7 +28,7 @@ use super::pick::Scope;
 use crate::app::action::Primitive;
 use crate::app::tools::room::coming;
 use crate::history::{Do, SetKeys};
-use crate::scene::{ContactKeys, Meeting};
+use crate::scene::{AddKeys, ContactKeys, Meeting};
 use crate::sim::PointId;
 pub(super) use form::short;
 use form::{End, Form, Hold};
@@ -132,13 +132,14 @@ impl Maker {
                 let knots =
                     if self.is_free { Vec::new() } else { knot::knots(scope, &keys, (outcome.way, Some(&held[..]))) };
                 outcome.put(&mut keys);
+                let pins = pins_of(self.primitive, &keys);
                 let commands = knot::tied(scope, keys, &knots);
                 let mut deed = Deed { commands, edit: Some(self.primitive.name()), ..Deed::default() };
                 let meets = scope.shown.settings.contact.flatten().is_some();
                 if self.primitive == Primitive::Figure && !meets {
                     deed.commands.insert(0, apart_from_itself());
                 }
-                deed.words = outcome.told().or(knot::words(scope, &knots));
+                deed.words = outcome.told().or(knot::words(scope, &knots)).or(pins.map(str::to_owned));
                 deed
             }
             Err(words) => Deed::words(words),
@@ -238,6 +239,17 @@ impl Maker {
         };
         let free = End { at, hold: if self.is_free { Hold::None } else { Hold::Pin } };
         point.filter(|_| self.primitive == Primitive::Rope).and_then(tied).unwrap_or(free)
+    }
+}
+
+/// Which ends of a rope are pinned, in words: that it holds itself is seen only once it hangs.
+fn pins_of(primitive: Primitive, keys: &AddKeys) -> Option<&'static str> {
+    let rope = keys.bodies.first().filter(|_| primitive == Primitive::Rope)?;
+    match rope.pinned[..] {
+        [] => None,
+        [0] => Some("its start is pinned"),
+        [_] => Some("its end is pinned"),
+        _ => Some("both ends are pinned"),
     }
 }
 

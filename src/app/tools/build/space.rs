@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::form::{ALL_PIECES, CLOTH, Hold, PIECES, short};
 use super::grid::Grid;
 use super::matter::{CLOTH_MASS, FRICTION, ROPE_MASS, rigid};
-use super::{CLICK, Drag, LEAST, Maker, OF_THE_PLANE, TOO_SMALL, outline, usual_size};
+use super::{CLICK, Drag, LEAST, Maker, OF_THE_PLANE, TOO_SMALL, outline, pins_of, usual_size};
 use crate::app::action::Primitive;
 use crate::app::tools::Deed;
 use crate::app::tools::marks::{Mark, Role};
@@ -49,7 +49,8 @@ pub(super) fn build(maker: Maker, scope: Scope<'_>, drag: &Drag, at: DVec2) -> D
     match form(maker, scope, Some(drag), at) {
         Ok(form) => {
             let keys = form.keys(scope.shown.point_count() as u32);
-            Deed::edit(maker.primitive.name(), Do::Add(Box::new(keys)))
+            let words = pins_of(maker.primitive, &keys).map(str::to_owned);
+            Deed { words, ..Deed::edit(maker.primitive.name(), Do::Add(Box::new(keys))) }
         }
         Err(words) => Deed::words(words),
     }

@@ -245,6 +245,8 @@ fn ropes_and_cloths_hang_where_they_begin_unless_shift_is_held() {
             hand.hold([is_held, false]);
             let deed = drag(&seen, &mut hand, [-1.0, 1.0], [1.0, 0.0]);
             assert_eq!(added(&deed).bodies[0].pinned.len(), pins, "{primitive:?}");
+            let says = deed.words.as_deref() == Some("its start is pinned");
+            assert_eq!(says, primitive == Primitive::Rope && !is_held, "{:?}", deed.words);
         }
     }
 }
