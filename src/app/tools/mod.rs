@@ -185,7 +185,7 @@ pub(super) struct Hand {
     command: bool,
     /// The next press comes soon after the last one.
     is_quick: bool,
-    /// What was selected before the last press, where that was on a body.
+    /// What was selected before the last press, where that was on a body that a double click can be on.
     before: Option<Chosen>,
     doing: Doing,
     /// Where the button went down `[px]`, and whether the pointer left there since.

@@ -29,11 +29,13 @@ impl Hand {
         }
         let frame = Frame::of(scope, &chosen);
         if let Some((frame, handle)) = frame.and_then(|frame| Some((frame, frame.handle(scope, at)?))) {
+            self.before = beside(scope, &chosen, at);
             self.doing = Doing::Handling(frame.grip(scope, handle, at));
             return;
         }
         let rings = Rings::of(scope, &chosen);
         if let Some((rings, ring)) = rings.and_then(|rings| Some((rings, rings.ring(scope, at)?))) {
+            self.before = beside(scope, &chosen, at);
             self.doing = Doing::Turning(rings.grip(ring, at));
             return;
         }
@@ -221,6 +223,11 @@ impl Hand {
             _ => outline,
         }
     }
+}
+
+/// What is selected, where a handle of it lies over a bond or a point of something else: a double click there means that.
+fn beside(scope: Scope<'_>, chosen: &Chosen, at: DVec2) -> Option<Chosen> {
+    Chosen::part_at(scope, at).filter(|part| !chosen.has(part)).map(|_| chosen.clone())
 }
 
 /// The ways that pins of what is selected are led along, with their places.
