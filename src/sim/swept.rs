@@ -4,15 +4,15 @@
 //! where it is, and the velocities that it may take: those of its points alone as long as it is free; all up to its speed, where something
 //! that stays may throw it back; and where two may strike each other those of both, and beyond them, for what is light is thrown back.
 
+mod velocities;
+
 use super::real::Real;
 use super::sets::Sets;
-use super::vector::{add, length, scale, sub};
+use super::vector::sub;
+use velocities::Velocities;
 
 /// How much faster a body may get within a step, or go askew, about.
 const FASTER: f64 = 1.5;
-/// How many times as far from the middle of the velocities of what strikes each other one of them may get, beside [`FASTER`]: what is light comes
-/// back from what is heavy as fast as it came.
-const THROWN: f64 = 2.4;
 /// Bodies in a row that a blow goes through within a step.
 const ROW: u32 = 16;
 /// Couples that are looked at for blows for each body, and at least in all: of a crowd in one place each is struck by what is fastest.
@@ -29,53 +29,6 @@ pub(crate) struct Span {
     pub(crate) fall: f64,
     /// What else is given to them at most `[m/s^2]`.
     pub(crate) pushed: f64,
-}
-
-/// Velocities about a middle, so far from it at most along an axis `[m/s]`.
-#[derive(Clone, Copy, Debug)]
-struct Velocities<S, const D: usize> {
-    middle: [S; D],
-    around: S,
-}
-
-impl<S: Real, const D: usize> Velocities<S, D> {
-    /// The least that both are among.
-    fn with(self, other: Self) -> Self {
-        let way = sub(other.middle, self.middle);
-        let far = length(way);
-        if far + other.around <= self.around {
-            return self;
-        }
-        if far + self.around <= other.around {
-            return other;
-        }
-        let around = S::HALF * (far + self.around + other.around);
-        Velocities { middle: add(self.middle, scale(way, (around - self.around) / far)), around }
-    }
-
-    /// What those that have them may throw each other to.
-    fn thrown(self) -> Self {
-        Velocities { around: self.around * S::from_f64(THROWN), ..self }
-    }
-
-    /// What something that stays may throw them back to.
-    fn held(self) -> Self {
-        Velocities { middle: [S::ZERO; D], around: self.most() }
-    }
-
-    /// The largest speed along an axis.
-    fn most(self) -> S {
-        self.middle.into_iter().fold(S::ZERO, |most, v| most.max(v.abs())) + self.around
-    }
-
-    /// How far beyond these others go along an axis.
-    fn lack(self, other: Self) -> S {
-        (0..D).fold(S::ZERO, |most, k| most.max((other.middle[k] - self.middle[k]).abs())) + other.around - self.around
-    }
-
-    fn widen(self) -> Velocities<f64, D> {
-        Velocities { middle: self.middle.map(Real::to_f64), around: self.around.to_f64() }
-    }
 }
 
 /// Where a body is, and where it may get to in some time.
@@ -173,9 +126,8 @@ impl<S: Real, const D: usize> Swept<S, D> {
     /// Whether all that meets the other one meets this one.
     fn covers(&self, other: &Self) -> bool {
         let has_all = |k: usize| self.first[0][k] <= other.first[0][k] && other.first[1][k] <= self.first[1][k];
-        let far = length(sub(other.velocities.middle, self.velocities.middle));
         (0..D).all(has_all)
-            && far + other.velocities.around <= self.velocities.around
+            && self.velocities.contain(other.velocities)
             && other.pushed <= self.pushed
             && (self.is_held || !other.is_held)
     }
