@@ -383,7 +383,7 @@ static GALLERY: [Entry; 53] = [
         376,
         "Rain on a gear",
         "A picture stands as an obstacle: a soft stone, a rope and loose points fall on it and off its teeth.",
-        "erase the gear after a second: what lay on it comes down a metre and a half in the next; throw the stone back up."
+        "erase the gear after a second: what lay on it comes down some 1.5 m in the next; throw the stone back up."
     ),
     entry!(
         "rope",
