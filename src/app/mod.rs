@@ -4,6 +4,7 @@
 //! draws the last two states that it was handed. When nothing moves, nothing is stepped, uploaded or submitted.
 
 pub mod action;
+mod alike;
 mod canvas;
 mod clip;
 mod count;

@@ -15,7 +15,8 @@ use super::force::steady::Thrust;
 use super::force::wind::Air;
 use super::points::Points;
 use super::real::Real;
-use super::vector::{add, convert, scale, sub, widen, zero};
+use super::swept::Span;
+use super::vector::{add, convert, length, scale, sub, widen, zero};
 
 /// Forces and holds of one group.
 #[derive(Clone, Debug)]
@@ -83,6 +84,11 @@ impl<S: Real, const D: usize> Pull<S, D> {
     pub(crate) fn most_push(&self) -> f64 {
         let gusts = self.gusts().map_or(0.0, |air| self.drag_rate * air.bounds()[0]);
         self.thrusts.iter().map(Thrust::size).sum::<f64>() + gusts + self.driven.most_push()
+    }
+
+    /// What gravity, forces, wind and mouse give at most in a time `[s]`.
+    pub(crate) fn span(&self, around: &Environment<D>, h: f64) -> Span {
+        Span { h, fall: length(self.gravity), pushed: self.most_push() + around.most_push() }
     }
 
     /// Adds to `a` what forces and gusts give `[m/s^2]` at time `t` `[s]`.

@@ -6,6 +6,7 @@
 
 mod velocities;
 
+use super::points::Points;
 use super::real::Real;
 use super::sets::Sets;
 use super::vector::sub;
@@ -81,6 +82,23 @@ impl<S: Real, const D: usize> Swept<S, D> {
             time,
         };
         (low[0] <= high[0]).then(|| swept.gone())
+    }
+
+    /// Of some points of a group, by their slots: held, where one of them is pinned.
+    pub(crate) fn of(
+        points: &Points<S, D>,
+        slots: impl Iterator<Item = usize> + Clone,
+        span: Span,
+        margin: S,
+    ) -> Option<Self> {
+        let swept = Swept::new(slots.clone().map(|i| (points.position[i], points.velocity[i])), span, margin)?;
+        let is_pinned = slots.into_iter().any(|i| points.inverse_mass[i] == S::ZERO);
+        Some(if is_pinned { swept.held() } else { swept })
+    }
+
+    /// Held, if something in the box in which it stays may throw it back.
+    pub(crate) fn settled(self, may_touch: impl FnOnce([[S; D]; 2]) -> bool) -> Self {
+        if may_touch(self.bounds()) { self.held() } else { self }
     }
 
     /// With the box in which it stays.

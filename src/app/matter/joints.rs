@@ -1,6 +1,7 @@
 //! Angles of a selection: where they are at rest, and the stops of joints.
 
 use super::Among;
+use crate::app::alike::alike;
 use crate::history::{Do, OneOrEach, RangeOrNone, SetKeys};
 use crate::scene::{AddKeys, AngleKeys, Row};
 use crate::sim::vector::sub;
@@ -67,23 +68,15 @@ pub(super) fn stops(world: &dyn Dynamics, among: &Among, stops: Stops) -> Result
             (Stops::None, Some(_)) => None,
             (Stops::Some, Some(_)) | (Stops::None | Stops::Least(_) | Stops::Most(_), None) => return None,
         };
-        Some((angle.number, range))
+        Some((range, angle.number))
     });
-    let ranges: Vec<(u32, Option<[f64; 2]>)> = ranges.collect();
+    let groups = alike(ranges);
     let is_range = |[least, most]: [f64; 2]| least < most && most - least < 2.0 * std::f64::consts::PI;
-    if ranges.iter().any(|(_, range)| range.is_some_and(|range| !is_range(range))) {
+    if groups.iter().any(|(range, _)| range.is_some_and(|range| !is_range(range))) {
         return Err(ORDER);
     }
     if let (Stops::Some, Some((points, rest))) = (stops, among.knee_of(world)) {
         return Ok(vec![jointed(points, [rest - SWING, rest + SWING])]);
-    }
-    // A command gives all that it names the same stops.
-    let mut groups: Vec<(Option<[f64; 2]>, Vec<u32>)> = Vec::new();
-    for (number, range) in ranges {
-        match groups.iter_mut().find(|(other, _)| *other == range) {
-            Some((_, numbers)) => numbers.push(number),
-            None => groups.push((range, vec![number])),
-        }
     }
     let set = |(range, numbers): (Option<[f64; 2]>, Vec<u32>)| {
         let range = Some(range.map_or(RangeOrNone::None(()), RangeOrNone::These));

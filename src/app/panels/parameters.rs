@@ -6,6 +6,7 @@ use egui::{Response, Slider, SliderClamping, Ui};
 
 use super::settings::Sink;
 use super::{ranged, ticks};
+use crate::app::alike::alike;
 use crate::app::player::{Scenery, Shown};
 use crate::history::{Do, OneOrEach, PenaltyOrNone, SetKeys, Walls, Weather};
 use crate::scene::{
@@ -216,19 +217,11 @@ pub(super) fn commands(
 
 /// One number of planes, each of which keeps its other one: a command gives all planes that it names both.
 fn set_penalties(of: OfPenalty, each: &[(u32, [f64; 2])], to: f64) -> Vec<Do> {
-    let mut groups: Vec<([f64; 2], Vec<u32>)> = Vec::new();
-    for &(number, both) in each {
-        let both = of.put(both, to);
-        match groups.iter_mut().find(|(other, _)| *other == both) {
-            Some((_, numbers)) => numbers.push(number),
-            None => groups.push((both, vec![number])),
-        }
-    }
     let set = |([stiffness, damping], numbers): ([f64; 2], Vec<u32>)| {
         let penalty = Some(PenaltyOrNone::This(PenaltyKeys { stiffness, damping: Some(damping) }));
         Do::Set(Box::new(SetKeys { obstacles: Some(numbers), penalty, ..SetKeys::default() }))
     };
-    groups.into_iter().map(set).collect()
+    alike(each.iter().map(|&(number, both)| (of.put(both, to), number))).into_iter().map(set).collect()
 }
 
 /// The keys that set a number of a body.

@@ -2,7 +2,6 @@
 
 use crate::sim::bulk::mover::Part;
 use crate::sim::contact::skin::{MOST_RADIUS, RADIUS};
-use crate::sim::environment::Environment;
 use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
 use crate::sim::moved::{Moved, Why};
@@ -147,7 +146,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let own = slots.iter().map(|&slot| slot as usize);
         let points = own.map(|i| (group.points.position[i], group.points.velocity[i]));
         let margin = S::from_f64(self.margin(group));
-        let Some(swept) = Swept::new(points, span(&self.around, group, APART), margin) else { return false };
+        let Some(swept) = Swept::new(points, group.pull.span(&self.around, APART), margin) else { return false };
         let swept = self.settled(swept.widen());
         self.obstacles.has_corner_in(swept.bounds())
             || self.fixed_reaches(APART, None).iter().any(|fixed| fixed.swept.meets(&swept))
@@ -179,7 +178,7 @@ impl<S: Real, const D: usize> World<S, D> {
         // What rows hold between pins is there to be met, though it does not move.
         let groups = self.plan.groups.iter().enumerate();
         for (place, group) in groups.filter(|(place, _)| self.plan.own[*place].points > 0) {
-            let span = span(&self.around, group, h);
+            let span = group.pull.span(&self.around, h);
             let reach = |swept: Swept<S, D>| Reach {
                 place,
                 root: root_of[place],
@@ -195,18 +194,15 @@ impl<S: Real, const D: usize> World<S, D> {
                     continue;
                 }
             }
-            let points = group.points.position.iter().copied().zip(group.points.velocity.iter().copied());
-            let swept = Swept::new(points, span, S::from_f64(self.margin(group)));
-            let is_pinned = group.points.inverse_mass.contains(&S::ZERO);
-            reaches.extend(swept.map(|swept| reach(if is_pinned { swept.held() } else { swept })));
+            let slots = 0..group.points.len();
+            reaches.extend(Swept::of(&group.points, slots, span, S::from_f64(self.margin(group))).map(reach));
         }
         reaches
     }
 
     /// Held, if an obstacle may throw it back.
     fn settled(&self, swept: Swept<f64, D>) -> Swept<f64, D> {
-        let bounds = swept.bounds().map(|x| x.map(S::from_f64));
-        if self.obstacles.may_touch(bounds) { swept.held() } else { swept }
+        swept.settled(|bounds| self.obstacles.may_touch(bounds.map(|x| x.map(S::from_f64))))
     }
 
     /// How far from the points of a group it may be met `[m]`.
@@ -266,11 +262,6 @@ impl<S: Real, const D: usize> World<S, D> {
             .collect();
         found.into_iter().for_each(|place| goes[place] = true);
     }
-}
-
-/// What gravity, forces, wind and mouse give a group at most in a time `[s]`.
-fn span<S: Real, const D: usize>(around: &Environment<D>, group: &Group<S, D>, h: f64) -> Span {
-    Span { h, fall: length(group.pull.gravity), pushed: group.pull.most_push() + around.most_push() }
 }
 
 /// Two bodies come near each other: what moves by itself goes together, and who is not live goes live.

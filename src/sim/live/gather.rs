@@ -16,7 +16,6 @@ use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::swept::{self, Span, Swept};
-use crate::sim::vector::length;
 use crate::sim::vector::zero;
 
 /// Share of the shortest mean edge that points may go until what is near what is looked for anew.
@@ -102,9 +101,9 @@ impl<S: Real> Live<S> {
     ) -> Vec<Vec<usize>> {
         let mut together = crate::sim::sets::Sets::new(self.bodies.list.len());
         if self.contact.is_some_and(|contact| contact.with_others) {
-            let span = Span { h, fall: length(pull.gravity), pushed: pull.most_push() + around.most_push() };
+            let span = pull.span(around, h);
             let obstacles = &pull.contacts.obstacles;
-            let settled = |swept: Swept<S, 2>| if obstacles.may_touch(swept.bounds()) { swept.held() } else { swept };
+            let settled = |swept: Swept<S, 2>| swept.settled(|bounds| obstacles.may_touch(bounds));
             let reach = |body| Some((body, settled(self.reach(body, points, span, S::from_f64(2.0 * PROMISE))?)));
             swept::join(&mut together, (0..self.bodies.list.len()).filter_map(reach).collect(), settled);
         }
@@ -124,9 +123,7 @@ impl<S: Real> Live<S> {
         let of = &self.bodies.list[body];
         let margin = of.edge_length * apart + of.radius;
         let own = self.bodies.order[of.points.range()].iter().map(|&slot| slot as usize);
-        let swept = Swept::new(own.clone().map(|i| (points.position[i], points.velocity[i])), span, margin)?;
-        let is_pinned = own.into_iter().any(|i| points.inverse_mass[i] == S::ZERO);
-        Some(if is_pinned { swept.held() } else { swept })
+        Swept::of(points, own, span, margin)
     }
 
     /// What bends the angles of these bodies; nothing where none do so together.

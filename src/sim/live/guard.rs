@@ -46,12 +46,7 @@ pub(super) fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> S {
             let (a, b) = (base + link.a as usize, base + link.b as usize);
             let d = sub(state.now[a], state.now[b]);
             let error = dot(d, d).sqrt() - link.rest;
-            let acts = match link.limit {
-                crate::sim::bond::Limit::Both => true,
-                crate::sim::bond::Limit::Max => error > S::ZERO,
-                crate::sim::bond::Limit::Min => error < S::ZERO,
-            };
-            if acts {
+            if link.limit.acts(error, S::ZERO) {
                 let slow = if is_force { S::ZERO } else { link.stiffness * square * (state.w[a] + state.w[b]) };
                 sum += S::HALF * link.stiffness / (S::ONE + slow) * error * error;
             }

@@ -55,6 +55,11 @@ pub(crate) fn fit_rest_lengths<const D: usize>(
     if D != 2 || !(solver == Solver::Auto || moves_bodies(solver)) || model.has_penalties() {
         return fitted;
     }
+    // Most scenes say their lengths exactly.
+    let is_off = |bond: Bond| bond.holds() && misfit(&bond, position) >= EXACT;
+    if !bonds.iter().any(is_off) {
+        return fitted;
+    }
     let w = inverse_masses(model);
     for own in bodies(bonds, position.len()) {
         let most = own.iter().map(|&k| misfit(&bonds.get(k), position)).fold(0.0, f64::max);

@@ -32,7 +32,7 @@ impl<S: Real> Space<S> {
         if self.contact.is_some_and(|contact| contact.with_others) {
             let span = Span { h, fall: length(around.gravity), pushed: around.most_push() };
             let obstacles = &pull.contacts.obstacles;
-            let settled = |swept: Swept<S, 3>| if obstacles.may_touch(swept.bounds()) { swept.held() } else { swept };
+            let settled = |swept: Swept<S, 3>| swept.settled(|bounds| obstacles.may_touch(bounds));
             let reach = |body| Some((body, settled(self.reach(body, points, span)?)));
             swept::join(&mut together, all.clone().filter_map(reach).collect(), settled);
         }
@@ -53,9 +53,7 @@ impl<S: Real> Space<S> {
         let of = &self.bodies.list[body];
         let own = self.bodies.order[of.points.range()].iter().map(|&slot| slot as usize);
         let margin = of.edge_length * S::from_f64(2.0 * PROMISE) + of.radius;
-        let swept = Swept::new(own.clone().map(|i| (points.position[i], points.velocity[i])), span, margin)?;
-        let is_pinned = own.into_iter().any(|i| points.inverse_mass[i] == S::ZERO);
-        Some(if is_pinned { swept.held() } else { swept })
+        Swept::of(points, own, span, margin)
     }
 
     fn cluster(&self, bodies: Vec<usize>, points: &Points<S, 3>, common: &Common<S>) -> Cluster<S> {
