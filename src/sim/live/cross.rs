@@ -89,6 +89,16 @@ fn crossing<S: Real>(state: &Cluster<S>, [first, second]: [&Side; 2]) -> Option<
     })
 }
 
+/// Whether two edges of a skin that cross have one edge alone between them: the skin is creased there, and no deeper than its mesh tells.
+pub(super) fn is_crease<S: Real>(state: &Cluster<S>, crossing: &Crossing<S>) -> bool {
+    let [first, second] = crossing.ends;
+    let joins = |ends: [u32; 2]| {
+        let meets = |edge: [u32; 2], end: u32| edge.contains(&end);
+        (meets(first, ends[0]) && meets(second, ends[1])) || (meets(first, ends[1]) && meets(second, ends[0]))
+    };
+    state.edges[edges_of(state, crossing.bodies[0])].iter().any(|edge| joins(edge.ends))
+}
+
 /// Couples of bodies, ascending, one of which lies inside the skin of the other without crossing it: only what is closed has an inside.
 pub(super) fn swallowed<S: Real>(state: &mut Cluster<S>) -> Vec<[u32; 2]> {
     let count = state.bodies.len();

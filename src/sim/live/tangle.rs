@@ -260,7 +260,11 @@ fn knots<S: Real>(
         *mended += if before.as_ref().is_some_and(Knot::is_mended) { h } else { 0.0 };
         let meets_itself = common.contact.is_some_and(|contact| contact.with_itself);
         let minds = meets_itself && body.areas.len() > 0 && *mended < MOST_MENDED;
-        let own_crossings = if minds { &crossings[from..to] } else { &[] };
+        let own_crossings: Vec<Crossing<S>> = if minds {
+            crossings[from..to].iter().filter(|crossing| !cross::is_crease(state, crossing)).copied().collect()
+        } else {
+            Vec::new()
+        };
         let is_bad = !own_crossings.is_empty() || !own.is_empty();
         if before.is_none() && !is_bad {
             continue;
@@ -289,7 +293,7 @@ fn knots<S: Real>(
                 (knot.rings, knot.haste) = (knot.rings.saturating_mul(4), (HASTE * knot.haste).min(MOST_HASTE));
             }
             knot.tried = 0.0;
-            knot.cut_out(state, common, (own, own_crossings));
+            knot.cut_out(state, common, (own, &own_crossings));
         }
         tangle.knots.push(knot);
     }
