@@ -116,9 +116,6 @@ pub(super) fn unfold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
 fn open<S: Real>(state: &mut Cluster<S>, area: &Area<S>, (base, share): (usize, S)) {
     let [a, b, c] = area.corners;
     let [a, b, c] = [base + a as usize, base + b as usize, base + c as usize];
-    if state.is_led([a, b, c]) {
-        return;
-    }
     let [x, y, z] = [state.now[a], state.now[b], state.now[c]];
     let least = share * area.rest;
     let now = size([x, y, z]);
@@ -126,6 +123,9 @@ fn open<S: Real>(state: &mut Cluster<S>, area: &Area<S>, (base, share): (usize, 
         return;
     }
     let before = size([state.start[a], state.start[b], state.start[c]]);
+    if before <= S::ZERO && state.is_led([a, b, c]) {
+        return;
+    }
     let missed = (least - before).max(S::ZERO);
     state.counts.opened += u64::from(before < S::ZERO);
     // Passes share the slow part.

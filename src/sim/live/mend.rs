@@ -143,7 +143,7 @@ impl<S: Real> Cluster<S> {
     #[inline(always)]
     pub(super) fn is_led(&self, points: [usize; 3]) -> bool {
         let list = &self.tangle.is_led;
-        !list.is_empty() && points.iter().any(|&point| list[point])
+        !list.is_empty() && points.iter().all(|&point| list[point])
     }
 }
 
