@@ -297,7 +297,7 @@ impl<S: Real> Mover<S, 2> for Live<S> {
             self.lost.extend(bodies.flat_map(|points| &self.bodies.order[points]));
         }
         self.sides = kept(sides, &clusters);
-        self.tangle.note(&mut clusters);
+        self.tangle.note(&mut clusters, h);
         for cluster in &mut clusters {
             self.scatter(cluster, points);
             cluster.bodies.iter().for_each(|&body| self.rests[body].is_asleep = false);

@@ -27,11 +27,14 @@ const TRIED: f64 = 0.5;
 /// How many times as fast they are led then, and at most.
 const HASTE: f64 = 3.0;
 const MOST_HASTE: f64 = 81.0;
-/// How long all is right before a piece is let go `[s]`.
+/// How long all is right before a piece is let go `[s]`; what took longer than that to come right is held as long as it took: what lies on it
+/// crushes it again.
 const CALM: f64 = 0.1;
-/// How long a body is mended that crosses itself, until nothing presses it or it does so no more `[s]`: thin limbs that a body lies on are crushed
-/// again as soon as they are let go.
+const LONG: f64 = 0.5;
+/// How long a body is mended that crosses itself `[s]`: thin limbs that a body lies on are crushed again as soon as they are let go.
 const MOST_MENDED: f64 = 2.0;
+/// How quickly it is forgotten how long a body was mended, once it is right, where something presses and where nothing does `[s/s]`.
+const FORGOTTEN: [f64; 2] = [0.2, 10.0];
 /// How long a body that is inside out is led back before it may sleep so `[s]`: what lies on it is too heavy.
 const MOST_AWAKE: f64 = 10.0;
 
@@ -66,7 +69,7 @@ pub(super) struct Tangle<S> {
     pub(super) knots: Vec<Knot<S>>,
     /// Steps in which something pressed since crossings were looked for, one a body; [`u8::MAX`]: never looked.
     since: Vec<u8>,
-    /// How long each body was mended while something pressed it `[s]`.
+    /// How long each body was mended of late `[s]`.
     mended: Vec<f64>,
     /// Bodies that led pins tore at, as long as they hold them or these are strained: what is in what there comes right by itself, but not against
     /// its skins.
@@ -148,7 +151,7 @@ impl<S: Real> Tangle<S> {
     }
 
     /// Notes what became of the bodies of clusters.
-    pub(super) fn note(&mut self, clusters: &mut [Cluster<S>]) {
+    pub(super) fn note(&mut self, clusters: &mut [Cluster<S>], h: f64) {
         for cluster in clusters {
             let Cluster { tangle, bodies, has_pressed, .. } = cluster;
             let is_own = |body: u32| bodies.binary_search(&(body as usize)).is_ok();
@@ -160,7 +163,8 @@ impl<S: Real> Tangle<S> {
             self.knots.extend(tangle.knots.drain(..).map(|knot| Knot { body: number(knot.body), ..knot }));
             for (k, &body) in bodies.iter().enumerate() {
                 self.since[body] = tangle.since[k].saturating_add(u8::from(*has_pressed));
-                self.mended[body] = if *has_pressed { tangle.mended[k] } else { 0.0 };
+                let forgotten = if *has_pressed { 0.0 } else { h * FORGOTTEN[1] };
+                self.mended[body] = (tangle.mended[k] - forgotten).max(0.0);
                 self.torn[body] = tangle.torn[k];
             }
         }
@@ -190,8 +194,8 @@ pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: f64) 
     let folded = folded(state, common);
     if !crossings.is_empty() || !tangle.knots.is_empty() || !folded.is_empty() {
         knots(state, common, &mut tangle, (&crossings, &folded), (h, first));
-    } else if is_looked {
-        tangle.mended.fill(0.0);
+    } else {
+        tangle.mended.iter_mut().for_each(|mended| *mended = (*mended - h * FORGOTTEN[0]).max(0.0));
     }
     state.tangle = tangle;
 }
@@ -257,7 +261,6 @@ fn knots<S: Real>(
         let [from, to] = [[k, k], [k, k + 1]].map(|key| crossings.partition_point(|crossing| crossing.bodies < key));
         let before = old.next_if(|knot| knot.body == k);
         let mended = &mut tangle.mended[k as usize];
-        *mended += if before.as_ref().is_some_and(Knot::is_mended) { h } else { 0.0 };
         let meets_itself = common.contact.is_some_and(|contact| contact.with_itself);
         let minds = meets_itself && body.areas.len() > 0 && *mended < MOST_MENDED;
         let own_crossings: Vec<Crossing<S>> = if minds {
@@ -266,6 +269,7 @@ fn knots<S: Real>(
             Vec::new()
         };
         let is_bad = !own_crossings.is_empty() || !own.is_empty();
+        *mended += if is_bad && before.as_ref().is_some_and(Knot::is_mended) { h } else { 0.0 };
         if before.is_none() && !is_bad {
             continue;
         }
@@ -284,7 +288,8 @@ fn knots<S: Real>(
         knot.calm = if is_bad { 0.0 } else { knot.calm + h };
         knot.time += h;
         knot.tried += h;
-        if knot.calm >= CALM || (knot.pieces.is_empty() && !is_bad) {
+        let held = if *mended > LONG { *mended } else { CALM };
+        if knot.calm >= held || (knot.pieces.is_empty() && !is_bad) {
             continue;
         }
         let begins = knot.pieces.is_empty() && knot.time >= FOLDED;
