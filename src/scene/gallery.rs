@@ -193,7 +193,7 @@ static GALLERY: [Entry; 53] = [
         16,
         "One diagonal or two",
         "Boxes that drop alike: those with one diagonal sway to a side, and the upper one falls off; those with two stay on each other.",
-        "R, and compare after 4 s: the upper boxes came down by 2.4 m and 1.4 m. Cut a diagonal of the lower right one as it falls: 2.4 m at the right too."
+        "R, and compare after 4 s: the upper boxes came down by 2.4 m and 1.4 m. Cut the top of the lower right one as it falls: 1.7 m at the right."
     ),
     entry!(
         "box-as-printed",

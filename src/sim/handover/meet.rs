@@ -144,9 +144,8 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Whether corners of obstacles are near points of a group, or fixed bodies.
     fn is_cornered(&self, group: &Group<S, D>, slots: &[u32]) -> bool {
         let own = slots.iter().map(|&slot| slot as usize);
-        let points = own.map(|i| (group.points.position[i], group.points.velocity[i]));
-        let margin = S::from_f64(self.margin(group));
-        let Some(swept) = Swept::new(points, group.pull.span(&self.around, APART), margin) else { return false };
+        let (span, margin) = (group.pull.span(&self.around, APART), S::from_f64(self.margin(group)));
+        let Some(swept) = Swept::of(&group.points, own, span, margin) else { return false };
         let swept = self.settled(swept.widen());
         self.obstacles.has_corner_in(swept.bounds())
             || self.fixed_reaches(APART, None).iter().any(|fixed| fixed.swept.meets(&swept))

@@ -45,7 +45,7 @@ pub(super) struct Knot<S> {
     pub(super) body: u32,
     /// What is led back to its shape.
     pub(super) pieces: Vec<Piece<S>>,
-    /// How long it is so, how long it is mended, how long it is right again `[s]`.
+    /// How long it is so, how long ago its pieces were cut out, how long it is right again `[s]`.
     time: f64,
     tried: f64,
     calm: f64,
@@ -277,7 +277,7 @@ fn knots<S: Real>(
             body: k,
             pieces: Vec::new(),
             time: first,
-            tried: 0.0,
+            tried: TRIED,
             calm: 0.0,
             rings: RINGS,
             is_folded: false,
@@ -293,7 +293,7 @@ fn knots<S: Real>(
             continue;
         }
         let begins = knot.pieces.is_empty() && knot.time >= FOLDED;
-        if is_bad && (begins || (knot.is_mended() && knot.tried >= TRIED)) {
+        if is_bad && knot.tried >= TRIED && (begins || knot.is_mended()) {
             if !begins {
                 (knot.rings, knot.haste) = (knot.rings.saturating_mul(4), (HASTE * knot.haste).min(MOST_HASTE));
             }

@@ -95,11 +95,8 @@ impl<S: Real> Cluster<S> {
             let d = sub(self.start[i], self.start[tether.other as usize]);
             let length = dot(d, d).sqrt();
             let longer = length - tether.rest;
-            let acts = match tether.limit {
-                Limit::Both => true,
-                Limit::Max => longer >= S::ZERO,
-                Limit::Min => longer <= S::ZERO,
-            };
+            // At its length it is about to.
+            let acts = tether.limit.acts(longer, -S::EPSILON * tether.rest);
             if !acts || length == S::ZERO {
                 continue;
             }

@@ -30,7 +30,7 @@ impl<S: Real> Space<S> {
         let all = 0..self.bodies.list.len();
         let mut together = crate::sim::sets::Sets::new(self.bodies.list.len());
         if self.contact.is_some_and(|contact| contact.with_others) {
-            let span = Span { h, fall: length(around.gravity), pushed: around.most_push() };
+            let span = pull.span(around, h);
             let obstacles = &pull.contacts.obstacles;
             let settled = |swept: Swept<S, 3>| swept.settled(|bounds| obstacles.may_touch(bounds));
             let reach = |body| Some((body, settled(self.reach(body, points, span)?)));
