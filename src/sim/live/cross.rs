@@ -89,14 +89,20 @@ fn crossing<S: Real>(state: &Cluster<S>, [first, second]: [&Side; 2]) -> Option<
     })
 }
 
-/// Whether two edges of a skin that cross have one edge alone between them: the skin is creased there, and no deeper than its mesh tells.
+/// Edges between two that cross up to which the skin is creased there, and no more.
+const CREASE: u32 = 3;
+
+/// Whether two edges of a skin that cross have so few others between them that it is creased there: what is led back for that crosses more.
 pub(super) fn is_crease<S: Real>(state: &Cluster<S>, crossing: &Crossing<S>) -> bool {
     let [first, second] = crossing.ends;
-    let joins = |ends: [u32; 2]| {
-        let meets = |edge: [u32; 2], end: u32| edge.contains(&end);
-        (meets(first, ends[0]) && meets(second, ends[1])) || (meets(first, ends[1]) && meets(second, ends[0]))
-    };
-    state.edges[edges_of(state, crossing.bodies[0])].iter().any(|edge| joins(edge.ends))
+    let skin = &state.edges[edges_of(state, crossing.bodies[0])];
+    let mut reached = first.to_vec();
+    (0..CREASE).any(|_| {
+        let from = reached.clone();
+        let next = skin.iter().filter(|edge| edge.ends.iter().any(|end| from.contains(end)));
+        reached.extend(next.flat_map(|edge| edge.ends));
+        reached.iter().any(|end| second.contains(end))
+    })
 }
 
 /// Couples of bodies, ascending, one of which lies inside the skin of the other without crossing it: only what is closed has an inside.
