@@ -1,6 +1,7 @@
 //! Rigid bodies by the rules of `auto`: three degrees of freedom, Coulomb's law, and no energy from nowhere.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+mod between;
 mod breaks;
 mod digits;
 mod odd;

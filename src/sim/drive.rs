@@ -99,6 +99,25 @@ impl Signal {
         }
     }
 
+    /// How fast its level changes at time `t` `[1/s]`.
+    pub(crate) fn rate(&self, t: f64, keys: &Keys) -> f64 {
+        let share = |key: Key, rate: f64| [keys.share(key, rate, t), keys.share_rate(key, rate, t)];
+        let [held, change] = self.held.map_or([1.0, 0.0], |held| {
+            let [forth, comes] = share(held.forth, held.rate);
+            let [back, goes] = held.back.map_or([0.0; 2], |back| share(back, held.rate));
+            [forth - back, comes - goes]
+        });
+        match self.wave {
+            None => change,
+            Some(_) if held == 0.0 => 0.0,
+            Some(Wave { period, phase }) => {
+                let (turns, sign) = (t / period, held.signum());
+                let angle = 2.0 * PI * (turns - turns.floor()) * sign + phase;
+                sign * (change * libm::sin(angle) + held * sign * (2.0 * PI / period) * libm::cos(angle))
+            }
+        }
+    }
+
     /// Whether its level changes after time `t` `[s]` by itself.
     pub(crate) fn moves_after(&self, t: f64, keys: &Keys) -> bool {
         let comes = self.held.is_some_and(|held| held.keys().any(|key| keys.ramps_after(key, held.rate, t)));
@@ -153,6 +172,18 @@ pub struct Drive {
     pub amplitude: f64,
     /// What it follows.
     pub signal: Signal,
+}
+
+impl Drive {
+    /// What a rest length of `own` `[m]` is at time `t` `[s]`.
+    pub(crate) fn rest(&self, own: f64, t: f64, keys: &Keys) -> f64 {
+        own * (1.0 + self.amplitude * self.signal.level(t, keys))
+    }
+
+    /// How fast that grows `[m/s]`.
+    pub(crate) fn growth(&self, own: f64, t: f64, keys: &Keys) -> f64 {
+        own * self.amplitude * self.signal.rate(t, keys)
+    }
 }
 
 /// A drive of an angle.
@@ -267,6 +298,13 @@ impl Keys {
         r * r * (3.0 - 2.0 * r)
     }
 
+    /// How fast a key's share changes `[1/s]`.
+    fn share_rate(&self, key: Key, rate: f64, t: f64) -> f64 {
+        let Some(ramp) = self.ramp(key, rate) else { return 0.0 };
+        let r = ramp.at(t);
+        if r == ramp.to { 0.0 } else { 6.0 * r * (1.0 - r) * rate * (ramp.to - r).signum() }
+    }
+
     fn ramps_after(&self, key: Key, rate: f64, t: f64) -> bool {
         self.ramp(key, rate).is_some_and(|ramp| ramp.at(t) != ramp.to)
     }
@@ -316,6 +354,23 @@ mod tests {
         assert_eq!((level(&keys, 1.125), level(&keys, 1.25)), (half, 0.0));
         keys.press(Key::of("left").unwrap(), true, 2.0, rates());
         assert_eq!(level(&keys, 3.0), -1.0);
+    }
+
+    #[test]
+    fn the_rate_of_a_level_is_its_slope() {
+        let held = Held { forth: right(), back: Key::of("left"), rate: 3.0 };
+        let mut keys = Keys::default();
+        keys.press(right(), true, 0.1, held.keys().map(|key| (key, 3.0)));
+        keys.press(Key::of("left").unwrap(), true, 0.3, held.keys().map(|key| (key, 3.0)));
+        let wave = Wave { period: 0.7, phase: 0.4 };
+        for signal in [(Some(wave), None), (None, Some(held)), (Some(wave), Some(held)), (None, None)] {
+            let signal = Signal { wave: signal.0, held: signal.1 };
+            for t in [0.05, 0.15, 0.35, 0.5, 0.9] {
+                let slope = (signal.level(t + 1e-6, &keys) - signal.level(t - 1e-6, &keys)) / 2e-6;
+                let rate = signal.rate(t, &keys);
+                assert!((rate - slope).abs() < 1e-8 * (1.0 + slope.abs()), "{signal:?} at {t}: {rate} {slope}");
+            }
+        }
     }
 
     #[test]

@@ -124,7 +124,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
         self.bodies.iter().map(AnyBody::heap_bytes).sum()
     }
 
-    fn begin(&mut self, points: &mut Points<S, D>) {
+    fn begin(&mut self, points: &mut Points<S, D>, _around: &Environment<D>, _t: f64) {
         self.loaded = None;
         const ENOUGH: f64 = 1e-5;
         if self.strain_of(points) <= ENOUGH {

@@ -27,8 +27,8 @@ pub(crate) struct Part {
 
 /// Large bodies that move in step.
 pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
-    /// Gives rigid bonds that the start violates their lengths.
-    fn begin(&mut self, points: &mut Points<S, D>);
+    /// Gives rigid bonds that the state at time `t` `[s]` violates their lengths.
+    fn begin(&mut self, points: &mut Points<S, D>, around: &Environment<D>, t: f64);
 
     /// Advances by `h` from time `t` `[s]`, and books the energy that came and went, where there is an account.
     fn step(
@@ -80,6 +80,11 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
     /// The points of bodies that left the finite numbers, by their slots, since this was asked last: they are where the step began.
     fn take_lost(&mut self) -> Vec<u32> {
         Vec::new()
+    }
+
+    /// Bonds that broke within the last step, by their numbers in the world, and when `[s]`: it ended there.
+    fn take_broken(&mut self) -> Option<(f64, Vec<u32>)> {
+        None
     }
 
     /// Takes over what another one knew of points: slots there and here.

@@ -3,6 +3,7 @@
 
 use super::Group;
 use super::engine::Engine;
+use super::events::edge::Broken;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::integrate::implicit::USUAL_ROUNDS;
@@ -38,6 +39,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         if let Engine::Bulk(bulk) = &mut self.engine {
             let before = *counters;
             bulk.step(&mut self.points, &self.pull, around, (t, h), counters, self.account.as_deref_mut());
+            self.edges.broken = bulk.take_broken().map(|(at, bonds)| Broken { at, bonds });
             return counters.count_batches(&before, bulk.kernel().work_of_a_bond(), D);
         }
         counters.substeps += 1;

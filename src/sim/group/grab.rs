@@ -90,7 +90,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             if let Engine::Bulk(bulk) = &mut self.engine
                 && bulk.kernel().is_of_rigid_bodies()
             {
-                bulk.begin(&mut self.points);
+                bulk.begin(&mut self.points, around, t);
             }
             self.book_change(before, Cause::Grab);
         } else {

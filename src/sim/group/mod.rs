@@ -115,7 +115,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn begin(&mut self, around: &Environment<D>, t: f64) -> bool {
         self.lead_pins(t, 0.0);
         if let Engine::Bulk(bulk) = &mut self.engine {
-            bulk.begin(&mut self.points);
+            bulk.begin(&mut self.points, around, t);
             return true;
         }
         let mut counters = Counters::default();
@@ -136,7 +136,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn resume(&mut self, around: &Environment<D>, t: f64) -> bool {
         if let Engine::Bulk(bulk) = &mut self.engine {
             if bulk.kernel().is_of_rigid_bodies() {
-                bulk.begin(&mut self.points);
+                bulk.begin(&mut self.points, around, t);
             }
             self.lead_pins(t, 0.0);
             return true;

@@ -228,7 +228,8 @@ impl Link {
     fn of(bond: &Bond) -> Option<Self> {
         let stiffness = match bond.kind {
             BondKind::Spring { stiffness, .. } => stiffness,
-            BondKind::Rigid if bond.rest_length > 0.0 => f64::INFINITY,
+            // That of one with a drive goes where that leads it.
+            BondKind::Rigid if bond.rest_length > 0.0 && bond.drive.is_none() => f64::INFINITY,
             _ => return None,
         };
         Some(Link { a: bond.a.0, b: bond.b.0, rest: bond.rest_length, stiffness, limit: bond.limit })

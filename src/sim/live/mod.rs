@@ -263,7 +263,7 @@ impl<S: Real> Live<S> {
 }
 
 impl<S: Real> Mover<S, 2> for Live<S> {
-    fn begin(&mut self, _points: &mut Points<S, 2>) {}
+    fn begin(&mut self, _points: &mut Points<S, 2>, _around: &Environment<2>, _t: f64) {}
 
     fn step(
         &mut self,

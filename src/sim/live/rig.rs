@@ -14,7 +14,8 @@ use crate::sim::kernels::links::MOST_TURN;
 use crate::sim::real::Real;
 use crate::sim::rigid::blueprint::{Blueprint, BodyPlan};
 use crate::sim::rigid::inertia::Inertia;
-use crate::sim::rigid::joints::{Anchor, End, Joints, Pull, Rows, Stand};
+use crate::sim::rigid::joints::{Joints, Pull, Rows};
+use crate::sim::rigid::link::{Anchor, End, Stand};
 use crate::sim::rigid::motion::{Motion, Twist};
 use crate::sim::rigid::place::Place;
 use crate::sim::rigid::shape::Shape;
@@ -58,7 +59,7 @@ pub(super) enum Member {
 impl Rig {
     /// `None` where rigid bonds make no body, contradict each other, or leave too much loose.
     pub(super) fn of(held: &Held<'_>, is_led: impl Fn(u32) -> bool) -> Option<Self> {
-        let plan = Blueprint::of(held, 0, is_led)?;
+        let plan = Blueprint::of(held, &[], 0, is_led)?;
         let member = |body: &BodyPlan| match body.points[..] {
             [point] => Member::Point(point),
             _ => Member::Frame(body.shape.clone(), body.points.clone()),
@@ -137,11 +138,11 @@ impl<S: Real> Cluster<S> {
             let gyration = |inertia: &Inertia| (inertia.inverse[0] / inertia.inverse[1]).sqrt();
             let radii = rig.inertias.iter().map(gyration).filter(|radius| radius.is_finite());
             let most = TORN * radii.fold(0.0, f64::max);
-            let gaps = rig.joints.gaps(Stand { motions: &motions, anchors: &anchors, since: 0.0 });
+            let gaps = rig.joints.gaps(Stand { motions: &motions, anchors: &anchors, since: 0.0, clock: None });
             if gaps.iter().all(|gap| gap.abs() <= most) {
                 continue;
             }
-            rig.joints.close(&rig.inertias, (&mut motions, &anchors), (MENDING, CLOSED), None);
+            rig.joints.close(&rig.inertias, (&mut motions, &anchors, None), (MENDING, CLOSED), None);
             let mut frame = rigged.first;
             for (member, motion) in rig.members.iter().zip(motions) {
                 match *member {
@@ -194,7 +195,7 @@ impl<S: Real> Cluster<S> {
         });
         let closed = CLOSED.max(S::EPSILON.to_f64()) * size;
         let kept = if rig.keeps_rows { Some(&mut *rows) } else { None };
-        let closing = rig.joints.close(&rig.inertias, (&mut motions, &anchors), (ROUNDS, closed), kept);
+        let closing = rig.joints.close(&rig.inertias, (&mut motions, &anchors, None), (ROUNDS, closed), kept);
         if !rig.keeps_rows {
             *rows = None;
         }
@@ -332,7 +333,7 @@ impl<S: Real> Cluster<S> {
             Anchor { place: widen(self.now[i]), velocity: widen(self.velocity[i]) }
         };
         let anchors: Vec<Anchor> = rig.fixed.iter().map(anchor).collect();
-        let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
+        let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0, clock: None };
         let rows = rows.unwrap_or_else(|| rig.joints.rows_at(&rig.inertias, stand));
         rows.hold(&rig.inertias, &mut twists, &rig.joints.leads(stand));
         let mut frame = *first;
@@ -370,7 +371,7 @@ impl<S: Real> Cluster<S> {
             Some(rows) => rows.hold(&rig.inertias, &mut twists, &[]),
             None => {
                 let anchors = self.anchors(rigged);
-                let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0 };
+                let stand = Stand { motions: &motions, anchors: &anchors, since: 0.0, clock: None };
                 rig.joints.rows_at(&rig.inertias, stand).hold(&rig.inertias, &mut twists, &[])
             }
         };

@@ -187,9 +187,10 @@ impl Island {
         self.drive_rate = self.drive_rate.max(signal.fastest());
     }
 
-    /// Whether the live step alone moves it as it is meant: where the rules choose.
+    /// Whether the live step alone moves it as it is meant: where the rules choose. Rigid bodies know drives between them, but where they
+    /// may meet something many of them are gaits, which the live step moves at a fixed cost.
     pub(crate) fn needs_live(&self, has_surfaces: bool) -> bool {
-        self.drives_rigid || (self.has_drives && self.rigid > 0 && has_surfaces)
+        (self.drives_rigid && self.pieces.is_none()) || (self.has_drives && self.rigid > 0 && has_surfaces)
     }
 
     /// An angle of slopes g is as stiff at a point as k |g| times the sum of all |g|, and so is its damper.

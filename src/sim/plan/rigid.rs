@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::choice;
 use super::gather::Gathered;
 use super::island::Island;
-use super::make::Maker;
+use super::make::{Maker, breakable};
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::bulk::control::FRAME;
 use crate::sim::force::angle::Angle;
@@ -14,7 +14,7 @@ use crate::sim::model::Model;
 use crate::sim::real::Real;
 use crate::sim::rigid::Rigid;
 use crate::sim::rigid::blueprint::{Blueprint, BodyPlan};
-use crate::sim::rigid::joints::End;
+use crate::sim::rigid::link::End;
 use crate::sim::rigid::shape::{FITS, Held, Shape};
 use crate::sim::rigid::ties::Ties;
 use crate::sim::sizes::{MOST_RODS, MOST_SOUGHT};
@@ -98,14 +98,14 @@ fn pieces<S: Real, const D: usize>(
     let most_alone = if has_surfaces { MOST_RODS } else { 0 };
     // A body has three bonds.
     let is_too_little = island.rigid < 3 && (island.rigid == 0 || island.rigid > most_alone);
-    if island.has_drives || island.relaxed > 0 || is_too_little {
+    if island.relaxed > 0 || is_too_little {
         return None;
     }
     let bonds: Vec<Bond> = island.bonds.iter().map(|&k| gathered.bonds.get(k as usize)).collect();
     let rigid: Vec<&Bond> = bonds.iter().filter(|bond| bond.holds()).collect();
-    // What may break or acts one way only makes no body; within one it never does.
-    let is_idle = |bond: &&Bond| !bond.holds() && (bond.kind == BondKind::Rigid || bond.break_strain.is_finite());
-    let idle: Vec<&Bond> = bonds.iter().filter(is_idle).collect();
+    // What may break or acts one way only makes no body; within one it never does, and what may break joins bodies.
+    let is_doubtful = |bond: &&Bond| !bond.holds() && (bond.kind == BondKind::Rigid || bond.break_strain.is_finite());
+    let doubtful: Vec<&Bond> = bonds.iter().filter(is_doubtful).collect();
     let w = |point: u32| gathered.w[point as usize];
     let of_angles = island.angles.iter().flat_map(|&k| gathered.ties.angles[k as usize].points);
     let ends = || bonds.iter().flat_map(|bond| [bond.a, bond.b]).chain(of_angles.clone()).map(|end| end.0);
@@ -120,24 +120,31 @@ fn pieces<S: Real, const D: usize>(
         bonds: rigid.iter().map(|bond| ([bond.a.0, bond.b.0].map(place), bond.rest_length)).collect(),
         surface: &[],
     };
+    let is_loose = |bond: &&&Bond| bond.kind == BondKind::Rigid && bond.rest_length > 0.0;
+    let among = |bond: &&Bond| Bond { a: PointId(place(bond.a.0)), b: PointId(place(bond.b.0)), ..**bond };
+    let loose: Vec<Bond> = doubtful.iter().filter(is_loose).map(among).collect();
     let is_led = |k: u32| w(points[k as usize]) == 0.0 && is_led(&points[k as usize]);
     let is_led_any = (0..points.len() as u32).any(is_led);
     let is_braced = island.rigid + 3 >= 2 * island.points.len() && !is_led_any;
     let one = is_braced.then(|| Shape::of(held())).flatten().map(Blueprint::alone);
     // A step of hours would be gone through part by part; and what swings in joints shows the order of a method that is asked for.
     let may_swing = model.method.solver == Solver::Auto && model.method.substep.is_none_or(|h| h <= FRAME);
-    let plan = one.or_else(|| may_swing.then(|| joined(island, (held(), most_alone), is_led)).flatten())?;
+    let plan = one.or_else(|| may_swing.then(|| joined(island, (held(), &loose, most_alone), is_led)).flatten())?;
     let pieces = Pieces { plan: Arc::new(plan), points };
     let corners = |&k: &u32| gathered.ties.patches[k as usize].corners;
     let is_fine = island.patches.iter().map(corners).all(|corners| pieces.keep(corners))
-        && idle.iter().all(|bond| pieces.share([bond.a, bond.b]) && is_borne(gathered, bond));
+        && doubtful.iter().all(|bond| {
+            let is_fit = bond.drive.is_none() || bond.kind != BondKind::Rigid;
+            if is_fit { is_borne(gathered, bond) } else { !pieces.keep([bond.a, bond.b, bond.b]) }
+        });
     is_fine.then_some(pieces)
 }
 
 /// Whether a bond that may break or acts one way only does neither at the length that it has now: that of a rigid one is its own.
 fn is_borne<S: Real, const D: usize>(gathered: &Gathered<S, D>, bond: &Bond) -> bool {
     let [a, b] = [bond.a, bond.b].map(|end| widen(gathered.state.position[end.index()]));
-    let strain = length(sub(a, b)) / bond.rest_length - 1.0;
+    let far = length(sub(a, b));
+    let strain = if bond.rest_length > 0.0 { far / bond.rest_length - 1.0 } else { far };
     let is_fit = match bond.limit {
         _ if bond.kind != BondKind::Rigid => true,
         Limit::Both => strain.abs() <= FITS,
@@ -148,11 +155,15 @@ fn is_borne<S: Real, const D: usize>(gathered: &Gathered<S, D>, bond: &Bond) -> 
 }
 
 /// Several bodies, where springs between them are not too stiff for explicit steps.
-fn joined(island: &Island, (held, most_alone): (Held<'_>, usize), is_led: impl Fn(u32) -> bool) -> Option<Blueprint> {
+fn joined(
+    island: &Island,
+    (held, loose, most_alone): (Held<'_>, &[Bond], usize),
+    is_led: impl Fn(u32) -> bool,
+) -> Option<Blueprint> {
     if choice::is_stiff(island) || island.rigid > MOST_SOUGHT {
         return None;
     }
-    Blueprint::of(&held, most_alone, is_led)
+    Blueprint::of(&held, loose, most_alone, is_led)
 }
 
 /// Springs and angles between different bodies of a plan, whose points are these.
@@ -175,19 +186,21 @@ fn ties<S: Real, const D: usize>(gathered: &Gathered<S, D>, island: &Island, pie
         let bond = gathered.bonds.get(k as usize);
         let ends = [bond.a, bond.b].map(place);
         let is_meant = bond.kind != BondKind::Rigid && are_apart(&ends);
-        is_meant.then_some(Bond { a: ends[0], b: ends[1], ..bond })
+        is_meant.then_some((gathered.names[k as usize], Bond { a: ends[0], b: ends[1], ..bond }))
     };
     let of_angle = |&k: &u32| {
         let angle = gathered.ties.angles[k as usize];
         let points = angle.points.map(place);
         are_apart(&points).then_some(Angle { points, ..angle })
     };
-    let springs: Vec<Bond> = island.bonds.iter().filter_map(of_bond).collect();
+    let springs: Vec<(u32, Bond)> = island.bonds.iter().filter_map(of_bond).collect();
     let angles: Vec<Angle> = island.angles.iter().filter_map(of_angle).collect();
     if springs.is_empty() && angles.is_empty() {
         return Ties::none();
     }
-    Ties::new(plan.seats.clone(), &springs, &angles, [island.frequency, island.decay])
+    let w: Vec<f64> = points.iter().map(|&point| gathered.w[point as usize]).collect();
+    let rates = [island.frequency.max(island.drive_rate), island.decay];
+    Ties::new(plan.seats.clone(), &springs, &angles, (&w, rates))
 }
 
 impl<S: Real, const D: usize> Maker<'_, S, D> {
@@ -205,6 +218,24 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         // Bodies move in `f64`: of what their points lose by rounding only single precision has to know.
         let points = if size_of::<S>() < size_of::<f64>() { self.state(&w) } else { self.batched_state() };
         let mover = Box::new(Rigid::new(plans, bonds));
-        Some(self.batched(points, self.batched_pull(), mover, Vec::new()))
+        let between = self.fragile_between();
+        let fragile = breakable(self.bonds().filter(|(name, _)| between.binary_search(name).is_ok()), |_| true);
+        Some(self.batched(points, self.batched_pull(), mover, fragile))
+    }
+
+    /// The numbers in the world, ascending, of bonds between bodies that may break: within a body nothing is strained.
+    fn fragile_between(&self) -> Vec<u32> {
+        let mut list = Vec::new();
+        for island in &self.lot.islands {
+            let is_between = |bond: &Bond| !island.pieces.as_ref().is_some_and(|of| of.share([bond.a, bond.b]));
+            for &k in &island.bonds {
+                let bond = self.gathered.bonds.get(k as usize);
+                if bond.break_strain.is_finite() && is_between(&bond) {
+                    list.push(self.gathered.names[k as usize]);
+                }
+            }
+        }
+        list.sort_unstable();
+        list
     }
 }

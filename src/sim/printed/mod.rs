@@ -164,7 +164,7 @@ impl<S: Real, const D: usize> Printed<S, D> {
 }
 
 impl<S: Real, const D: usize> Mover<S, D> for Printed<S, D> {
-    fn begin(&mut self, _points: &mut Points<S, D>) {}
+    fn begin(&mut self, _points: &mut Points<S, D>, _around: &Environment<D>, _t: f64) {}
 
     fn step(
         &mut self,

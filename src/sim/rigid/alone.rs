@@ -104,7 +104,7 @@ impl<S: Real, const D: usize> Assembly for Lone<'_, S, D> {
         [if self.body.shape.pin.is_some() { turned } else { f64::INFINITY }, turned]
     }
 
-    fn near(&self, motion: &Motion, h: f64) -> Option<Near> {
+    fn near(&self, motion: &Motion, (_, h): (f64, f64)) -> Option<Near> {
         let near = self.among.near(motion, way(motion, h, self.pushed[0]));
         (!near.is_empty()).then_some(near)
     }
@@ -121,11 +121,11 @@ impl<S: Real, const D: usize> Assembly for Lone<'_, S, D> {
         Motion { twist: Twist::STILL, ..motion }
     }
 
-    fn touching(&self, motion: &Motion, near: &Near) -> Vec<Touch> {
+    fn touching(&self, motion: &Motion, _t: f64, near: &Near) -> Vec<Touch> {
         self.among.touching(motion, near)
     }
 
-    fn speeds(&self, motion: &Motion, touch: Touch) -> [f64; 2] {
+    fn speeds(&self, motion: &Motion, _t: f64, touch: Touch) -> [f64; 2] {
         self.among.speeds(motion, touch)
     }
 
@@ -170,6 +170,7 @@ impl<S: Real, const D: usize> Assembly for Lone<'_, S, D> {
         path: &dyn Fn(f64) -> Motion,
         ends: (&Motion, &Motion, f64),
         among: (&Near, &[Touch]),
+        _t: f64,
     ) -> Option<f64> {
         self.among.first_hit(path, ends, among)
     }

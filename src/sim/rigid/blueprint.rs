@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use super::joints::{End, Link};
+use super::link::{End, Link};
 use super::pieces::{Found, find};
 use super::shape::{Held, Shape};
+use super::strings::Strand;
+use crate::sim::bond::{Bond, Limit};
 use crate::sim::sizes::MOST_PIECES;
 
 /// Most that one body in joints may be as heavy as another: of more, rows that light ones bear look as if they repeated others.
@@ -15,6 +17,7 @@ const MOST_RATIO: f64 = 1e5;
 pub(crate) struct Blueprint {
     pub(crate) bodies: Vec<BodyPlan>,
     pub(crate) links: Vec<Link>,
+    pub(crate) strings: Vec<Strand>,
     /// The points that [`End::Fixed`] counts.
     pub(crate) fixed: Vec<u32>,
     /// Points of bodies that two pins or more hold: they stand still.
@@ -45,10 +48,12 @@ impl Blueprint {
     /// much, or masses differ too much, or there are points alone and no bonds, or more than `most_alone`.
     ///
     /// Masses are infinite where points are pinned. What two pins hold that are not led stands still, and so does what hangs on that by two
-    /// points.
-    pub(crate) fn of(held: &Held<'_>, most_alone: usize, is_led: impl Fn(u32) -> bool) -> Option<Self> {
+    /// points. `loose` bonds are rigid too and make no body, for they may break, act on one side only or have a
+    /// drive: they join bodies, if there are any.
+    pub(crate) fn of(held: &Held<'_>, loose: &[Bond], most_alone: usize, is_led: impl Fn(u32) -> bool) -> Option<Self> {
         let found = find(held)?;
-        if found.pieces.is_empty() && !(1..=most_alone).contains(&held.bonds.len()) {
+        let is_of_points = loose.is_empty() && (1..=most_alone).contains(&held.bonds.len());
+        if found.pieces.is_empty() && !is_of_points {
             return None;
         }
         let count = held.now.len();
@@ -84,10 +89,14 @@ impl Blueprint {
             }
         }
         plan.join(held, &found, (&homes, &is_fixed));
+        plan.join_loosely(loose, &homes);
         let masses = || plan.bodies.iter().map(|body| body.shape.mass);
         let (lightest, heaviest) = (masses().fold(f64::INFINITY, f64::min), masses().fold(0.0, f64::max));
-        let is_even = plan.links.is_empty() || heaviest <= MOST_RATIO * lightest;
-        (plan.bodies.len() <= MOST_PIECES && plan.links.len() <= MOST_PIECES && is_even).then_some(plan)
+        let joined = plan.links.len() + plan.strings.len();
+        // Rods that may break and are more than hold bodies are a mesh.
+        let is_mesh = !loose.is_empty() && plan.rows() > plan.freedoms();
+        let is_even = joined == 0 || heaviest <= MOST_RATIO * lightest;
+        (plan.bodies.len() <= MOST_PIECES && joined <= MOST_PIECES && is_even && !is_mesh).then_some(plan)
     }
 
     /// The links between its bodies, and the seats of all points.
@@ -108,7 +117,7 @@ impl Blueprint {
         for point in 0..held.now.len() as u32 {
             let list = ends(self, point);
             if let Some((&first, others)) = list.split_first() {
-                self.links.extend(others.iter().map(|&other| Link { ends: [first, other], rest: None }));
+                self.links.extend(others.iter().map(|&other| Link { ends: [first, other], rest: None, drive: None }));
                 self.seats.push(first);
             }
         }
@@ -116,7 +125,34 @@ impl Blueprint {
             let ([a, b], rest) = held.bonds[rod as usize];
             let ends = [a, b].map(|point| self.seats[point as usize]);
             if !ends.iter().all(|end| matches!(end, End::Fixed(_))) {
-                self.links.push(Link { ends, rest: Some(rest) });
+                self.links.push(Link { ends, rest: Some(rest), drive: None });
+            }
+        }
+    }
+
+    /// Equations of its links.
+    fn rows(&self) -> usize {
+        self.links.iter().map(|link| if link.rest.is_some() { 1 } else { 2 }).sum()
+    }
+
+    /// Coordinates of its bodies: a point alone does not turn.
+    fn freedoms(&self) -> usize {
+        self.bodies.iter().map(|body| if body.shape.inertia.is_finite() { 3 } else { 2 }).sum()
+    }
+
+    /// Links and strings for bonds that make no body, where their ends are on different ones: within one nothing strains them.
+    fn join_loosely(&mut self, loose: &[Bond], homes: &[Vec<u32>]) {
+        for bond in loose {
+            let ends = [bond.a, bond.b].map(|end| self.seats[end.index()]);
+            let [one, other] = [bond.a, bond.b].map(|end| &homes[end.index()]);
+            let is_within = one.iter().any(|body| other.contains(body));
+            if is_within || ends.iter().all(|end| matches!(end, End::Fixed(_))) {
+                continue;
+            }
+            let rest = bond.rest_length;
+            match bond.limit {
+                Limit::Both => self.links.push(Link { ends, rest: Some(rest), drive: bond.drive }),
+                limit => self.strings.push(Strand { ends, rest, is_longest: limit == Limit::Max }),
             }
         }
     }

@@ -32,6 +32,8 @@ pub(super) struct Log<'a> {
     pub(super) hits: u64,
     pub(super) work: u64,
     pub(super) book: Option<&'a mut Book>,
+    /// When something broke, from the start of the step on `[s]`: what follows is not of this step.
+    pub(super) broke: Option<f64>,
 }
 
 /// Why a part was too long.
@@ -57,16 +59,16 @@ pub(super) trait Assembly {
     /// Hits in a frame after which nothing bounces that does not give all back, and after which none is located: what gets behind a surface is
     /// put out of it.
     fn most_hits(&self) -> [f64; 2];
-    /// What it may meet within `h` `[s]`; `None`: nothing.
-    fn near(&self, motion: &Self::Motion, h: f64) -> Option<Self::Near>;
+    /// What it may meet within `h` from `t` on `[s]`; `None`: nothing.
+    fn near(&self, motion: &Self::Motion, span: (f64, f64)) -> Option<Self::Near>;
     /// It is put out of surfaces that it is behind at `t` `[s]`, without speed; `None`: there is no room for it.
     fn put_out(&self, motion: &Self::Motion, t: f64, near: &Self::Near) -> Option<Self::Motion>;
     /// It stands still.
     fn stopped(&self, motion: Self::Motion) -> Self::Motion;
-    /// The points that lie on surfaces.
-    fn touching(&self, motion: &Self::Motion, near: &Self::Near) -> Vec<Self::Touch>;
-    /// How fast such a point goes across and along its surface `[m/s]`.
-    fn speeds(&self, motion: &Self::Motion, touch: Self::Touch) -> [f64; 2];
+    /// What touches at `t` `[s]`: points on surfaces, and strings that are taut.
+    fn touching(&self, motion: &Self::Motion, t: f64, near: &Self::Near) -> Vec<Self::Touch>;
+    /// How fast that goes across and along its surface at `t` `[m/s]`.
+    fn speeds(&self, motion: &Self::Motion, t: f64, touch: Self::Touch) -> [f64; 2];
     /// A speed that counts as none `[m/s]`.
     fn still(&self, motion: &Self::Motion) -> f64;
     /// A speed of hits that give nothing back `[m/s]`.
@@ -91,12 +93,13 @@ pub(super) trait Assembly {
         lying: &[Self::Touch],
         spent: (&Cell<u64>, Option<&mut Book>),
     ) -> Self::Motion;
-    /// When within `h` `[s]` the first point gets to a surface along a path, whose ends are given; `lying` are on theirs already.
+    /// When within `h` `[s]` the first point gets to a surface along a path from `t` on, whose ends are given; `lying` are on theirs already.
     fn first_hit(
         &self,
         path: &dyn Fn(f64) -> Self::Motion,
         ends: (&Self::Motion, &Self::Motion, f64),
         among: (&Self::Near, &[Self::Touch]),
+        t: f64,
     ) -> Option<f64>;
     /// When within `h` `[s]` the first of the points that slide on their surfaces stops or turns back.
     fn first_stop(
@@ -105,6 +108,15 @@ pub(super) trait Assembly {
         ends: (&Self::Motion, &Self::Motion, f64),
         lying: &[Self::Touch],
     ) -> Option<f64>;
+    /// When within `h` `[s]` the first bond breaks along a path from `t` on, whose ends are given.
+    fn first_break(
+        &self,
+        _path: &dyn Fn(f64) -> Self::Motion,
+        _ends: (&Self::Motion, &Self::Motion, f64),
+        _t: f64,
+    ) -> Option<f64> {
+        None
+    }
     /// Whether a part of `h` `[s]` that led from one to the other was too long, and why; `is_free`: nothing touched it.
     fn fault(&self, _ends: (&Self::Motion, &Self::Motion), _h: f64, _is_free: bool) -> Option<Fault> {
         None
@@ -117,7 +129,7 @@ pub(super) trait Assembly {
     fn work(&self, near: Option<&Self::Near>) -> u64;
 }
 
-/// On for `h` from `t` `[s]`, in parts of at most `longest`.
+/// On for `h` from `t` `[s]`, in parts of at most `longest`, or until something breaks.
 pub(super) fn advance<A: Assembly>(
     of: &A,
     mut motion: A::Motion,
@@ -135,14 +147,20 @@ pub(super) fn advance<A: Assembly>(
         let [in_flight, turned] = of.turned(&motion);
         let mut part = left.min(longest.max(SHORTEST)).min(in_flight).min(grown);
         log.work += of.work(None);
-        let Some(near) = of.near(&motion, part) else {
+        let Some(near) = of.near(&motion, (now, part)) else {
             let fly = |part| of.fly(&motion, (now, part), None);
             let end = shortened((of, &motion, true), (&mut part, &mut grown), &mut halvings, fly);
-            motion = match log.book.as_deref_mut() {
-                None => end,
-                book => of.fly(&motion, (now, part), book),
+            let broke = of.first_break(&fly, (&motion, &end, part), now);
+            let until = broke.unwrap_or(part);
+            motion = match (broke, log.book.as_deref_mut()) {
+                (None, None) => end,
+                (_, book) => of.fly(&motion, (now, until), book),
             };
-            done += part;
+            done += until;
+            if broke.is_some() {
+                log.broke = Some(done);
+                return motion;
+            }
             continue;
         };
         let locates = hits < most_hits * frames;
@@ -155,14 +173,15 @@ pub(super) fn advance<A: Assembly>(
             is_out = true;
         }
         part = part.min(turned).min(if locates { f64::INFINITY } else { LYING.0 });
-        let touching = of.touching(&motion, &near);
+        let touching = of.touching(&motion, now, &near);
         log.work += of.work(Some(&near));
-        if touching.iter().any(|&touch| of.speeds(&motion, touch)[0] < -of.still(&motion)) {
+        if touching.iter().any(|&touch| of.speeds(&motion, now, touch)[0] < -of.still(&motion)) {
             hits += 1.0;
             motion = of.strike(&motion, now, &touching, (gentle, hits > many * frames), log);
         }
         let most = gentle.max(of.still(&motion));
-        let lying: Vec<A::Touch> = touching.into_iter().filter(|&touch| of.speeds(&motion, touch)[0] <= most).collect();
+        let lying: Vec<A::Touch> =
+            touching.into_iter().filter(|&touch| of.speeds(&motion, now, touch)[0] <= most).collect();
         let spent = Cell::new(0);
         let go = |time: f64, book: Option<&mut Book>| {
             let ways = (now, time);
@@ -175,10 +194,14 @@ pub(super) fn advance<A: Assembly>(
             log.work += spent.get();
             return of.stopped(motion);
         }
-        let hit = of.first_hit(&path, (&motion, &end, part), (&near, &lying)).filter(|_| locates);
+        let hit = of.first_hit(&path, (&motion, &end, part), (&near, &lying), now).filter(|_| locates);
         let until = hit.map_or_else(|| (end.clone(), part), |time| (path(time), time));
         let stop = of.first_stop(&path, (&motion, &until.0, until.1), &lying).filter(|_| locates);
         let first = stop.or(hit);
+        let reached = stop.map(&path);
+        let reached = reached.as_ref().unwrap_or(&until.0);
+        let broke = of.first_break(&path, (&motion, reached, first.unwrap_or(part)), now);
+        let first = broke.or(first);
         let next = match (first, log.book.as_deref_mut()) {
             (None, None) => end,
             // Where a book is kept, that way is gone once more.
@@ -188,6 +211,10 @@ pub(super) fn advance<A: Assembly>(
         log.work += spent.get();
         done += first.unwrap_or(part);
         hits += if first.is_some() { 1.0 } else { 0.0 };
+        if broke.is_some() {
+            log.broke = Some(done);
+            break;
+        }
     }
     motion
 }

@@ -5,14 +5,17 @@ use std::cell::Cell;
 use super::alone::gentle;
 use super::body::Body;
 use super::course::{Assembly, Fault, HANGING, Log, SHORTEST, TURN, book_strike, gives_back, within};
-use super::joints::End;
-use super::linkage::{Moving, Spot, twists_of};
+use super::link::End;
+use super::linkage::twists_of;
 use super::motion::{Motion, Twist};
+use super::moving::{Moving, Spot};
+use super::strings::Strand;
 use super::together::Together;
-use super::touch::{Near, Touch, way};
+use super::touch::{Near, Touch, closing, narrowed, way};
 use crate::sim::contact::coulomb::{OF_A_CONTACT, strike};
 use crate::sim::ledger::Book;
 use crate::sim::real::Real;
+use crate::sim::solve::root::Root;
 use crate::sim::vector::{add, dot, flat, length, scale, sub};
 
 /// Longest part of a step in flight, so many of a step at least `[s]`; and the angle that a body or a rod turns in it at most `[rad]`: of order 4, so
@@ -41,6 +44,8 @@ impl<S: Real, const D: usize> Moving<'_, S, D> {
     pub(super) fn longest(&self, h: f64) -> f64 {
         let linkage = self.linkage;
         let [frequency, decay] = linkage.ties.rates;
+        let driven = linkage.joints.links().iter().filter_map(|link| link.drive);
+        let frequency = driven.map(|drive| drive.signal.fastest()).fold(frequency, f64::max);
         let ties = (PHASE / frequency).min(DECAY / decay);
         let g = length(self.field.pull.gravity);
         let swing = |(body, place): (u32, [f64; 2])| {
@@ -49,9 +54,10 @@ impl<S: Real, const D: usize> Moving<'_, S, D> {
             let inertia = 1.0 / body.inertia.inverse[1] + body.shape.mass * lever * lever;
             if lever > 0.0 { body.shape.mass * lever * g / inertia } else { 0.0 }
         };
-        let ends = linkage.joints.links().iter().flat_map(|link| {
-            let of_rod = link.rest.map_or(0.0, |rest| g / rest);
-            link.ends.map(|end| match end {
+        let links = linkage.joints.links().iter().map(|link| (link.ends, link.rest.map_or(0.0, |rest| g / rest)));
+        let strings = linkage.strings.iter().map(|string| (string.ends, g / string.rest));
+        let ends = links.chain(strings).flat_map(|(ends, of_rod)| {
+            ends.map(|end| match end {
                 End::On { body, place } => swing((body, place)).max(of_rod),
                 End::Fixed(_) => of_rod,
             })
@@ -71,14 +77,16 @@ impl<S: Real, const D: usize> Moving<'_, S, D> {
             End::On { body, .. } => 1.0 / self.linkage.bodies[body as usize].shape.mass,
             End::Fixed(_) => 0.0,
         };
-        let rods = self.linkage.joints.links().iter().filter_map(|link| Some((link.rest?, link.ends.map(inverse))));
+        let rods = self.linkage.joints.links().iter().filter_map(|link| Some((link.rest?, link.ends)));
+        let strings = self.linkage.strings.iter().map(|string| (string.rest, string.ends));
+        let rods = rods.chain(strings).map(|(rest, ends)| (rest, ends.map(inverse)));
         let light = rods.filter(|(rest, [a, b])| *rest > 0.0 && all * a.max(*b) >= LIGHT);
         light.map(|(rest, [a, b])| g * all * (a + b) / rest).fold(0.0, f64::max)
     }
 
     /// Whether nothing but gravity and drag gives energy to what touches nothing, or takes some.
     fn is_conserved(&self) -> bool {
-        !self.field.pushes() && self.linkage.ties.is_empty() && !self.is_led()
+        !(self.field.pushes() || self.is_led() || self.linkage.is_driven()) && self.linkage.ties.is_empty()
     }
 
     /// Whether it made or lost more energy than is right in `h` `[s]` in which this is so.
@@ -99,9 +107,36 @@ impl<S: Real, const D: usize> Moving<'_, S, D> {
     fn spots(&self, near: &[Near], of: impl Fn(usize, &Near) -> Vec<Touch>) -> Vec<Spot> {
         let spots = |(body, near): (usize, &Near)| {
             let touches = if near.is_empty() { Vec::new() } else { of(body, near) };
-            touches.into_iter().map(move |touch| Spot { body: body as u32, touch })
+            touches.into_iter().map(move |touch| Spot::Lies { body: body as u32, touch })
         };
         near.iter().enumerate().flat_map(spots).collect()
+    }
+
+    /// When within `h` `[s]` the first string gets taut along a path from `t` on, whose ends are given; `lying` are so already.
+    fn first_taut(
+        &self,
+        path: &dyn Fn(f64) -> Vec<Motion>,
+        (start, end, h): (&[Motion], &[Motion], f64),
+        lying: &[Spot],
+        t: f64,
+    ) -> Option<f64> {
+        let mut first: Option<f64> = None;
+        for spot in self.strings_where((end, t + h), |gap| gap < -self.touch()) {
+            let gap = |time: f64| self.gap((&path(time), t + time), spot);
+            let latest = first.unwrap_or(h);
+            let last = if latest < h { gap(latest) } else { self.gap((end, t + h), spot) };
+            if lying.contains(&spot) || last >= -self.touch() || self.gap((start, t), spot) < -self.touch() {
+                continue;
+            }
+            first = Some(closing(gap, (latest, last), self.touch()));
+        }
+        first
+    }
+
+    /// Strings whose gaps at `t` `[s]` are such.
+    fn strings_where(&self, (motions, t): (&[Motion], f64), is_meant: impl Fn(f64) -> bool) -> Vec<Spot> {
+        let all = (0..self.linkage.strings.len() as u32).map(Spot::Taut);
+        all.filter(|&spot| is_meant(self.gap((motions, t), spot))).collect()
     }
 }
 
@@ -117,7 +152,11 @@ fn jerk(start: &[Motion], end: &[Motion], h: f64) -> f64 {
 
 /// The touches of one body.
 fn of(body: usize, spots: &[Spot]) -> Vec<Touch> {
-    spots.iter().filter(|spot| spot.body as usize == body).map(|spot| spot.touch).collect()
+    let own = |spot: &Spot| match *spot {
+        Spot::Lies { body: of, touch } if of as usize == body => Some(touch),
+        _ => None,
+    };
+    spots.iter().filter_map(own).collect()
 }
 
 impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
@@ -129,13 +168,16 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
         [TURN_IN_FLIGHT, TURN].map(|turn| (turn / self.turning(motions)).max(SHORTEST))
     }
 
-    fn near(&self, motions: &Vec<Motion>, h: f64) -> Option<Vec<Near>> {
+    fn near(&self, motions: &Vec<Motion>, (t, h): (f64, f64)) -> Option<Vec<Near>> {
         let pushed = self.field.pushed()[0];
         // Joints pull bodies along.
         let far = motions.iter().map(|motion| way(motion, h, pushed)).fold(0.0, f64::max);
         let near: Vec<Near> =
             self.among.iter().zip(motions).map(|(among, motion)| among.near(motion, 2.0 * far)).collect();
-        near.iter().any(|near| !near.is_empty()).then_some(near)
+        let stand = self.stand(motions, t);
+        let may_get_taut =
+            |string: &Strand| string.gap(stand) <= 2.0 * string.most_rate(stand) * h + 4.0 * far + 4.0 * pushed * h * h;
+        (near.iter().any(|near| !near.is_empty()) || self.linkage.strings.iter().any(may_get_taut)).then_some(near)
     }
 
     fn most_hits(&self) -> [f64; 2] {
@@ -143,7 +185,11 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
     }
 
     fn put_out(&self, motions: &Vec<Motion>, t: f64, near: &Vec<Near>) -> Option<Vec<Motion>> {
-        let behind = |motions: &[Motion]| self.spots(near, |body, near| self.among[body].behind(&motions[body], near));
+        let behind = |motions: &[Motion]| {
+            let mut spots = self.spots(near, |body, near| self.among[body].behind(&motions[body], near));
+            spots.extend(self.strings_where((motions, t), |gap| gap < -self.touch()));
+            spots
+        };
         self.mended(motions, t, behind)
     }
 
@@ -152,12 +198,19 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
         motions
     }
 
-    fn touching(&self, motions: &Vec<Motion>, near: &Vec<Near>) -> Vec<Spot> {
-        self.spots(near, |body, near| self.among[body].touching(&motions[body], near))
+    fn touching(&self, motions: &Vec<Motion>, t: f64, near: &Vec<Near>) -> Vec<Spot> {
+        let mut spots = self.spots(near, |body, near| self.among[body].touching(&motions[body], near));
+        spots.extend(self.strings_where((motions, t), |gap| gap <= self.touch()));
+        spots
     }
 
-    fn speeds(&self, motions: &Vec<Motion>, spot: Spot) -> [f64; 2] {
-        self.among[spot.body as usize].speeds(&motions[spot.body as usize], spot.touch)
+    fn speeds(&self, motions: &Vec<Motion>, t: f64, spot: Spot) -> [f64; 2] {
+        match spot {
+            Spot::Lies { body, touch } => self.among[body as usize].speeds(&motions[body as usize], touch),
+            Spot::Taut(k) => {
+                self.linkage.strings[k as usize].meeting(self.stand(motions, t)).speeds(&twists_of(motions))
+            }
+        }
     }
 
     fn still(&self, motions: &Vec<Motion>) -> f64 {
@@ -170,22 +223,27 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
     }
 
     fn strike(&self, motions: &Vec<Motion>, t: f64, touching: &[Spot], how: (f64, bool), log: &mut Log) -> Vec<Motion> {
-        let mut contacts = self.contacts(motions, touching);
-        let is_elastic = contacts.iter().all(|(_, contact)| contact.rub.restitution >= 1.0);
-        for (body, contact) in &mut contacts {
-            let speed = contact.speeds(&motions[*body as usize].twist)[0];
+        let mut contacts = self.contacts((motions, t), touching);
+        let twists = twists_of(motions);
+        let is_elastic = contacts.iter().all(|contact| contact.rub.restitution >= 1.0);
+        for contact in &mut contacts {
+            let speed = contact.speeds(&twists)[0];
             contact.rub.restitution = gives_back(contact.rub.restitution, speed, how);
         }
         let joints = self.factored(motions, t);
         let together = Together::new(&joints, &contacts);
-        let twists = twists_of(motions);
         let pressed = strike(&together.coupled, &together.seen(&twists), &together.rubs());
         log.hits += 1;
         log.work += OF_A_CONTACT * u64::from(pressed.passes) * (contacts.len() * contacts.len()) as u64;
         log.work += contacts.len() as u64 * self.linkage.joints.work();
         book_strike(log.book.as_deref_mut(), pressed.taken, is_elastic);
-        let twists = together.moved(&twists, &pressed);
-        motions.iter().zip(twists).map(|(motion, twist)| Motion { twist, ..*motion }).collect()
+        let after = together.moved(&twists, &pressed);
+        if let Some(book) = log.book.as_deref_mut().filter(|_| !pressed.is_stopped && pressed.share == 1.0) {
+            let [led, driven] = together.works((&twists, &after), &pressed.impulses);
+            book.pins += led;
+            book.drives += driven;
+        }
+        motions.iter().zip(after).map(|(motion, twist)| Motion { twist, ..*motion }).collect()
     }
 
     fn fly(&self, motions: &Vec<Motion>, span: (f64, f64), book: Option<&mut Book>) -> Vec<Motion> {
@@ -207,8 +265,9 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
         path: &dyn Fn(f64) -> Vec<Motion>,
         (start, end, h): (&Vec<Motion>, &Vec<Motion>, f64),
         (near, lying): (&Vec<Near>, &[Spot]),
+        t: f64,
     ) -> Option<f64> {
-        let mut first = None;
+        let mut first = self.first_taut(path, (start, end, h), lying, t);
         for (body, near) in near.iter().enumerate().filter(|(_, near)| !near.is_empty()) {
             let latest = first.unwrap_or(h);
             let until = if latest < h { path(latest) } else { end.clone() };
@@ -234,6 +293,38 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
             let until = if latest < h { path(latest) } else { end.clone() };
             let ends = (&start[body], &until[body], latest);
             first = self.among[body].first_stop(|time| path(time)[body], ends, &own).or(first);
+        }
+        first
+    }
+
+    fn first_break(
+        &self,
+        path: &dyn Fn(f64) -> Vec<Motion>,
+        (start, end, h): (&Vec<Motion>, &Vec<Motion>, f64),
+        from: f64,
+    ) -> Option<f64> {
+        if !self.locates || !self.linkage.ties.may_break() {
+            return None;
+        }
+        let spare = |motions: &[Motion], time: f64| -> Vec<f64> {
+            self.linkage.ties.spare(self.stand(motions, from + time)).collect()
+        };
+        let [begun, ended] = [spare(start, 0.0), spare(end, h)];
+        let mut first: Option<f64> = None;
+        for k in (0..ended.len()).filter(|&k| ended[k] < 0.0) {
+            let of = |time: f64| spare(&path(time), time)[k];
+            let latest = first.unwrap_or(h);
+            let last = if latest < h { of(latest) } else { ended[k] };
+            if last >= 0.0 {
+                continue;
+            }
+            // What is too long already breaks at once.
+            let at = if begun[k] > 0.0 {
+                narrowed(Root::between((0.0, begun[k]), (latest, last)), of, self.fits)
+            } else {
+                0.0
+            };
+            first = Some(at);
         }
         first
     }

@@ -9,6 +9,7 @@
 //! All rows are solved together by elimination, fewest neighbours first: chains and trees of bodies fill nothing in.
 
 use super::inertia::Inertia;
+use super::link::{Anchor, Clock, End, Link, Stand, are_led};
 use super::motion::Motion;
 use super::motion::Twist;
 use super::place::Place;
@@ -25,78 +26,6 @@ const SLOW: f64 = 1e-4;
 
 /// Parts of the way that a round would go which are tried until gaps are smaller.
 const PARTS: [f64; 3] = [1.0, 0.25, 0.0625];
-
-/// An end of a link.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum End {
-    /// A place of a body, in its shape.
-    On {
-        /// Which one.
-        body: u32,
-        /// `[m]`
-        place: [f64; 2],
-    },
-    /// One of the points that do not move by themselves.
-    Fixed(u32),
-}
-
-/// Two ends that are one point, or keep their distance.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Link {
-    pub(crate) ends: [End; 2],
-    /// `[m]`; `None`: a joint.
-    pub(crate) rest: Option<f64>,
-}
-
-/// A point that does not move by itself: where it is as a step begins `[m]`, and how fast it is led in it `[m/s]`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Anchor {
-    pub(crate) place: [f64; 2],
-    pub(crate) velocity: [f64; 2],
-}
-
-impl Anchor {
-    pub(super) fn is_led(&self) -> bool {
-        self.velocity != [0.0; 2]
-    }
-}
-
-/// Whether any of these points is led.
-pub(super) fn are_led(anchors: &[Anchor]) -> bool {
-    anchors.iter().any(Anchor::is_led)
-}
-
-/// Where bodies are, and fixed points, so long `[s]` after the step began.
-#[derive(Clone, Copy)]
-pub(crate) struct Stand<'a> {
-    pub(crate) motions: &'a [Motion],
-    pub(crate) anchors: &'a [Anchor],
-    pub(crate) since: f64,
-}
-
-impl Stand<'_> {
-    /// Where an end is `[m]`.
-    pub(super) fn at(&self, end: End) -> [f64; 2] {
-        match end {
-            End::On { body, place } => self.motions[body as usize].place.out(place),
-            End::Fixed(k) => {
-                let Anchor { place, velocity } = self.anchors[k as usize];
-                add(place, scale(velocity, self.since))
-            }
-        }
-    }
-
-    /// How fast it goes `[m/s]`.
-    pub(super) fn velocity(&self, end: End) -> [f64; 2] {
-        match end {
-            End::On { body, place } => {
-                let Motion { place: at, twist } = self.motions[body as usize];
-                twist.at(at.turned(place))
-            }
-            End::Fixed(k) => self.anchors[k as usize].velocity,
-        }
-    }
-}
 
 /// A row of a link: along x or y of a joint, or along a rod.
 #[derive(Clone, Copy, Debug)]
@@ -165,7 +94,7 @@ impl Joints {
         let of = |row: &Row| {
             let link = &self.links[row.link as usize];
             let d = sub(stand.at(link.ends[0]), stand.at(link.ends[1]));
-            link.rest.map_or(d[row.axis], |rest| dot(d, d).sqrt() - rest)
+            link.length(stand.clock).map_or(d[row.axis], |rest| dot(d, d).sqrt() - rest)
         };
         self.rows.iter().map(of).collect()
     }
@@ -176,12 +105,12 @@ impl Joints {
     pub(crate) fn close(
         &self,
         inertias: &[Inertia],
-        (motions, anchors): (&mut [Motion], &[Anchor]),
+        (motions, anchors, clock): (&mut [Motion], &[Anchor], Option<Clock>),
         (rounds, closed): (u32, f64),
         mut kept: Option<&mut Option<Rows>>,
     ) -> Closing {
         let mut closing = Closing { rounds: 0, factored: 0, pulls: vec![Pull::default(); self.links.len()] };
-        let mut gaps = self.gaps(Stand { motions, anchors, since: 0.0 });
+        let mut gaps = self.gaps(Stand { motions, anchors, since: 0.0, clock });
         // A round by rows that are known costs less than half of one that works them out.
         let rounds = if kept.is_some() { 2 * rounds } else { rounds };
         for round in 0..rounds {
@@ -194,7 +123,7 @@ impl Joints {
             let old = kept.as_mut().and_then(|kept| kept.take());
             let is_old = old.is_some();
             closing.factored += u32::from(!is_old);
-            let rows = old.unwrap_or_else(|| self.rows_at(inertias, Stand { motions, anchors, since: 0.0 }));
+            let rows = old.unwrap_or_else(|| self.rows_at(inertias, Stand { motions, anchors, since: 0.0, clock }));
             let lambda = rows.hold(inertias, &mut ways, &targets);
             let places: Vec<Place> = motions.iter().map(|motion| motion.place).collect();
             let before = square(&gaps);
@@ -202,13 +131,13 @@ impl Joints {
                 for ((motion, way), place) in motions.iter_mut().zip(&ways).zip(&places) {
                     motion.place = place.moved(scale(way.velocity, part), part * way.spin);
                 }
-                gaps = self.gaps(Stand { motions, anchors, since: 0.0 });
+                gaps = self.gaps(Stand { motions, anchors, since: 0.0, clock });
                 square(&gaps) < before
             });
             let Some(part) = taken else {
                 motions.iter_mut().zip(places).for_each(|(motion, place)| motion.place = place);
                 if is_old {
-                    gaps = self.gaps(Stand { motions, anchors, since: 0.0 });
+                    gaps = self.gaps(Stand { motions, anchors, since: 0.0, clock });
                     continue;
                 }
                 return closing;
@@ -268,6 +197,17 @@ impl Joints {
         Rows { legs, ldl }
     }
 
+    /// Whether the length of some rod follows a drive.
+    pub(super) fn are_driven(&self) -> bool {
+        self.links.iter().any(|link| link.drive.is_some())
+    }
+
+    /// How fast drives change the lengths of rods, row by row `[m/s]`; empty, where none does.
+    fn growths(&self, stand: Stand) -> Vec<f64> {
+        let of = |row: &Row| self.links[row.link as usize].growth(stand.clock);
+        if self.are_driven() { self.rows.iter().map(of).collect() } else { Vec::new() }
+    }
+
     /// The rates of all rows that points which are led ask for `[m/s]`; empty, where none is.
     pub(crate) fn leads(&self, stand: Stand) -> Vec<f64> {
         let led = |row: &Row| {
@@ -280,12 +220,13 @@ impl Joints {
         if are_led(stand.anchors) { self.rows.iter().map(led).collect() } else { Vec::new() }
     }
 
-    /// The same with what points that are led ask for.
+    /// The same with what points that are led and drives ask for.
     pub(crate) fn factored<'a>(&self, inertias: &'a [Inertia], stand: Stand) -> Factored<'a> {
-        let (mut leads, rows) = (self.leads(stand), self.rows_at(inertias, stand));
+        let (mut leads, growths, rows) = (self.leads(stand), self.growths(stand), self.rows_at(inertias, stand));
         let is_led = !leads.is_empty();
         leads.resize(rows.legs.len(), 0.0);
-        Factored { inertias, rows, leads, is_led }
+        leads.iter_mut().zip(&growths).for_each(|(lead, growth)| *lead += growth);
+        Factored { inertias, rows, leads, growths, is_led }
     }
 }
 
@@ -370,18 +311,26 @@ impl Rows {
 pub(crate) struct Factored<'a> {
     pub(super) inertias: &'a [Inertia],
     rows: Rows,
-    /// The rates of all rows that points which are led ask for `[m/s]`.
+    /// The rates of all rows that points which are led and drives ask for `[m/s]`, and drives alone; empty, where none does.
     pub(crate) leads: Vec<f64>,
+    growths: Vec<f64>,
     /// Whether some point is led.
     pub(super) is_led: bool,
 }
 
 impl Factored<'_> {
-    /// The work `[J]` of points that are led, where impulses at the links alone changed motions by these.
-    pub(super) fn work_of_leads(&self, changes: &[Twist]) -> f64 {
+    /// The work `[J]` of points that are led, and of drives, where impulses at the links alone changed motions by these.
+    pub(super) fn works(&self, changes: &[Twist]) -> [f64; 2] {
         let mut lambda: Vec<f64> = self.rows.legs.iter().map(|row| rate(row, changes)).collect();
         self.rows.ldl.solve_one(&mut lambda);
-        lambda.iter().zip(&self.leads).map(|(impulse, lead)| impulse * lead).sum()
+        let work = |rates: &[f64]| lambda.iter().zip(rates).map(|(impulse, rate)| impulse * rate).sum::<f64>();
+        let driven = work(&self.growths);
+        [work(&self.leads) - driven, driven]
+    }
+
+    /// Whether some point is led or some rod driven.
+    pub(super) fn does_work(&self) -> bool {
+        self.is_led || !self.growths.is_empty()
     }
 
     /// Impulses at the links give every row its target `[m/s]`, in the order of [`Joints::gaps`]; empty: none.
@@ -417,8 +366,9 @@ mod tests {
     /// Rods of 1 m from one pin on, each at an angle `[rad]` and a little off the end of the one before it.
     fn chain(angles: &[f64]) -> (Joints, Vec<Inertia>, Vec<Motion>, [Anchor; 1]) {
         let on = |body: u32, x: f64| End::On { body, place: [x, 0.0] };
-        let first = Link { ends: [End::Fixed(0), on(0, -0.5)], rest: None };
-        let others = (1..angles.len() as u32).map(|k| Link { ends: [on(k - 1, 0.5), on(k, -0.5)], rest: None });
+        let first = Link { ends: [End::Fixed(0), on(0, -0.5)], rest: None, drive: None };
+        let others =
+            (1..angles.len() as u32).map(|k| Link { ends: [on(k - 1, 0.5), on(k, -0.5)], rest: None, drive: None });
         let mut end = [1e-4, -2e-4];
         let motion = |&angle: &f64| {
             let turn = [libm::cos(angle), libm::sin(angle)];
@@ -441,9 +391,10 @@ mod tests {
         let angles = [0.3, -0.4, 1.0];
         let (joints, inertias, mut motions, anchors) = chain(&angles);
         let (_, _, turned, _) = chain(&angles.map(|angle| angle + turn));
-        let mut kept = Some(joints.rows_at(&inertias, Stand { motions: &turned, anchors: &anchors, since: 0.0 }));
-        let closing = joints.close(&inertias, (&mut motions, &anchors), (8, 1e-12), Some(&mut kept));
-        let gaps = joints.gaps(Stand { motions: &motions, anchors: &anchors, since: 0.0 });
+        let mut kept =
+            Some(joints.rows_at(&inertias, Stand { motions: &turned, anchors: &anchors, since: 0.0, clock: None }));
+        let closing = joints.close(&inertias, (&mut motions, &anchors, None), (8, 1e-12), Some(&mut kept));
+        let gaps = joints.gaps(Stand { motions: &motions, anchors: &anchors, since: 0.0, clock: None });
         (gaps.iter().fold(0.0, |most: f64, gap| most.max(gap.abs())), closing.factored)
     }
 

@@ -6,7 +6,7 @@
 //! flight     in closed form, or a composition of order 4 (`body.rs`)
 //! hit        the moment when a point gets to a surface is located (`course.rs`, `touch.rs`); the impact is Coulomb's law (`law.rs`)
 //! rest       what lies on surfaces slides, rolls, tips or stays (`slide.rs`); where sliding ends is located
-//! joined     bodies that share points, or that bonds join, are solved together: flight and rest (`linkage.rs`), impacts (`together.rs`)
+//! joined     bodies that share points, or that bonds join, are solved together: flight and rest (`moving.rs`), impacts (`together.rs`); strings between them are contacts (`strings.rs`)
 //! write      points follow, once a step
 //! ```
 //!
@@ -19,13 +19,17 @@ mod course;
 pub(crate) mod inertia;
 mod joined;
 pub(crate) mod joints;
+pub(crate) mod link;
 mod linkage;
+mod meeting;
 mod merge;
 pub(crate) mod motion;
+mod moving;
 pub(crate) mod pieces;
 pub(crate) mod place;
 pub(crate) mod shape;
 mod slide;
+mod strings;
 pub(crate) mod ties;
 mod together;
 mod touch;
@@ -46,8 +50,10 @@ use alone::Lone;
 use blueprint::Blueprint;
 use body::{Body, Field, lift};
 use course::{Log, advance};
-use linkage::{Linkage, Moving};
+use link::{Clock, are_led};
+use linkage::Linkage;
 use motion::Motion;
+use moving::Moving;
 use ties::Ties;
 use touch::way;
 
@@ -59,13 +65,15 @@ pub(crate) struct Rigid {
     bonds: usize,
     /// Points of those that left the finite numbers: they are where their step began.
     lost: Vec<u32>,
+    /// When springs broke in the step under way `[s]`, and which bonds of the world those are.
+    broken: Option<(f64, Vec<u32>)>,
 }
 
 impl Rigid {
     /// Of plans, each with the places of its points in the group and springs between its bodies, made of so many bonds.
     pub(crate) fn new(plans: Vec<(Arc<Blueprint>, Vec<u32>, Ties)>, bonds: usize) -> Self {
         let linkages = plans.into_iter().map(|(plan, slots, ties)| Linkage::new(&plan, &slots, ties)).collect();
-        Rigid { linkages, bonds, lost: Vec::new() }
+        Rigid { linkages, bonds, lost: Vec::new(), broken: None }
     }
 
     fn bodies(&self) -> impl Iterator<Item = &Body> {
@@ -75,10 +83,11 @@ impl Rigid {
 
 impl<S: Real, const D: usize> Mover<S, D> for Rigid {
     /// Points that are elsewhere get the places that the shape has for them.
-    fn begin(&mut self, points: &mut Points<S, D>) {
+    fn begin(&mut self, points: &mut Points<S, D>, around: &Environment<D>, t: f64) {
+        let clock = Clock { time: t, keys: &around.keys };
         for linkage in self.linkages.iter() {
             linkage.stop(points);
-            let motions = linkage.read(points, &linkage.anchors(points));
+            let motions = linkage.read(points, (&linkage.anchors(points), clock));
             let fits = |(body, motion): (&Body, &Motion)| body.fits(motion, points);
             if !linkage.bodies.iter().zip(&motions).all(fits) {
                 linkage.bodies.iter().zip(&motions).for_each(|(body, motion)| body.write(motion, points));
@@ -98,10 +107,13 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
         let mut book = account.map(|account| &mut account.book);
         for linkage in self.linkages.iter() {
             let anchors = linkage.anchors(points);
-            let motions = linkage.read(points, &anchors);
-            if let Some(book) = book.as_deref_mut().filter(|_| !anchors.is_empty()) {
-                // A pin that changes its velocity, or stops, passes that on at once.
-                book.pins += linkage.energy_of(&motions) - linkage.energy(points);
+            let motions = linkage.read(points, (&anchors, Clock { time: t, keys: &around.keys }));
+            let is_driven = linkage.is_driven();
+            if let Some(book) = book.as_deref_mut().filter(|_| is_driven || !anchors.is_empty()) {
+                // A pin that changes its velocity, or stops, passes that on at once, and so does a drive that begins.
+                let given = linkage.energy_of(&motions) - linkage.energy(points);
+                let by = if is_driven && !are_led(&anchors) { &mut book.drives } else { &mut book.pins };
+                *by += given;
             }
             let is_reached = linkage.bodies.iter().zip(&motions).any(|(body, motion)| {
                 let far = body.reach + way(motion, h, length(pull.gravity) + pull.most_push() + around.most_push());
@@ -113,7 +125,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             let slots = || linkage.bodies.iter().flat_map(|body| &body.slots).map(|&slot| slot as usize);
             let moving = || slots().map(|i| (points.position[i], points.velocity[i]));
             let parts = if is_reached { around.parts_near(moving(), (t, h)) } else { 1 };
-            let mut log = Log { hits: 0, work: 0, book: book.as_deref_mut() };
+            let mut log = Log { hits: 0, work: 0, book: book.as_deref_mut(), broke: None };
             let most = h / f64::from(parts);
             let ends = match linkage.alone() {
                 Some(body) => {
@@ -121,10 +133,15 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
                     vec![advance(&Lone::new(body, &field, &motions[0]), motions[0], span, &mut log)]
                 }
                 None => {
-                    let joined = Moving::new(linkage, &field, (&anchors, t), &motions);
+                    // Of several none can be ahead of the others.
+                    let locates = self.linkages.len() == 1;
+                    let joined = Moving::new(linkage, &field, (&anchors, t), &motions, locates);
                     let span = (t, h, joined.longest(h).min(most));
                     let ends = advance(&joined, motions, span, &mut log);
                     log.work += joined.take_spent();
+                    if let Some(gone) = log.broke {
+                        self.broken = Some((t + gone, linkage.ties.broken(joined.stand(&ends, t + gone))));
+                    }
                     ends
                 }
             };
@@ -132,7 +149,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             if ends.iter().all(Motion::is_finite) {
                 linkage.bodies.iter().zip(&ends).for_each(|(body, end)| body.write(end, points));
                 linkage.stop(points);
-                linkage.lead(points, &anchors, h);
+                linkage.lead(points, &anchors, log.broke.unwrap_or(h));
             } else {
                 self.lost.extend(linkage.bodies.iter().flat_map(|body| &body.slots));
             }
@@ -178,6 +195,10 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
 
     fn take_lost(&mut self) -> Vec<u32> {
         std::mem::take(&mut self.lost)
+    }
+
+    fn take_broken(&mut self) -> Option<(f64, Vec<u32>)> {
+        self.broken.take()
     }
 
     fn kernel(&self) -> Kernel {

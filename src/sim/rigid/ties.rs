@@ -1,13 +1,17 @@
 //! Springs and angles between the bodies of a linkage, as forces on them.
 
 use super::body::{From, Push};
-use super::joints::{End, Stand};
+use super::link::{Clock, End, Stand};
 use crate::sim::bond::Bond;
 use crate::sim::force::angle::Angle;
 use crate::sim::force::angle::Hinge;
 use crate::sim::force::form::Form;
+use crate::sim::force::muscle::Driven;
 use crate::sim::force::spring::{Springs, pull_at_rest};
-use crate::sim::vector::{add, cross, dot, sub};
+use crate::sim::vector::{add, cross, dot, length, sub};
+
+/// By how much a spring may be shorter than it may be and breaks, as a share of its length and of 1 m: what is left where that moment is located.
+const ROUNDED: f64 = 1e-10;
 
 /// Springs and angles, with the points that they are at.
 #[derive(Clone, Debug)]
@@ -15,28 +19,69 @@ pub(crate) struct Ties {
     seats: Vec<End>,
     springs: Springs<f64>,
     form: Form<f64>,
+    /// What drives add to them.
+    driven: Driven<f64>,
+    /// Springs that break.
+    fragile: Vec<Fragile>,
     /// Bounds on their fastest oscillation `[rad/s]` and decay `[1/s]`.
     pub(super) rates: [f64; 2],
 }
 
-/// What ties do: to each body, what their dampers take, and power of the led pins that they pull at `[W]`.
+/// A spring that breaks.
+#[derive(Clone, Copy, Debug)]
+struct Fragile {
+    /// Places among the seats.
+    ends: [u32; 2],
+    /// The length at which it does `[m]`.
+    most: f64,
+    /// Which bond of the world it is.
+    bond: u32,
+}
+
+impl Fragile {
+    fn of(&(name, bond): &(u32, Bond)) -> Option<Self> {
+        let Bond { rest_length: rest, break_strain: strain, .. } = bond;
+        let most = if rest > 0.0 { rest * (1.0 + strain) } else { strain };
+        most.is_finite().then_some(Fragile { ends: [bond.a.0, bond.b.0], most, bond: name })
+    }
+}
+
+/// What ties do: to each body; what their dampers take, power of the led pins that they pull at, and of their drives `[W]`.
 pub(super) struct Pulled {
     pub(super) pushes: Vec<Push>,
     pub(super) taken: f64,
     pub(super) led: f64,
+    pub(super) driven: f64,
 }
 
 impl Ties {
     /// None.
     pub(crate) fn none() -> Self {
-        Ties { seats: Vec::new(), springs: Springs::none(), form: Form::none(), rates: [0.0; 2] }
+        Ties {
+            seats: Vec::new(),
+            springs: Springs::none(),
+            form: Form::none(),
+            driven: Driven::none(),
+            fragile: Vec::new(),
+            rates: [0.0; 2],
+        }
     }
 
-    /// Springs and angles between these seats, which they count; `rates`: bounds on their fastest oscillation `[rad/s]` and decay `[1/s]`.
-    pub(crate) fn new(seats: Vec<End>, springs: &[Bond], angles: &[Angle], rates: [f64; 2]) -> Self {
-        let hinges = angles.iter().map(|angle| Hinge::new(angle, angle.points.map(|point| point.0))).collect();
-        let springs = Springs::new(springs.iter(), seats.len());
-        Ties { seats, springs, form: Form { hinges, patches: Vec::new() }, rates }
+    /// Springs, with their numbers in the world, and angles between these seats, which they count.
+    ///
+    /// `w`: inverse masses of the points there `[1/kg]`; `rates`: bounds on their fastest oscillation `[rad/s]` and decay `[1/s]`.
+    pub(crate) fn new(
+        seats: Vec<End>,
+        springs: &[(u32, Bond)],
+        angles: &[Angle],
+        (w, rates): (&[f64], [f64; 2]),
+    ) -> Self {
+        let hinges: Vec<Hinge<f64>> =
+            angles.iter().map(|angle| Hinge::new(angle, angle.points.map(|point| point.0))).collect();
+        let driven = Driven::of(springs.iter().map(|(_, bond)| bond), hinges.iter().copied(), w);
+        let fragile = springs.iter().filter_map(Fragile::of).collect();
+        let springs = Springs::new(springs.iter().map(|(_, bond)| bond), seats.len());
+        Ties { seats, springs, form: Form { hinges, patches: Vec::new() }, driven, fragile, rates }
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -45,7 +90,32 @@ impl Ties {
 
     /// Whether any has a damper.
     pub(super) fn is_damped(&self) -> bool {
-        self.springs.is_damped() || self.form.is_damped()
+        self.springs.is_damped() || self.form.is_damped() || self.driven.has_motors()
+    }
+
+    /// Whether drives push by any.
+    pub(super) fn are_driven(&self) -> bool {
+        !self.driven.is_empty()
+    }
+
+    /// Whether any may break.
+    pub(super) fn may_break(&self) -> bool {
+        !self.fragile.is_empty()
+    }
+
+    /// By how much each that breaks is shorter than it may be `[m]`: below 0 it is gone.
+    pub(super) fn spare(&self, stand: Stand) -> impl Iterator<Item = f64> {
+        self.fragile.iter().map(move |fragile| {
+            let [a, b] = fragile.ends.map(|end| stand.at(self.seats[end as usize]));
+            fragile.most - length(sub(a, b))
+        })
+    }
+
+    /// The numbers in the world of those that break where they are so long, but for rounding.
+    pub(super) fn broken(&self, stand: Stand) -> Vec<u32> {
+        let is_gone =
+            |(fragile, spare): (&Fragile, f64)| (spare <= ROUNDED * (1.0 + fragile.most)).then_some(fragile.bond);
+        self.fragile.iter().zip(self.spare(stand)).filter_map(is_gone).collect()
     }
 
     /// What they do to each body, dampers apart, and what led pins do by them.
@@ -53,7 +123,8 @@ impl Ties {
         let (x, mut force) = (self.places(stand), vec![[0.0; 2]; self.seats.len()]);
         pull_at_rest(self.springs.iter().as_slice(), &x, &mut force);
         self.form.pull_at_rest(&x, &mut force);
-        Pulled { pushes: self.gathered(stand, &x, &force), taken: 0.0, led: self.led(stand, &force) }
+        self.drive(stand, (&x, &x), &mut force);
+        Pulled { pushes: self.gathered(stand, &x, &force), taken: 0.0, led: self.led(stand, &force), driven: 0.0 }
     }
 
     /// What they do to each body, dampers included, what those take, and what led pins do.
@@ -65,9 +136,21 @@ impl Ties {
         self.form.pull(&x, &v, &mut both[0]);
         pull_at_rest(self.springs.iter().as_slice(), &x, &mut both[1]);
         self.form.pull_at_rest(&x, &mut both[1]);
-        let [all, still] = &both;
-        let taken = all.iter().zip(still).zip(&v).map(|((all, still), v)| dot(sub(*still, *all), *v)).sum();
-        Pulled { pushes: self.gathered(stand, &x, all), taken, led: self.led(stand, all) }
+        let [mut all, still] = both;
+        let taken = all.iter().zip(&still).zip(&v).map(|((all, still), v)| dot(sub(*still, *all), *v)).sum();
+        let driven = self.drive(stand, (&x, &v), &mut all);
+        Pulled { pushes: self.gathered(stand, &x, &all), taken, led: self.led(stand, &all), driven }
+    }
+
+    /// Adds what drives push, and returns their power `[W]` at these velocities.
+    fn drive(&self, stand: Stand, (x, v): (&[[f64; 2]], &[[f64; 2]]), force: &mut [[f64; 2]]) -> f64 {
+        let Some(Clock { time, keys }) = stand.clock.filter(|_| self.are_driven()) else { return 0.0 };
+        let mut power = 0.0;
+        self.driven.each((time, keys), (x, v), |i, push| {
+            force[i] = add(force[i], push);
+            power += dot(push, v[i]);
+        });
+        power
     }
 
     /// Power of led pins that these forces pull at `[W]`.

@@ -1,7 +1,8 @@
-//! How bodies that joints hold together answer to impulses at the points that touch something.
+//! How bodies that joints hold together answer to impulses where they meet something.
 
-use super::inertia::{Contact, Inertia};
+use super::inertia::Inertia;
 use super::joints::Factored;
+use super::meeting::Meeting;
 use super::motion::Twist;
 use crate::sim::contact::coulomb::coupled::{Coupled, Speeds};
 use crate::sim::contact::coulomb::{Impulse, Pressed, Rub, press_or_stop};
@@ -12,10 +13,10 @@ const HELD: f64 = 1e-10;
 /// Share of an energy that is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Bodies in joints, and where they touch: each contact with the number of its body.
+/// Bodies in joints, and where they touch.
 pub(super) struct Together<'a> {
     pub(super) joints: &'a Factored<'a>,
-    contacts: &'a [(u32, Contact)],
+    contacts: &'a [Meeting],
     /// What an impulse of 1 does to all bodies: along the normal of each contact and across it.
     columns: Vec<Vec<Twist>>,
     /// What that is at all contacts.
@@ -23,17 +24,17 @@ pub(super) struct Together<'a> {
 }
 
 impl<'a> Together<'a> {
-    pub(super) fn new(joints: &'a Factored<'a>, contacts: &'a [(u32, Contact)]) -> Self {
+    pub(super) fn new(joints: &'a Factored<'a>, contacts: &'a [Meeting]) -> Self {
         let (mut columns, mut gives) = (Vec::new(), Vec::new());
-        let speeds = |twists: &[Twist]| contacts.iter().map(|(body, of)| of.speeds(&twists[*body as usize])).collect();
-        for (k, (body, contact)) in contacts.iter().enumerate() {
+        let speeds = |twists: &[Twist]| contacts.iter().map(|of| of.rates(twists)).collect();
+        for (k, contact) in contacts.iter().enumerate() {
             for (axis, impulse) in [[1.0, 0.0], [0.0, 1.0]].into_iter().enumerate() {
                 let mut column = vec![Twist::STILL; joints.inertias.len()];
-                let alone = joints.inertias[*body as usize].pushed(&Twist::STILL, contact, impulse);
-                column[*body as usize] = alone;
+                contact.push(joints.inertias, &mut column, impulse);
+                let alone = contact.rates(&column)[axis];
                 joints.hold(&mut column, &[]);
-                let own = contact.speeds(&column[*body as usize])[axis];
-                if own <= HELD * contact.speeds(&alone)[axis] {
+                let own = contact.rates(&column)[axis];
+                if own <= HELD * alone {
                     column.fill(Twist::STILL);
                 }
                 let all: Vec<[f64; 2]> = speeds(&column);
@@ -49,30 +50,31 @@ impl<'a> Together<'a> {
 
     /// What the law asks of each contact.
     pub(super) fn rubs(&self) -> Vec<Rub> {
-        self.contacts.iter().map(|(_, contact)| contact.rub).collect()
+        self.contacts.iter().map(|contact| contact.rub).collect()
     }
 
-    /// The work `[J]` of points that are led, where joints and these impulses made the second of two motions of the first.
-    pub(super) fn work_of_leads(&self, (before, after): (&[Twist], &[Twist]), impulses: &[Impulse]) -> f64 {
-        if !self.joints.is_led {
-            return 0.0;
+    /// The work `[J]` of points that are led, and of drives, where joints and these impulses made the second of two motions of the first.
+    pub(super) fn works(&self, (before, after): (&[Twist], &[Twist]), impulses: &[Impulse]) -> [f64; 2] {
+        if !self.joints.does_work() {
+            return [0.0; 2];
         }
         let between = |(from, to): (&Twist, &Twist)| Twist {
             velocity: sub(to.velocity, from.velocity),
             spin: to.spin - from.spin,
         };
         let mut changes: Vec<Twist> = before.iter().zip(after).map(between).collect();
-        for ((body, contact), impulse) in self.contacts.iter().zip(impulses) {
-            let change = &mut changes[*body as usize];
-            let back = impulse.map(|push| -push);
-            *change = self.joints.inertias[*body as usize].pushed(change, contact, back);
+        let mut work = 0.0;
+        for (contact, impulse) in self.contacts.iter().zip(impulses) {
+            contact.push(self.joints.inertias, &mut changes, impulse.map(|push| -push));
+            work += contact.work_of_lead(impulse[0]);
         }
-        self.joints.work_of_leads(&changes)
+        let [led, driven] = self.joints.works(&changes);
+        [led + work, driven]
     }
 
     /// The direction along the surface of a contact.
     pub(super) fn tangent(&self, contact: usize) -> [f64; 2] {
-        self.contacts[contact].1.tangent()
+        self.contacts[contact].tangent()
     }
 
     /// The motion that keeps joints and surfaces by Coulomb's law, from one that need not; rows of joints get their targets.
@@ -91,10 +93,9 @@ impl<'a> Together<'a> {
 
     /// What the law needs to know of a motion that keeps the joints.
     pub(super) fn seen(&self, twists: &[Twist]) -> Speeds {
-        let of = |(body, contact): &(u32, Contact)| contact.speeds(&twists[*body as usize]);
         let energy = |(of, twist): (&Inertia, &Twist)| of.energy(twist);
         Speeds {
-            speeds: self.contacts.iter().map(of).collect(),
+            speeds: self.contacts.iter().map(|contact| contact.speeds(twists)).collect(),
             energy: self.joints.inertias.iter().zip(twists).map(energy).sum(),
         }
     }

@@ -176,7 +176,7 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
             if last >= -self.touch || self.gap(start, touch) < -self.touch {
                 continue;
             }
-            first = Some(self.root(gap, (latest, last)));
+            first = Some(closing(gap, (latest, last), self.touch));
         }
         first
     }
@@ -207,13 +207,6 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
             first = Some(narrowed(root, ahead, 0.5 * still));
         }
         first
-    }
-
-    /// When a gap closes that is below 0 at the end.
-    fn root(&self, gap: impl Fn(f64) -> f64, end: (f64, f64)) -> f64 {
-        let starts = std::iter::once(0.0).chain((1..=LOOKS).map(|k| end.0 * 0.5_f64.powi(k)));
-        let Some(start) = starts.map(|time| (time, gap(time))).find(|(_, gap)| *gap > self.touch) else { return 0.0 };
-        narrowed(Root::between(start, end), gap, 0.5 * self.touch)
     }
 
     /// The points that are behind surfaces, by more than counts as none.
@@ -264,8 +257,15 @@ pub(super) fn way(motion: &Motion, h: f64, pushed: f64) -> f64 {
     2.0 * (dot(v, v).sqrt() * h + pushed * h * h)
 }
 
+/// When a gap closes that is below 0 at the end, up to what counts as none.
+pub(super) fn closing(gap: impl Fn(f64) -> f64, end: (f64, f64), none: f64) -> f64 {
+    let starts = std::iter::once(0.0).chain((1..=LOOKS).map(|k| end.0 * 0.5_f64.powi(k)));
+    let Some(start) = starts.map(|time| (time, gap(time))).find(|(_, gap)| *gap > none) else { return 0.0 };
+    narrowed(Root::between(start, end), gap, 0.5 * none)
+}
+
 /// Where a function is 0 within a bracket, or no further from it than `nothing`.
-fn narrowed(mut root: Root, of: impl Fn(f64) -> f64, nothing: f64) -> f64 {
+pub(super) fn narrowed(mut root: Root, of: impl Fn(f64) -> f64, nothing: f64) -> f64 {
     let mut time = root.guess();
     for _ in 0..MOST_GUESSES {
         let value = of(time);

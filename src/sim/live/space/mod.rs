@@ -114,7 +114,7 @@ impl<S: Real> Space<S> {
 }
 
 impl<S: Real> Mover<S, 3> for Space<S> {
-    fn begin(&mut self, _points: &mut Points<S, 3>) {}
+    fn begin(&mut self, _points: &mut Points<S, 3>, _around: &Environment<3>, _t: f64) {}
 
     fn step(
         &mut self,
