@@ -57,6 +57,11 @@ pub fn rendered(scene: &str, time: &str, size: &str) -> image::RgbaImage {
     image::open(out).unwrap().to_rgba8()
 }
 
+/// Whether a variable of the environment asks for this, or for nothing.
+pub fn is_asked(variable: &str, name: &str) -> bool {
+    std::env::var(variable).map_or(true, |asked| asked == name)
+}
+
 /// A number from a variable of the environment: figures that take long are run whole by it.
 pub fn asked(variable: &str, otherwise: f64) -> f64 {
     std::env::var(variable).map_or(otherwise, |text| text.parse().unwrap())
