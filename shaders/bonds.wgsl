@@ -72,6 +72,9 @@ fn strain_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
 
 // A colour of what keeps its length, such as rods: that of the largest strain where it is stretched all the same. Plain strokes stay plain.
 fn stretched(bond: Bond, color: vec4<f32>, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
+    if !FORMS {
+        return color;
+    }
     let is_rigid = is_set(frame.coil_length, a.x) && (bond.kind == ROD || (is_rope(bond) && bond.rest_length < 0.0));
     let share = select(0.0, smoothstep(STRETCHED.x, STRETCHED.y, strain_of(bond, a, b)), is_rigid);
     return vec4(mix(color.rgb, frame.strain_colors[8].rgb, share), color.a);
@@ -100,13 +103,13 @@ fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
     if MAPS && is_set(frame.difference_scale, a.x) {
         return vec4(difference_color(0.5 * (values[bond.a] + values[bond.b])).rgb, frame.bond_color.a);
     }
-    if bond.kind == MUSCLE && is_set(frame.coil_length, a.x) {
+    if FORMS && bond.kind == MUSCLE && is_set(frame.coil_length, a.x) {
         return vec4(FLESH, frame.bond_color.a);
     }
     if (bond.own & OF_COLOR) != 0u && ((bond.own & COVERED) == 0u || !is_set(frame.fill_opacity, a.x)) {
         return stretched(bond, vec4(unpack4x8unorm(own[bond.a].x).rgb, frame.bond_color.a), a, b);
     }
-    if is_rope(bond) && is_set(frame.coil_length, a.x) {
+    if FORMS && is_rope(bond) && is_set(frame.coil_length, a.x) {
         return stretched(bond, frame.rope_color, a, b);
     }
     return stretched(bond, frame.bond_color, a, b);
@@ -177,6 +180,17 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
     }
     let plain = stroke(index % 6u, a, b, tint_of(bond, a, b), width);
     return Strand(plain.position, plain.line, plain.color, plain.size, form);
+}
+
+// One without a form, in the plane.
+@vertex
+fn short_vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32) -> Strand {
+    let bond = bond_at(chunk * CHUNK + index / 3u);
+    let a = position_of(bond.a);
+    let b = position_of(bond.b);
+    let width = max(frame.bond_width, own_width(bond, a, b));
+    let plain = short_stroke(index % 3u, a, b, tint_of(bond, a, b), width);
+    return Strand(plain.position, plain.line, plain.color, plain.size, vec4(0.0));
 }
 
 @fragment

@@ -60,12 +60,12 @@ fn color_at(ink: u32, point: u32) -> vec3<f32> {
 fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     let primitive = primitives[index / 6u];
     let corner = index % 6u;
-    let kind = (primitive.ink >> 24u) & ~PAINTED;
+    let kind = select((primitive.ink >> 24u) & ~PAINTED, CELL, KINDS == 2u);
     var out: Fill;
     out.color = vec4(color_of(primitive.ink), 1.0);
     out.size.z = f32(kind);
-    if kind == FILL || kind == UNDER || kind == CELL {
-        let marked = primitive.points[corner];
+    if KINDS != 0u || kind == FILL || kind == UNDER || kind == CELL {
+        let marked = primitives[index / 6u].points[corner];
         let point = select(marked, marked & ~FRAYED, kind == CELL);
         let place = position_of(point);
         out.color = vec4(color_at(primitive.ink, point), 1.0);
@@ -114,6 +114,26 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         return out;
     }
     return shadow(out, corner, a, b, position_of(primitive.points[0]), position_of(primitive.points[3]));
+}
+
+// A corner of a cell of a net where no map is shown: it has its colour alone, which in the plane needs no perspective.
+struct Cell {
+    @builtin(position) position: vec4<f32>,
+    @location(0) @interpolate(linear) color: vec4<f32>,
+}
+
+@vertex
+fn cell_vertex(@builtin(vertex_index) index: u32) -> Cell {
+    let marked = primitives[index / 6u].points[index % 6u];
+    let point = marked & ~FRAYED;
+    let color = dimmed(color_at(primitives[index / 6u].ink, point));
+    let opacity = frame.fill_opacity * CELL_OPACITY.x * select(1.0, FADED, marked != point);
+    return Cell(frame.clip_from_world * vec4(position_of(point), 1.0), vec4(color, opacity));
+}
+
+@fragment
+fn cell_fragment(in: Cell) -> @location(0) vec4<f32> {
+    return in.color;
 }
 
 // Turns of an outline from one side to the next up to which it is round, and from which on it has a corner [rad]: those of a regular polygon
@@ -284,9 +304,14 @@ fn round_color(in: Fill, color: vec3<f32>) -> vec4<f32> {
     return fogged(vec4(color, clamp(0.5 - off, 0.0, 1.0)), in.position.w);
 }
 
+// The colour of a body as what is within its outline has it.
+fn dimmed(color: vec3<f32>) -> vec3<f32> {
+    return mix(frame.ground.rgb, color, 0.8);
+}
+
 // What a body is filled with: its colour, or that of what is shown in place of it.
 fn flesh_color(in: Fill) -> vec3<f32> {
-    var color = mix(frame.ground.rgb, in.color.rgb, 0.8);
+    var color = dimmed(in.color.rgb);
     if MAPS && is_set(frame.strain_scale, in.position.x) {
         color = strain_color(in.shade.w).rgb;
     }
@@ -310,7 +335,7 @@ fn line_color(in: Fill, kind: u32) -> vec4<f32> {
         // Limbs lie on each other: on a bright ground a dark rim parts them.
         let is_bright = dot(frame.ground.rgb, vec3(0.3, 0.6, 0.1)) > 0.5;
         let rim = select(own, SHADE * in.color.rgb, is_bright && !is_map);
-        var flesh = mix(frame.ground.rgb, in.color.rgb, 0.8);
+        var flesh = dimmed(in.color.rgb);
         if MAPS {
             flesh = select(flesh, strain_color(0.0).rgb, frame.strain_scale > 0.0);
         }
@@ -356,13 +381,13 @@ fn arc_color(in: Fill, rim: vec3<f32>) -> vec4<f32> {
 @fragment
 fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec4<f32> {
     let steps = max(fwidth(in.share), vec3(1e-6));
-    let kind = u32(in.size.z + 0.5);
+    let kind = select(u32(in.size.z + 0.5), CELL, KINDS == 2u);
     // In space triangles are drawn by themselves: they alone write their depth.
-    if PART != 1u && kind != FILL && kind != UNDER && kind != CELL {
+    if KINDS == 0u && PART != 1u && kind != FILL && kind != UNDER && kind != CELL {
         return line_color(in, kind);
     }
     var color = flesh_color(in);
-    if DIMENSIONS == 2u && kind == CELL {
+    if DIMENSIONS == 2u && KINDS != 1u && kind == CELL {
         let is_map = (frame.strain_scale > 0.0) | (frame.difference_scale > 0.0);
         return vec4(color, frame.fill_opacity * in.shade.x * select(CELL_OPACITY.x, CELL_OPACITY.y, is_map));
     }

@@ -43,18 +43,43 @@ fn stroke(vertex: u32, world_a: vec3<f32>, world_b: vec3<f32>, color: vec4<f32>,
     }
     let from_pixel = pixel_of(a);
     let to_pixel = pixel_of(b);
-    let span = to_pixel - from_pixel;
-    let extent = length(span);
-    // A stroke of no length is a dot.
-    let along = select(vec2(1.0, 0.0), span / max(extent, 1e-20), extent > 1e-6);
+    out = straight(from_pixel, to_pixel, color, width);
+    let along = out.line.zw;
     let across = vec2(-along.y, along.x);
     let corner = corner_of(vertex);
     let at_b = corner.x > 0.0;
     let offset = (along * corner.x + across * corner.y) * reach(0.5 * width, along);
     out.position = clip_of(select(from_pixel, to_pixel, at_b) + offset, select(a, b, at_b));
+    return out;
+}
+
+// A stroke between two pixels, whose corner is still to be placed.
+fn straight(from_pixel: vec2<f32>, to_pixel: vec2<f32>, color: vec4<f32>, width: f32) -> Stroke {
+    let span = to_pixel - from_pixel;
+    let extent = length(span);
+    // A stroke of no length is a dot.
+    let along = select(vec2(1.0, 0.0), span / max(extent, 1e-20), extent > 1e-6);
+    var out: Stroke;
     out.line = vec4(from_pixel, along);
     out.color = color;
     out.size = vec2(extent, 0.5 * width);
+    return out;
+}
+
+// The same in the plane, for the three vertices of a triangle around the quad: it has twice the pixels, which of a short stroke are few, and
+// is half as much to set up.
+fn short_stroke(vertex: u32, world_a: vec3<f32>, world_b: vec3<f32>, color: vec4<f32>, width: f32) -> Stroke {
+    let a = frame.clip_from_world * vec4(world_a, 1.0);
+    let from_pixel = pixel_of(a);
+    let to_pixel = pixel_of(frame.clip_from_world * vec4(world_b, 1.0));
+    var out = straight(from_pixel, to_pixel, color, width);
+    let along = out.line.zw;
+    let across = vec2(-along.y, along.x);
+    let beside = reach(out.size.y, along);
+    let half = 0.5 * out.size.x + beside;
+    // Across its beginning, to a point as far beyond its end.
+    let corner = array(vec2(-1.0, -2.0), vec2(3.0, 0.0), vec2(-1.0, 2.0))[vertex];
+    out.position = clip_of(0.5 * (from_pixel + to_pixel) + along * (corner.x * half) + across * (corner.y * beside), a);
     return out;
 }
 

@@ -6,6 +6,7 @@ use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
 use super::overlay::Overlay;
+use super::painter::{Painter, over};
 use crate::render::{Ensemble, Gpu, Pane, RenderCounters, RenderError};
 
 /// Panels ready to be painted, again and again.
@@ -30,7 +31,7 @@ pub(super) struct Canvas {
     config: wgpu::SurfaceConfiguration,
     ensemble: Ensemble,
     dimensions: usize,
-    panels: egui_wgpu::Renderer,
+    panels: Painter,
     overlay: Overlay,
     /// The surface must be configured before it is drawn to.
     outdated: bool,
@@ -52,8 +53,7 @@ impl Canvas {
         let gpu = Gpu::open(&instance, Some(&surface))?;
         let config = configuration(&gpu, &surface, &window)?;
         let ensemble = Ensemble::new(&gpu, config.format, dimensions);
-        let options = egui_wgpu::RendererOptions { dithering: false, ..Default::default() };
-        let panels = egui_wgpu::Renderer::new(&gpu.device, config.format, options);
+        let panels = Painter::new(&gpu, config.format);
         let overlay = Overlay::new(&gpu, config.format);
         Ok(Canvas { window, instance, surface, gpu, config, ensemble, dimensions, panels, overlay, outdated: true })
     }
@@ -106,34 +106,18 @@ impl Canvas {
     ///
     /// Errors: the GPU gave up, or a world too large for it; a surface that is only out of date is not an error.
     pub(super) fn draw(&mut self, panes: &[Pane<'_>], area: [u32; 2], paint: &mut Paint) -> Result<(), RenderError> {
-        self.apply_textures(paint);
+        // Panels' textures are taken in every frame, drawn or not.
+        if !paint.textures.set.is_empty() {
+            self.overlay.spoil();
+        }
+        self.panels.take_textures(&self.gpu, &mut paint.textures);
         let drawn = match self.next_texture()? {
             Some(texture) => self.draw_to(texture, panes, area, paint),
             None => Ok(()),
         };
-        self.free_textures(paint);
+        self.panels.free_textures(&mut paint.textures);
         drawn?;
         self.gpu.check()
-    }
-
-    /// Panels' textures must be applied on every frame, drawn or not.
-    #[allow(clippy::iter_over_hash_type, reason = "textures are independent of each other")]
-    fn apply_textures(&mut self, paint: &mut Paint) {
-        if !paint.textures.set.is_empty() {
-            self.overlay.spoil();
-        }
-        for (id, deltas) in paint.textures.set.drain() {
-            for delta in deltas {
-                self.panels.update_texture(&self.gpu.device, &self.gpu.queue, id, &delta);
-            }
-        }
-    }
-
-    #[allow(clippy::iter_over_hash_type, reason = "textures are independent of each other")]
-    fn free_textures(&mut self, paint: &mut Paint) {
-        for id in paint.textures.free.drain() {
-            self.panels.free_texture(&id);
-        }
     }
 
     /// The surface's next texture; `None` where there is nothing to draw on now.
@@ -181,20 +165,9 @@ impl Canvas {
         if std::mem::take(&mut paint.is_new) || !self.overlay.fits(size) {
             self.overlay.paint(&self.gpu, &mut self.panels, (&paint.jobs, &screen));
         }
-        let (device, queue) = (&self.gpu.device, &self.gpu.queue);
-        let mut commands = self.panels.update_buffers(device, queue, &mut encoder, &paint.marks, &screen);
-        let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("panels"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &target,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
-            })],
-            ..Default::default()
-        });
-        let mut pass = pass.forget_lifetime();
-        self.panels.render(&mut pass, &paint.marks, &screen);
+        let mut commands = self.panels.upload(&self.gpu, &mut encoder, (&paint.marks, &screen));
+        let mut pass = over(&mut encoder, &target);
+        self.panels.paint(&mut pass, (&paint.marks, &screen));
         pass.set_viewport(0.0, 0.0, size[0] as f32, size[1] as f32, 0.0, 1.0);
         self.overlay.draw(&mut pass);
         drop(pass);

@@ -20,6 +20,7 @@ mod matter;
 pub mod meter;
 pub mod opening;
 mod overlay;
+mod painter;
 mod panels;
 pub mod player;
 mod plots;

@@ -13,7 +13,7 @@ use super::{progress, values};
 use crate::app::distances;
 use crate::app::opening::{self, Followed};
 use crate::app::player::driven;
-use crate::app::words;
+use crate::app::words::Labels;
 use crate::history::{Companion, Do, Entry, Replay, Start, chunk, distances};
 use crate::output;
 use crate::picture::{Skin, Tint};
@@ -126,6 +126,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let mut beside = Neighbors::new(&start, scene)?;
     beside.name(&tiles)?;
     let mut capture = Capture::new(arguments.size, scene.dimensions())?;
+    let mut labels = Labels::new(&scene.labels, (arguments.palette.into(), scale_factor));
     let count = arguments.count();
     let bar = progress::frames(quiet, u64::from(count));
     let mut animation = Vec::new();
@@ -154,8 +155,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
                 Pane::of(&tiles, place, view, &camera, look, arguments.size)
             })
             .collect();
-        let mut picture = capture.pictures(&panes)?;
-        words::label(&mut picture, &scene.labels, &panes, (arguments.palette.into(), scale_factor));
+        let picture = labels.picture(&mut capture, &panes)?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
             let scene = inside(&run)?;

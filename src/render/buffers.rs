@@ -66,6 +66,8 @@ pub(super) struct WorldBuffers {
     pub(super) origin: DVec3,
     /// Middle one of the rest lengths `[m]`; 0 without bonds.
     pub(super) typical_bond: f64,
+    /// Bonds are drawn as short strokes without forms.
+    pub(super) are_short: bool,
     /// The same of bonds that are covered.
     pub(super) covered_bond: f64,
     /// The parts of a large scene.
@@ -109,6 +111,7 @@ impl WorldBuffers {
             forms: SeenForms::default(),
             origin: DVec3::ZERO,
             typical_bond: 0.0,
+            are_short: false,
             covered_bond: 0.0,
             chunks: None,
             selected: None,

@@ -98,6 +98,18 @@ impl Capture {
     ///
     /// Errors: as there.
     pub fn pictures(&mut self, panes: &[Pane<'_>]) -> Result<RgbaImage, RenderError> {
+        self.pictures_below(panes, |_, _, _| Vec::new())
+    }
+
+    /// The same, with what `over` draws into the picture before it is read: it encodes its passes, and returns commands that go before them.
+    /// Where nothing of the worlds changed it is not called, and the last picture is read once more.
+    ///
+    /// Errors: as there.
+    pub fn pictures_below(
+        &mut self,
+        panes: &[Pane<'_>],
+        over: impl FnOnce(&Gpu, &mut wgpu::CommandEncoder, &wgpu::TextureView) -> Vec<wgpu::CommandBuffer>,
+    ) -> Result<RgbaImage, RenderError> {
         let before = self.ensemble.counters().uploads;
         // Gone if this fails halfway: then the next picture is drawn whatever it is.
         let drawn = self.drawn.take();
@@ -106,17 +118,22 @@ impl Capture {
         let clips = panes.iter().map(|pane| pane.clip).collect();
         let wanted = Some((look.ground, look.has_mesh, look.has_fills, clips));
         if self.ensemble.counters().uploads != before || drawn != wanted {
-            self.draw(panes);
+            self.draw(panes, over);
         }
         self.drawn = wanted;
         self.read()
     }
 
     /// Draws what was prepared, and copies it to where it can be read.
-    fn draw(&mut self, panes: &[Pane<'_>]) {
+    fn draw(
+        &mut self,
+        panes: &[Pane<'_>],
+        over: impl FnOnce(&Gpu, &mut wgpu::CommandEncoder, &wgpu::TextureView) -> Vec<wgpu::CommandBuffer>,
+    ) {
         let target = self.texture.create_view(&Default::default());
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         self.ensemble.draw(&self.gpu, &mut encoder, &target, (self.size, self.size), panes);
+        let mut commands = over(&self.gpu, &mut encoder, &target);
         let [width, height] = self.size;
         encoder.copy_texture_to_buffer(
             self.texture.as_image_copy(),
@@ -130,7 +147,8 @@ impl Capture {
             },
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );
-        self.ensemble.submit(&self.gpu, [encoder.finish()]);
+        commands.push(encoder.finish());
+        self.ensemble.submit(&self.gpu, commands);
     }
 
     fn read(&self) -> Result<RgbaImage, RenderError> {

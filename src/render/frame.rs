@@ -132,6 +132,11 @@ impl Frame {
         self.outline_width
     }
 
+    /// Width of a bond `[px]`.
+    pub(super) fn bond_width(&self) -> f32 {
+        self.bond_width
+    }
+
     /// Length of a spring from which on it is a coil `[px]`; 0: bonds have no forms.
     pub(super) fn coil_length(&self) -> f32 {
         self.coil_length

@@ -8,7 +8,7 @@ use std::ops::Range;
 use super::buffers::{BOUND, WorldBuffers};
 use super::chunks::{CHUNK, Run};
 use super::counters::RenderCounters;
-use super::fills::Fills;
+use super::fills::{Fills, Kinds};
 use super::gpu::Gpu;
 use super::obstacles::{COVER, Obstacles, SHARES};
 use super::quads::{QUAD, Quads};
@@ -47,6 +47,8 @@ enum Pass {
     Dots,
     /// Bonds as strokes.
     Strokes,
+    /// The same by a triangle around each, in the plane, where they are short and none has a form.
+    ShortStrokes,
     Points,
     Region,
     /// Balls and boxes, in space.
@@ -72,15 +74,15 @@ enum Pass {
     Obstacles,
 }
 
-/// Vertices of a disc.
-const DISC: u32 = 3;
+/// Vertices of a disc, and of a short stroke.
+const TRIANGLE: u32 = 3;
 
 impl Pass {
     /// Its shader, as an index of [`SHADERS`].
     fn shader(self) -> usize {
         match self {
             Pass::Guides => 0,
-            Pass::Dots | Pass::Strokes => 1,
+            Pass::Dots | Pass::Strokes | Pass::ShortStrokes => 1,
             Pass::Points => 2,
             Pass::Region => 3,
             Pass::Solids => 4,
@@ -94,6 +96,7 @@ impl Pass {
     fn entry_points(self) -> [&'static str; 2] {
         match self {
             Pass::Dots => ["dot_vertex", "dot_fragment"],
+            Pass::ShortStrokes => ["short_vertex", "fragment"],
             Pass::Shadow => ["vertex", "shadow_fragment"],
             Pass::SkinRind => ["rind_vertex", "fragment"],
             Pass::SkinEdges => ["edge_vertex", "edge_fragment"],
@@ -107,7 +110,7 @@ impl Pass {
 
     /// Whether it may show a map by colours: its shader is another then, for a driver without a GPU works out both sides of a branch.
     fn has_maps(self) -> bool {
-        matches!(self, Pass::Dots | Pass::Strokes | Pass::Points | Pass::Fill)
+        matches!(self, Pass::Dots | Pass::Strokes | Pass::ShortStrokes | Pass::Points | Pass::Fill)
     }
 
     /// Whether it may show bonds as what they are: likewise.
@@ -131,9 +134,14 @@ impl Pass {
         let selection = &buffers.selection;
         let mut calls = match self {
             Pass::Guides => vec![[0..QUAD * buffers.guide_counts[0], 0..1]],
-            Pass::Dots => selection.dots.iter().map(|run| call(run, DISC)).collect(),
-            Pass::Strokes => selection.strokes.iter().map(|run| call(run, QUAD)).collect(),
-            Pass::Points => selection.points.iter().map(|range| [DISC * range.start..DISC * range.end, 0..1]).collect(),
+            Pass::Dots => selection.dots.iter().map(|run| call(run, TRIANGLE)).collect(),
+            Pass::Strokes if !buffers.are_short => selection.strokes.iter().map(|run| call(run, QUAD)).collect(),
+            Pass::ShortStrokes if buffers.are_short => {
+                selection.strokes.iter().map(|run| call(run, TRIANGLE)).collect()
+            }
+            Pass::Points => {
+                selection.points.iter().map(|range| [TRIANGLE * range.start..TRIANGLE * range.end, 0..1]).collect()
+            }
             Pass::Region => vec![[0..QUAD * u32::from(has_region), 0..1]],
             Pass::Solids => vec![[0..QUAD * buffers.solid_count, 0..1]],
             _ => Vec::new(),
@@ -170,7 +178,7 @@ const OVER_FILLS: wgpu::DepthBiasState = wgpu::DepthBiasState { constant: -64, s
 fn layers(dimensions: usize) -> Vec<(Pass, Part)> {
     let solid: &[Pass] = match dimensions {
         3 => &[Pass::Guides, Pass::Solids, Pass::Dots, Pass::Strokes, Pass::Points],
-        _ => &[Pass::Guides, Pass::Dots, Pass::Strokes, Pass::Points],
+        _ => &[Pass::Guides, Pass::Dots, Pass::Strokes, Pass::ShortStrokes, Pass::Points],
     };
     let parts: &[Part] = if dimensions == 3 { &[Part::Core, Part::Fringe] } else { &[Part::All] };
     let solid = parts.iter().flat_map(|&part| solid.iter().map(move |&pass| (pass, part)));
@@ -200,8 +208,8 @@ pub(super) struct Passes {
     pipelines: Vec<(Pass, [[wgpu::RenderPipeline; 2]; 2])>,
     /// Of the floor and its shadow, below all else. In space alone.
     floor: Option<[wgpu::RenderPipeline; 2]>,
-    /// Of fills, and in space of their outlines, likewise: below the skins.
-    fill: [[wgpu::RenderPipeline; 2]; 2],
+    /// Of fills, by what is drawn of them, likewise: below the skins.
+    fill: [[wgpu::RenderPipeline; Kinds::ALL.len()]; 2],
     /// Of what of skins is beside triangles, of these, and of their edges: over the first guides.
     skin: [wgpu::RenderPipeline; 3],
     /// What obstacles cover, that alone, their rims along edges and everywhere, and all as it is shown: below the skins. In the plane alone.
@@ -227,7 +235,7 @@ impl Passes {
         let own_to_world = [&layout];
         let pipelines = layers.map(|(pass, part)| {
             let made = |forms: bool, maps: bool| {
-                let what = (pass, part, maps, forms);
+                let what = (pass, part, maps, forms, Kinds::Any);
                 pipeline(&gpu.device, &own_to_world, &modules[pass.shader()], what, format, dimensions)
             };
             let both = |forms: bool| {
@@ -235,14 +243,14 @@ impl Passes {
                 let mapped = if pass.has_maps() { made(forms, true) } else { plain.clone() };
                 [plain, mapped]
             };
-            let formed = both(true);
+            let formed = both(pass.has_forms());
             let bare = if pass.has_forms() { both(false) } else { formed.clone() };
             (pass, [bare, formed])
         });
         let pipelines = pipelines.collect();
         let floor = (dimensions == 3).then(|| {
             [Pass::Floor, Pass::Shadow].map(|pass| {
-                let what = (pass, Part::All, false, true);
+                let what = (pass, Part::All, false, true, Kinds::Any);
                 pipeline(&gpu.device, &own_to_world, &modules[pass.shader()], what, format, dimensions)
             })
         });
@@ -251,11 +259,19 @@ impl Passes {
         let [worn, covered, filled] = own.map(|own| [&layout, own]);
         let parts = [(Pass::SkinRind, Part::All), (Pass::Skin, solid), (Pass::SkinEdges, Part::All)];
         let skin = parts.map(|(pass, part)| {
-            pipeline(&gpu.device, &worn, &modules[pass.shader()], (pass, part, false, true), format, dimensions)
+            pipeline(
+                &gpu.device,
+                &worn,
+                &modules[pass.shader()],
+                (pass, part, false, true, Kinds::Any),
+                format,
+                dimensions,
+            )
         });
         let fill = [false, true].map(|maps| {
-            [solid, Part::All].map(|part| {
-                let what = (Pass::Fill, part, maps, true);
+            Kinds::ALL.map(|kinds| {
+                let part = if kinds == Kinds::Any { Part::All } else { solid };
+                let what = (Pass::Fill, part, maps, true, kinds);
                 pipeline(&gpu.device, &filled, &modules[Pass::Fill.shader()], what, format, dimensions)
             })
         });
@@ -264,7 +280,7 @@ impl Passes {
             let passes = [(Pass::Cover, COVER, 1), plain, edges, rim, (Pass::Obstacles, format, 2)];
             passes.map(|(pass, format, groups)| {
                 let layouts = &covered[..groups];
-                let what = (pass, Part::All, false, true);
+                let what = (pass, Part::All, false, true, Kinds::Any);
                 pipeline(&gpu.device, layouts, &modules[pass.shader()], what, format, dimensions)
             })
         });
@@ -326,7 +342,7 @@ impl Passes {
                     obstacles.draw(target, pipelines, counters);
                 }
                 if shown.fills {
-                    fills.draw(shown.map, target, &self.fill[map], counters);
+                    fills.draw(shown.map, target, (&self.fill[map], &self.quads), counters);
                 }
                 if shown.fills && !shown.map {
                     skins.draw(target, &self.skin, counters);
@@ -401,12 +417,15 @@ fn pipeline(
     device: &wgpu::Device,
     layouts: &[&wgpu::BindGroupLayout],
     module: &wgpu::ShaderModule,
-    (pass, part, maps, forms): (Pass, Part, bool, bool),
+    (pass, part, maps, forms, kinds): (Pass, Part, bool, bool, Kinds),
     format: wgpu::TextureFormat,
     dimensions: usize,
 ) -> wgpu::RenderPipeline {
     let (name, _) = SHADERS[pass.shader()];
-    let [vertex, fragment] = pass.entry_points();
+    let [vertex, fragment] = match kinds {
+        Kinds::Cells if !maps => ["cell_vertex", "cell_fragment"],
+        _ => pass.entry_points(),
+    };
     let layouts: Vec<_> = layouts.iter().copied().map(Some).collect();
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(name),
@@ -418,6 +437,7 @@ fn pipeline(
         ("PART", f64::from(part as u32)),
         ("MAPS", f64::from(u8::from(maps))),
         ("FORMS", f64::from(u8::from(forms))),
+        ("KINDS", f64::from(kinds as u32)),
     ];
     let options = || wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
     // The region lies over everything; in the plane, what is drawn later does.
@@ -471,6 +491,6 @@ mod tests {
     fn a_run_is_a_draw_call() {
         let [one, many] = [(1, 1024), (3, 64)].map(|(chunks, count)| Run { first: 2048, count, chunks });
         assert_eq!(call(&one, QUAD), [6 * 2048..6 * 3072, 0..1]);
-        assert_eq!(call(&many, DISC), [0..3 * 64, 2..5]);
+        assert_eq!(call(&many, TRIANGLE), [0..3 * 64, 2..5]);
     }
 }

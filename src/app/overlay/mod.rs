@@ -5,6 +5,7 @@
 
 mod squares;
 
+use super::painter::{Painter, over};
 use crate::render::Gpu;
 
 /// Lays the picture over what is there: premultiplied, pixel by pixel.
@@ -89,11 +90,11 @@ impl Overlay {
         self.painted = None;
     }
 
-    /// Paints what changed of the picture by the panels' own renderer, in a submission of its own.
+    /// Paints what changed of the picture, in a submission of its own.
     pub(super) fn paint(
         &mut self,
         gpu: &Gpu,
-        renderer: &mut egui_wgpu::Renderer,
+        painter: &mut Painter,
         (jobs, screen): (&[egui::ClippedPrimitive], &egui_wgpu::ScreenDescriptor),
     ) {
         let size = screen.size_in_pixels;
@@ -116,24 +117,14 @@ impl Overlay {
         }
         let jobs = squares::cut(jobs, &parts, screen);
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let mut commands = renderer.update_buffers(&gpu.device, &gpu.queue, &mut encoder, &jobs, screen);
-        let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("panels"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
-            })],
-            ..Default::default()
-        });
-        let mut pass = pass.forget_lifetime();
+        let mut commands = painter.upload(gpu, &mut encoder, (&jobs, screen));
+        let mut pass = over(&mut encoder, view);
         pass.set_pipeline(&self.clear);
         for &[left, top, width, height] in &parts {
             pass.set_scissor_rect(left, top, width, height);
             pass.draw(0..3, 0..1);
         }
-        renderer.render(&mut pass, &jobs, screen);
+        painter.paint(&mut pass, (&jobs, screen));
         drop(pass);
         commands.push(encoder.finish());
         gpu.queue.submit(commands);
@@ -266,7 +257,6 @@ mod tests {
     }
 
     #[test]
-    #[allow(clippy::iter_over_hash_type, reason = "textures are independent of each other")]
     fn what_changed_is_painted_and_the_picture_is_the_same_as_one_that_is_painted_anew() {
         let gpu = match Gpu::headless() {
             Ok(gpu) => gpu,
@@ -274,37 +264,34 @@ mod tests {
             Err(_) => return,
         };
         let format = wgpu::TextureFormat::Rgba8Unorm;
-        let options = egui_wgpu::RendererOptions { dithering: false, ..Default::default() };
-        let mut renderer = egui_wgpu::Renderer::new(&gpu.device, format, options);
+        let mut painter = Painter::new(&gpu, format);
         let context = egui::Context::default();
         let screen = egui_wgpu::ScreenDescriptor { size_in_pixels: [320, 200], pixels_per_point: 1.0 };
         let mut overlay = Overlay::new(&gpu, format);
         let words =
             [("12.5 ms", [10.0, 160.0]), ("9.75 ms", [10.0, 160.0]), ("9.75 ms", [10.0, 120.0]), ("", [10.0, 120.0])];
         // The first frames fade in, and all signs are known after them.
-        let apply = |renderer: &mut egui_wgpu::Renderer, mut delta: egui::TexturesDelta| {
-            for (id, deltas) in delta.set.drain() {
-                deltas.iter().for_each(|delta| renderer.update_texture(&gpu.device, &gpu.queue, id, delta));
-            }
-            delta.clear();
+        let apply = |painter: &mut Painter, mut delta: egui::TexturesDelta| {
+            painter.take_textures(&gpu, &mut delta);
+            painter.free_textures(&mut delta);
         };
         for k in 0..40 {
             let (_, delta) = jobs(&context, words[k % 2].0, words[0].1);
-            apply(&mut renderer, delta);
+            apply(&mut painter, delta);
         }
         for (step, (word, places)) in words.into_iter().enumerate() {
             let (list, delta) = jobs(&context, word, places);
-            apply(&mut renderer, delta);
+            apply(&mut painter, delta);
             overlay.pixels = 0;
-            overlay.paint(&gpu, &mut renderer, (&list, &screen));
+            overlay.paint(&gpu, &mut painter, (&list, &screen));
             let painted = overlay.pixels;
             assert!(if step == 0 { painted == 64_000 } else { painted > 0 && painted < 20_000 }, "{step}: {painted}");
             let mut anew = Overlay::new(&gpu, format);
-            anew.paint(&gpu, &mut renderer, (&list, &screen));
+            anew.paint(&gpu, &mut painter, (&list, &screen));
             let [a, b] = [&overlay, &anew].map(|overlay| shown(&gpu, overlay, format));
             assert!(a.chunks(4).any(|pixel| pixel[3] > 0) && a == b, "{step}: {word}");
             overlay.pixels = 0;
-            overlay.paint(&gpu, &mut renderer, (&list, &screen));
+            overlay.paint(&gpu, &mut painter, (&list, &screen));
             assert_eq!(overlay.pixels, 0, "nothing changed");
         }
     }

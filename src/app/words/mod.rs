@@ -1,14 +1,15 @@
 //! Words over the world: where labels of a scene are seen, and how they and what tools say are painted.
 
-mod raster;
+mod labels;
 
-use egui::epaint::{ClippedShape, Shape};
-use egui::{Context, FontId, Pos2, Rect, Vec2, emath::TSTransform};
+pub use labels::Labels;
+
+use egui::epaint::Shape;
+use egui::{Context, FontId, Pos2, Rect, Vec2};
 use glam::{DVec2, DVec3};
-use image::RgbaImage;
 
 use super::panels::{kept_in, theme};
-use crate::render::{Camera, Palette, Pane, View};
+use crate::render::{Camera, View};
 use crate::scene::LabelKeys;
 
 /// Size of words over the world `[points]`.
@@ -83,35 +84,6 @@ fn place(view: &View<'_>, point: u32) -> Option<DVec3> {
     Some(DVec3::from(at)).filter(|at| at.is_finite())
 }
 
-/// Writes the labels of a scene into a picture of it, world by world, as the window does: `scale` is pixels of the picture in a logical one.
-pub fn label(picture: &mut RgbaImage, labels: &[LabelKeys], panes: &[Pane<'_>], (palette, scale): (Palette, f32)) {
-    if labels.is_empty() {
-        return;
-    }
-    let context = Context::default();
-    theme::apply(&context, palette);
-    let input = egui::RawInput {
-        screen_rect: Some(points([0, 0, picture.width(), picture.height()], scale)),
-        ..egui::RawInput::default()
-    };
-    context.set_pixels_per_point(scale);
-    let mut shapes = Vec::new();
-    let mut output = context.run_ui(input, |_| {
-        shapes.clear();
-        for pane in panes {
-            let clip_rect = points(pane.clip, scale);
-            let room = clip_rect.shrink(APART);
-            for (at, words) in seen(labels, &pane.view, &pane.camera, pane.clip) {
-                let at = Pos2::new(at.x as f32 / scale, at.y as f32 / scale);
-                let shape = written(&context, (at, Anchor::Middle), words, (room, None));
-                shapes.push(ClippedShape { clip_rect, shape, transform_after_tessellation: TSTransform::IDENTITY });
-            }
-        }
-    });
-    raster::paint(picture, &context.tessellate(shapes, scale), &output.textures_delta, scale);
-    output.textures_delta.clear();
-}
-
 /// A part of a picture in points.
 pub(super) fn points([left, top, width, height]: [u32; 4], scale: f32) -> Rect {
     let corner = |x: u32, y: u32| Pos2::new(x as f32 / scale, y as f32 / scale);
@@ -123,40 +95,7 @@ pub(super) fn points([left, top, width, height]: [u32; 4], scale: f32) -> Rect {
 mod tests {
     use super::*;
     use crate::app::opening;
-    use crate::render::{Look, Pose};
     use crate::scene::{Scene, gallery};
-    use crate::sim::{Bonds, Positions};
-
-    const SIZES: [[u32; 2]; 2] = [[320, 200], [120, 200]];
-
-    fn labels(text: &str) -> Vec<LabelKeys> {
-        let scene = format!(r#"{{"wobble": 1, "points": {{"position": [[0, 0], [1, 0]]}}, "labels": {text}}}"#);
-        Scene::parse(&scene, "test").unwrap().labels
-    }
-
-    /// Pixels of a picture of one colour that labels changed: from the left, the top, to the right and the bottom.
-    fn inked(labels: &[LabelKeys], size: [u32; 2], places: &[f64]) -> Option<[u32; 4]> {
-        let bonds = Bonds::default();
-        let current = Positions::F64(places);
-        let view = View { previous: current, current, ..View::empty(&bonds, 2) };
-        let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 2.0 }, size);
-        let ground = image::Rgba([200, 30, 30, 255]);
-        let mut picture = RgbaImage::from_pixel(size[0], size[1], ground);
-        label(&mut picture, labels, &[Pane::whole(view, camera, Look::default(), size)], (Palette::Dark, 1.0));
-        let inked = picture.enumerate_pixels().filter(|(.., pixel)| **pixel != ground);
-        inked.fold(None, |all: Option<[u32; 4]>, (x, y, _)| {
-            let [left, top, right, bottom] = all.unwrap_or([x, y, x, y]);
-            Some([left.min(x), top.min(y), right.max(x), bottom.max(y)])
-        })
-    }
-
-    #[test]
-    fn labels_stand_with_the_middle_of_their_lower_edge_where_the_scene_says() {
-        let [left, top, right, bottom] =
-            inked(&labels(r#"[{"at": [0.5, 0], "text": "one"}]"#), SIZES[0], &[0.0; 4]).unwrap();
-        assert!((left + right).abs_diff(2 * 210) <= 3, "{left} to {right}: about 210");
-        assert!(bottom.abs_diff(100 + MARGIN.y as u32) <= 2 && top > 70, "{top} to {bottom}");
-    }
 
     /// Where labels of a scene lie at its start `[px]`, and the points of each of its worlds.
     fn laid(scene: &Scene, size: [u32; 2]) -> Vec<(Rect, Vec<Rect>, Vec<Pos2>)> {
@@ -210,31 +149,5 @@ mod tests {
                 }
             }
         }
-    }
-
-    #[test]
-    fn a_label_goes_along_with_its_point_and_goes_with_it() {
-        let of = labels(r#"[{"at": [0, 0.1], "text": "one", "point": 1}]"#);
-        let at = |places: &[f64]| inked(&of, SIZES[0], places);
-        let ([left, top, ..], [there, low, ..]) = (at(&[0.0; 4]).unwrap(), at(&[0.0, 0.0, 0.3, -0.2]).unwrap());
-        assert!((there - left).abs_diff(30) <= 1 && (low - top).abs_diff(20) <= 1, "{left} {top}, {there} {low}");
-        assert_eq!([at(&[0.0, 0.0, f64::NAN, f64::NAN]), at(&[0.0; 2])], [None; 2]);
-    }
-
-    #[test]
-    fn labels_are_whole_at_the_edge_and_have_lines_where_there_is_no_room_for_one() {
-        let of = labels(r#"[{"at": [-0.55, 0.99], "text": "a few words, more than a line has"}]"#);
-        for [width, height] in SIZES {
-            let all = inked(&of, [width, height], &[0.0; 4]).unwrap();
-            let [left, top, right, bottom] = all;
-            assert!(left >= APART as u32 && top >= APART as u32, "{all:?}");
-            assert!(right < width - APART as u32 && bottom < height - APART as u32, "{all:?}");
-            assert_eq!(bottom - top > 40, width < 200, "{all:?}");
-        }
-        assert_eq!(
-            inked(&labels(r#"[{"at": [9, 0], "text": "one"}]"#), SIZES[0], &[0.0; 4]),
-            None,
-            "out of the picture"
-        );
     }
 }

@@ -13,9 +13,8 @@ mod limbs;
 mod outline;
 mod pieces;
 mod round;
+mod rows;
 mod shade;
-
-use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 
@@ -25,6 +24,7 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use super::gpu_bond::GpuBond;
 use super::growing::GrowingBuffer;
+use super::quads::{QUAD, Quads};
 use super::view::View;
 use crate::sim::{Bond, PointId};
 use bodies::{Filled, SKIN_COLOR, bodies};
@@ -32,6 +32,8 @@ pub use bodies::{body_color, color_of};
 use limbs::{Cone, Part, Role, figure};
 use outline::{Side, outline};
 use round::may_be_round;
+pub(super) use rows::Kinds;
+use rows::{Row, rows};
 use shade::{Shade, shades};
 
 /// A primitive as the shader reads it: `Primitive` in fill.wgsl.
@@ -66,8 +68,6 @@ const FRAYED: u32 = 1 << 31;
 /// With a kind: points may have colours of their own there, `PAINTED` in fill.wgsl.
 const PAINTED: u32 = 0x80;
 
-/// Vertices of a primitive.
-const QUAD: u32 = 6;
 /// Triangles from which on bodies are not filled: their bonds, which are drawn as few as it takes, cover the same.
 const MOST: usize = 1 << 18;
 /// Sides of outlines from which on there are no shadows: so many bodies are small.
@@ -81,9 +81,8 @@ pub(super) struct Fills {
     layout: wgpu::BindGroupLayout,
     primitives: GrowingBuffer,
     shades: GrowingBuffer,
-    /// Of bodies without a picture, cells of nets before them, then of those with one: primitives that fill, and in space those of outlines
-    /// behind them; in the plane all are in the first.
-    parts: [[Range<u32>; 2]; 2],
+    /// Of bodies without a picture, cells of nets before them, then of those with one: the rows of primitives that they are drawn in.
+    parts: [Vec<Row>; 2],
     /// What is filled of each of both, but for cells.
     triangles: [Vec<[u32; 3]>; 2],
     /// Triangles that cells are filled with.
@@ -156,17 +155,17 @@ impl Fills {
         let ([bare, worn, nets], open) = if view.triangles.len() > MOST { Default::default() } else { bodies(view) };
         let mut list = nets_of(&runs(&nets), &open);
         self.cell_triangles = nets.iter().map(|net| net.triangles.len()).sum();
-        let mut first = 0;
+        let mut counts = [0; 2];
         for (place, bodies) in [bare, worn].iter().enumerate() {
             self.triangles[place] = bodies.iter().flat_map(|body| body.triangles.iter().copied()).collect();
-            let start = list.len() as u32;
             let lines = Lines { inner: inner(view, bodies), limbs: limbs(view, bodies) };
-            let (primitives, split) = primitives(bodies, &lines, view.dimensions);
-            list.extend(primitives);
-            let split = start + split;
-            self.parts[place] = [first..split, split..list.len() as u32];
-            first = list.len() as u32;
+            list.extend(primitives(bodies, &lines, view.dimensions));
+            counts[place] = list.len();
         }
+        let of_bare = counts[0] as u32;
+        let behind = |row: Row| Row { range: of_bare + row.range.start..of_bare + row.range.end, ..row };
+        let [bare, worn] = [&list[..counts[0]], &list[counts[0]..]].map(|part| rows(part, view.dimensions));
+        self.parts = [bare, worn.into_iter().map(behind).collect()];
         self.primitives.write(gpu, bytemuck::cast_slice(&list), counters)?;
         self.topology = Some(view.topology);
         Ok(())
@@ -216,19 +215,21 @@ impl Fills {
         &self,
         shows_map: bool,
         target: &mut wgpu::RenderPass<'_>,
-        pipelines: &[wgpu::RenderPipeline; 2],
+        (pipelines, quads): (&[wgpu::RenderPipeline; Kinds::ALL.len()], &Quads),
         counters: &mut RenderCounters,
     ) {
         let Some([world, shades]) = &self.bindings else { return };
         for (parts, triangles) in self.parts.iter().zip(&self.triangles).take(1 + usize::from(shows_map)) {
-            for (pipeline, part) in pipelines.iter().zip(parts) {
-                if !part.is_empty() {
-                    target.set_pipeline(pipeline);
-                    target.set_bind_group(0, world, &[]);
-                    target.set_bind_group(1, shades, &[]);
-                    target.draw(QUAD * part.start..QUAD * part.end, 0..1);
-                    counters.draws += 1;
+            for Row { kinds, are_quads, range } in parts {
+                target.set_pipeline(&pipelines[*kinds as usize]);
+                target.set_bind_group(0, world, &[]);
+                target.set_bind_group(1, shades, &[]);
+                let vertices = QUAD * range.start..QUAD * range.end;
+                match are_quads {
+                    true => quads.draw(target, vertices, 0..1),
+                    false => target.draw(vertices, 0..1),
                 }
+                counters.draws += 1;
             }
             counters.triangles_drawn += triangles.len() as u64;
         }
@@ -343,9 +344,8 @@ fn runs(bodies: &[Filled]) -> Vec<Run<'_>> {
     bodies.chunk_by(|a, b| a.body == b.body).map(Run::of).collect()
 }
 
-/// What is drawn of bodies: in the plane body by body, each over those before it; in space all fills, then all outlines. Also how many
-/// come before those that have a pipeline of their own.
-fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> (Vec<Primitive>, u32) {
+/// What is drawn of bodies: in the plane body by body, each over those before it; in space all fills, then all outlines.
+fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> Vec<Primitive> {
     let runs = runs(bodies);
     let sides: Vec<Vec<Side>> = runs.iter().map(|run| outline(&run.triangles)).collect();
     let has_shadows = sides.iter().map(Vec::len).sum::<usize>() <= MOST_SHADOWS;
@@ -380,9 +380,8 @@ fn primitives(bodies: &[Filled], lines: &Lines, dimensions: usize) -> (Vec<Primi
         let to = if dimensions == 2 { &mut list } else { &mut outlines };
         to.extend(sides.iter().filter(|_| *limbs == Limbs::None).map(|one| side(OUTLINE, one)));
     }
-    let split = list.len() as u32;
     list.append(&mut outlines);
-    (list, split)
+    list
 }
 
 /// The cells of nets, and what hangs loose where they are torn: they fade towards it.
@@ -409,13 +408,17 @@ fn nets_of(nets: &[Run<'_>], open: &[&Bond]) -> Vec<Primitive> {
     list
 }
 
-/// Triangles in a colour, two in a primitive.
+/// Triangles in a colour, two in a primitive; those of a quad, which come one after the other, are in one.
 fn filling(kind: u32, color: [u8; 3], triangles: &[[u32; 3]]) -> impl Iterator<Item = Primitive> {
-    triangles.chunks(2).map(move |pair| {
-        let [a, b, c] = pair[0];
+    let are_quad = |pair: &[[u32; 3]]| matches!(pair, &[[a, _, c], [d, e, _], ..] if [a, c] == [d, e]);
+    let mut left = triangles;
+    std::iter::from_fn(move || {
+        let &[a, b, c] = left.first()?;
+        let is_alone = left.len() == 1 || (!are_quad(left) && are_quad(&left[1..]));
         // A triangle without another beside it has one of no area.
-        let [d, e, f] = pair.get(1).copied().unwrap_or([a; 3]);
-        Primitive { points: [a, b, c, d, e, f], ink: ink(kind, color) }
+        let [d, e, f] = if is_alone { [a; 3] } else { left[1] };
+        left = &left[if is_alone { 1 } else { 2 }..];
+        Some(Primitive { points: [a, b, c, d, e, f], ink: ink(kind, color) })
     })
 }
 
@@ -471,7 +474,7 @@ mod tests {
         let view = View { previous: at, current: at, ..View::empty(&bonds, 2) };
         let list = inner(&view, std::slice::from_ref(&body));
         assert_eq!(list, [vec![[1, 3]]]);
-        let kinds = primitives(&[body], &Lines { inner: list, ..Lines::default() }, 2).0;
+        let kinds = primitives(&[body], &Lines { inner: list, ..Lines::default() }, 2);
         let drawn: Vec<[u32; 6]> = kinds.iter().filter(|one| one.ink >> 24 == INNER).map(|one| one.points).collect();
         assert_eq!(drawn, [[1, 1, 3, 3, 0, 0]]);
     }
@@ -498,7 +501,7 @@ mod tests {
         let painted = limbs(&view, &halves);
         assert!(matches!(&painted[..], [Limbs::Figure(_), Limbs::Within]), "one figure of two colours: {painted:?}");
         assert!(limbs(&View { joints: Vec::new(), ..view.clone() }, std::slice::from_ref(&body)).is_empty());
-        let list = primitives(&[body], &Lines { limbs: found, ..Lines::default() }, 2).0;
+        let list = primitives(&[body], &Lines { limbs: found, ..Lines::default() }, 2);
         let kinds: Vec<u32> = list.iter().map(|primitive| primitive.ink >> 24).collect();
         let expected = [[SHADOW; 8].as_slice(), &[SKIN; 8], &[FLESH; 8], &[FILL; 2]].concat();
         assert_eq!(kinds, expected, "without an outline across the joint");
@@ -525,13 +528,13 @@ mod tests {
             triangles: vec![[first, first + 1, first + 2]],
         };
         let kinds = |dimensions| {
-            let (list, split) = primitives(&[body(0), body(3)], &Lines::default(), dimensions);
-            (list.iter().map(|primitive| primitive.ink >> 24).collect::<Vec<u32>>(), split)
+            let list = primitives(&[body(0), body(3)], &Lines::default(), dimensions);
+            list.iter().map(|primitive| primitive.ink >> 24).collect::<Vec<u32>>()
         };
         let one = [[SHADOW; 3].as_slice(), &[FILL], &[OUTLINE; 3]].concat();
-        assert_eq!(kinds(2), ([one.clone(), one].concat(), 14));
-        assert_eq!(kinds(3), ([[FILL; 2].as_slice(), &[OUTLINE; 6]].concat(), 2));
-        assert_eq!(primitives(&[body(0)], &Lines::default(), 3).0[0].points, [0, 1, 2, 0, 0, 0]);
+        assert_eq!(kinds(2), [one.clone(), one].concat());
+        assert_eq!(kinds(3), [[FILL; 2].as_slice(), &[OUTLINE; 6]].concat());
+        assert_eq!(primitives(&[body(0)], &Lines::default(), 3)[0].points, [0, 1, 2, 0, 0, 0]);
     }
 
     #[test]
@@ -548,7 +551,7 @@ mod tests {
     fn what_is_painted_in_part_has_one_outline_and_colours_by_its_points() {
         let part = |is_own, triangles| Filled { body: 4, is_own, color: [1, 2, 3], triangles };
         let square = [part(false, vec![[0, 1, 2]]), part(true, vec![[0, 2, 3]])];
-        let list = primitives(&square, &Lines::default(), 2).0;
+        let list = primitives(&square, &Lines::default(), 2);
         let of = |kind: u32| list.iter().filter(move |one| one.ink == ink(kind | PAINTED, color_of(4))).count();
         assert_eq!((of(FILL), of(OUTLINE), of(SHADOW), list.len()), (2, 4, 4, 10), "no side between the two");
     }
