@@ -15,15 +15,15 @@ pub(super) enum Law {
     Stops { within: f64 },
     /// No point is deeper in walls, planes, polygons, balls or boxes `[m]`.
     Walls { within: f64 },
-    /// Once hands are off, energy only goes: it is never so much above what it was at its least `[J]`.
+    /// While hands are off, energy only goes: it is never so much above what it was at its least `[J]`.
     Loses { within: f64 },
-    /// Once hands are off, energy stays what it is `[J]`.
+    /// While hands are off, energy stays what it is `[J]`.
     Keeps { within: f64 },
     /// From 2 s on what wind, muscles and motors brought less what drag, dampers and friction took is what the energy changed by, to this
     /// share of the larger `[1]`.
     Books { within: f64 },
-    /// From a time on `[s]` no point goes further in a second `[m/s]`.
-    Rests { by: f64, within: f64 },
+    /// From a time on `[s]`, until it is played with again, no point goes further in a second `[m/s]`.
+    Rests { by: f64, to: Option<f64>, within: f64 },
     /// From a time on `[s]` no triangle is inside out: how many are.
     Whole { by: f64, within: f64 },
 }
@@ -33,7 +33,7 @@ pub(super) enum Law {
 pub(super) struct Past {
     /// Twice the areas of the triangles at the start `[m^2]`.
     areas: Vec<f64>,
-    /// The energy when hands were off, and the least since `[J]`.
+    /// The energy since hands are off: at first, and the least `[J]`.
     energy: Option<[f64; 2]>,
     /// When it was looked at last `[s]`, and where all points were `[m]`.
     last: (f64, Vec<[f64; 3]>),
@@ -42,6 +42,11 @@ pub(super) struct Past {
 impl Past {
     pub(super) fn of(world: &dyn Dynamics) -> Self {
         Past { areas: areas(world, &world.sample(world.time())), ..Past::default() }
+    }
+
+    /// Hands are on it.
+    pub(super) fn forget(&mut self) {
+        self.energy = None;
     }
 
     /// Notes a state that nobody leads.
@@ -74,6 +79,7 @@ impl Law {
     pub(super) fn missed(self, world: &dyn Dynamics, sample: &Sample, past: &Past) -> f64 {
         match self {
             Law::Rests { by, .. } | Law::Whole { by, .. } if sample.time < by => 0.0,
+            Law::Rests { to: Some(to), .. } if sample.time > to => 0.0,
             Law::Lengths { .. } => strained(world, sample),
             Law::Stops { .. } => beyond_stops(world, sample),
             Law::Walls { .. } => deepest(world, sample),
