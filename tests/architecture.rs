@@ -150,6 +150,7 @@ const SIM: [(&str, &[&str]); 46] = [
             "bulk",
             "contact",
             "counters",
+            "drive",
             "environment",
             "force",
             "integrate",

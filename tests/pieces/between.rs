@@ -188,6 +188,37 @@ fn a_driven_rod_between_bodies_is_as_long_as_its_drive_says_and_keeps_their_mome
 }
 
 #[test]
+fn a_driven_rod_between_swinging_bodies_has_its_work_told() {
+    let scene = swinging(&json!({"drive": {"amplitude": 0.3, "period": 0.7, "phase": 1}}));
+    let mut world = world(&scene);
+    let end = run(&mut *world, 2.0);
+    let rest = 0.5 * (1.0 + 0.3 * (2.0 * PI * 2.0 / 0.7 + 1.0).sin());
+    assert!((far(&end, [1, 3]) - rest).abs() < 1e-9, "{} {rest}", far(&end, [1, 3]));
+    assert!(end.ledger.as_ref().unwrap().book.drives.abs() > 1.0);
+    assert_told("a drive that swings", &*world, &end, 1e-3);
+}
+
+#[test]
+fn motors_and_servos_between_bodies_are_those_of_other_methods() {
+    for angle in [
+        json!({"points": [0, 1, 4], "drive": {"speed": 3, "torque": 20}}),
+        json!({"points": [0, 1, 4], "stiffness": 300, "damping": 3, "drive": {"amplitude": 0.8, "period": 1.3}}),
+    ] {
+        let mut scene = swinging(&json!({}));
+        scene["angles"] = json!([angle]);
+        scene["method"]["substep"] = json!(1.0 / 480.0);
+        let end = run(&mut *world(&scene), 0.6);
+        scene["method"] = json!({"solver": "rk4", "substep": 0.0005, "budget": "none"});
+        let mut other = world(&scene);
+        while other.time() < 0.6 - 1e-9 {
+            other.step();
+        }
+        let off = apart(&end, &other.sample(0.6));
+        assert!(off < 2e-4, "{angle}: {off}");
+    }
+}
+
+#[test]
 fn muscles_between_bodies_are_those_of_other_methods_and_their_work_is_told() {
     let scene = swinging(&json!({"kind": "spring", "stiffness": 200, "drive": {"amplitude": 0.4, "period": 0.9}}));
     let mut world = world(&scene);

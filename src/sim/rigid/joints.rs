@@ -223,7 +223,7 @@ impl Joints {
     /// The same with what points that are led and drives ask for.
     pub(crate) fn factored<'a>(&self, inertias: &'a [Inertia], stand: Stand) -> Factored<'a> {
         let (mut leads, growths, rows) = (self.leads(stand), self.growths(stand), self.rows_at(inertias, stand));
-        let is_led = !leads.is_empty();
+        let is_led = are_led(stand.anchors);
         leads.resize(rows.legs.len(), 0.0);
         leads.iter_mut().zip(&growths).for_each(|(lead, growth)| *lead += growth);
         Factored { inertias, rows, leads, growths, is_led }

@@ -123,14 +123,16 @@ impl Ties {
         let (x, mut force) = (self.places(stand), vec![[0.0; 2]; self.seats.len()]);
         pull_at_rest(self.springs.iter().as_slice(), &x, &mut force);
         self.form.pull_at_rest(&x, &mut force);
-        self.drive(stand, (&x, &x), &mut force);
+        // Motors push by how fast their angles turn.
+        let v = if self.are_driven() { self.velocities(stand) } else { Vec::new() };
+        self.drive(stand, (&x, &v), &mut force);
         Pulled { pushes: self.gathered(stand, &x, &force), taken: 0.0, led: self.led(stand, &force), driven: 0.0 }
     }
 
     /// What they do to each body, dampers included, what those take, and what led pins do.
     pub(super) fn damped(&self, stand: Stand) -> Pulled {
         let x = self.places(stand);
-        let v: Vec<[f64; 2]> = self.seats.iter().map(|&end| stand.velocity(end)).collect();
+        let v = self.velocities(stand);
         let mut both = [vec![[0.0; 2]; x.len()], vec![[0.0; 2]; x.len()]];
         self.springs.pull(&x, &v, &mut both[0]);
         self.form.pull(&x, &v, &mut both[0]);
@@ -157,6 +159,10 @@ impl Ties {
     fn led(&self, stand: Stand, force: &[[f64; 2]]) -> f64 {
         let fixed = self.seats.iter().zip(force).filter(|(seat, _)| matches!(seat, End::Fixed(_)));
         -fixed.map(|(&seat, &force)| dot(force, stand.velocity(seat))).sum::<f64>()
+    }
+
+    fn velocities(&self, stand: Stand) -> Vec<[f64; 2]> {
+        self.seats.iter().map(|&end| stand.velocity(end)).collect()
     }
 
     fn places(&self, stand: Stand) -> Vec<[f64; 2]> {
