@@ -216,6 +216,8 @@ pub(super) struct PanelState {
     pub(super) has_selection: bool,
     /// Panels that stay open, the one that was opened last at the end.
     pub(super) opened: Vec<Opened>,
+    /// The pointer rests on what gives joints stops: it is shown where they would be.
+    pub(super) previews_stops: bool,
     /// Where the panel of what is selected stands.
     pub(super) matter_at: MatterAt,
     /// Settings and lessons have room beside each other.
@@ -349,7 +351,7 @@ pub(super) struct Facts {
 /// Shows the panels; returns what was asked for, and what they leave to the world.
 pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> (Vec<Wish>, Laid) {
     let mut wishes = Vec::new();
-    state.has_selection = facts.matter.is_some();
+    (state.has_selection, state.previews_stops) = (facts.matter.is_some(), false);
     state.keep_order();
     if !state.hides_panels {
         transport::show(ui, &mut state.lessons.left, facts, &mut wishes);
