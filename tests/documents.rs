@@ -10,6 +10,8 @@ use wobble::scene::{Scene, schema};
 
 /// Most lines of the README, and most characters of each.
 const README: [usize; 2] = [120, 120];
+/// Most characters of a line of the page on tools, but in tables, and most lines of what stands in it without a gap.
+const TOOLS: [usize; 2] = [130, 6];
 /// Most bytes of a picture that the README shows.
 const PICTURE: u64 = 1_500_000;
 /// Folders whose files pages name by their path.
@@ -102,6 +104,25 @@ fn the_readme_stays_an_invitation() {
         let bytes = std::fs::metadata(root().join(picture)).unwrap().len();
         assert!(bytes < PICTURE, "{picture} has {bytes} bytes");
     }
+}
+
+#[test]
+fn the_page_on_tools_can_be_read() {
+    let text = std::fs::read_to_string(root().join("docs/tools.md")).unwrap();
+    let [width, most] = TOOLS;
+    let prose: Vec<&str> = text.lines().filter(|line| !line.starts_with('|')).collect();
+    for line in &prose {
+        assert!(line.chars().count() <= width, "{} characters: {line}", line.chars().count());
+    }
+    // A paragraph, or an item of a list.
+    let ends = |line: &str| line.is_empty() || line.starts_with("- ");
+    let (mut lines, mut parts) = (0, 0);
+    for line in prose {
+        lines = if ends(line) { 0 } else { lines + 1 };
+        parts += usize::from(lines == 1);
+        assert!(lines <= most, "a part is longer than {most} lines at: {line}");
+    }
+    assert!(parts > 40, "{parts} parts");
 }
 
 #[test]

@@ -68,15 +68,21 @@ impl Rehearsal {
     pub fn act(&mut self, action: Action) {
         match action {
             Action::Take(tool) if lack_of(tool, self.shown.driving).is_some() => {}
-            Action::Take(tool) => (self.tool, self.push) = (tool, PushWay::default()),
-            Action::Wind => (self.tool, self.push) = (Tool::Push, PushWay::Wind),
+            Action::Take(tool) => {
+                (self.tool, self.push) = (tool, PushWay::default());
+                self.state.take(tool);
+            }
+            Action::Wind => {
+                (self.tool, self.push) = (Tool::Push, PushWay::Wind);
+                self.state.take(Tool::Push);
+            }
             Action::Undo => self.obey(Order::Undo(None)),
             Action::Redo => self.obey(Order::Redo(None)),
             Action::Gallery => self.toggle(Sheet::Gallery),
             Action::Help => self.toggle(Sheet::Help),
-            Action::Settings => self.state.has_settings = !self.state.has_settings,
+            Action::Settings => self.state.toggle_settings(),
             Action::FindSetting => (self.state.has_settings, self.state.finds_setting) = (true, true),
-            Action::Lessons => self.state.lessons.is_open = !self.state.lessons.is_open,
+            Action::Lessons => self.state.toggle_lessons(),
             Action::Plots => {
                 let rate = self.history().scene().rate();
                 self.state.toggle_plots(rate);

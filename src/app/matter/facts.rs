@@ -2,7 +2,7 @@
 
 use super::Among;
 use super::extent::{areas, place};
-use super::joints::held;
+use super::joints::{Joint, coming, held};
 use crate::picture::Tint;
 use crate::sim::{Bond, BondKind, Dynamics, Knots, Limit, Obstacle, PointId};
 
@@ -95,6 +95,8 @@ pub struct Matter {
     pub(in crate::app) joints: [usize; 2],
     /// The least and the largest angles of those that have stops `[rad]`.
     pub(in crate::app) stops: Option<[Span; 2]>,
+    /// Joints that may have stops and have none, the first few, and where they would be.
+    pub(in crate::app) coming_stops: Vec<Joint>,
     /// Of skins, where bodies meet, and of obstacles `[1]`.
     pub(in crate::app) friction: Option<Span>,
     pub(in crate::app) restitution: Option<Span>,
@@ -193,6 +195,7 @@ impl Matter {
             rest_angle: Span::of(held(&angles).map(|angle| angle.rest)),
             joints: [ranges().count(), angles.len() + usize::from(is_knee)],
             stops: least.zip(most).map(|(least, most)| [least, most]),
+            coming_stops: coming(world, among, &angles),
             friction: Span::of(surfaces().map(|surface| surface[0])),
             restitution: Span::of(surfaces().map(|surface| surface[1])),
             penalty: penalties.and_then(|list| list.first().copied()).filter(|_| points.is_empty()),

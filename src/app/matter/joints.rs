@@ -11,8 +11,13 @@ use super::extent::place;
 
 /// A joint that gets stops turns so far to both sides of its angle at rest at first `[rad]`.
 const SWING: f64 = std::f64::consts::FRAC_PI_3;
+/// Of more joints it is not shown where their stops would be.
+const MOST: usize = 64;
 /// Where the stops of one joint are.
 const ORDER: &str = "the least angle is below the largest, and they are less than a full turn apart";
+
+/// A joint with stops: i, j, k as [`Angle`] has them, and its least and its largest angle `[rad]`.
+pub(in crate::app) type Joint = ([PointId; 3], [f64; 2]);
 
 /// The stops of joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +60,18 @@ impl Among {
     }
 }
 
+/// The joints that would get stops, and where: i, j, k as [`Angle`] has them, and the least and the largest angle `[rad]`.
+pub(super) fn coming(world: &dyn Dynamics, among: &Among, angles: &[Angle]) -> Vec<Joint> {
+    let free = angles.iter().filter(|angle| angle.range.is_none()).take(MOST);
+    let free = free.map(|angle| (angle.points, about(angle.rest)));
+    free.chain(among.knee_of(world).map(|(points, rest)| (points, about(rest)))).collect()
+}
+
+/// The stops at both sides of an angle at rest at first `[rad]`.
+fn about(rest: f64) -> [f64; 2] {
+    [rest - SWING, rest + SWING]
+}
+
 /// Commands that give joints among some points these stops.
 ///
 /// Errors: in words, why they cannot be so.
@@ -62,7 +79,7 @@ pub(super) fn stops(world: &dyn Dynamics, among: &Among, stops: Stops) -> Result
     let angles = among.angles_of(world);
     let ranges = angles.iter().filter_map(|angle| {
         let range = match (stops, angle.range) {
-            (Stops::Some, None) => Some([angle.rest - SWING, angle.rest + SWING]),
+            (Stops::Some, None) => Some(about(angle.rest)),
             (Stops::Least(least), Some([_, most])) => Some([least, most]),
             (Stops::Most(most), Some([least, _])) => Some([least, most]),
             (Stops::None, Some(_)) => None,
@@ -76,7 +93,7 @@ pub(super) fn stops(world: &dyn Dynamics, among: &Among, stops: Stops) -> Result
         return Err(ORDER);
     }
     if let (Stops::Some, Some((points, rest))) = (stops, among.knee_of(world)) {
-        return Ok(vec![jointed(points, [rest - SWING, rest + SWING])]);
+        return Ok(vec![jointed(points, about(rest))]);
     }
     let set = |(range, numbers): (Option<[f64; 2]>, Vec<u32>)| {
         let range = Some(range.map_or(RangeOrNone::None(()), RangeOrNone::These));

@@ -16,7 +16,7 @@ mod wear;
 pub(super) use borne::Bearings;
 pub(super) use change::{MatterChange, commands, mean_velocity};
 pub(super) use facts::{Coloring, Matter, NEVER, Pin, Span};
-pub(super) use joints::Stops;
+pub(super) use joints::{Joint, Stops};
 pub(super) use led::led;
 pub(super) use overload::{Overload, overload};
 pub(super) use painted::{Painted, Switched};

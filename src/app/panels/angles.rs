@@ -13,20 +13,24 @@ const SPEED: f64 = 0.5;
 const APART: f64 = 0.1;
 const TURN: f64 = 360.0;
 
-/// Where they are at rest, and whether and where joints stop.
+/// Whether and where joints stop, and where angles are at rest.
 pub(super) fn show(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+    if matter.joints[1] > 0 {
+        stops(ui, matter, sink);
+    }
     if let Some(rest) = matter.rest_angle {
         let words = "where they are at rest: from the first arm to the second, anticlockwise";
         angle(ui, ("rest angle", words), (rest, [APART, TURN - APART]), sink, MatterChange::RestAngle);
     }
+}
+
+fn stops(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     let [stopped, all] = matter.joints;
-    if all == 0 {
-        return;
-    }
     row(ui, "joints", |ui, _| {
         let mut has_stops = stopped > 0;
         let by = ticks::check(ui, &mut has_stops, "stops");
         let by = by.on_hover_text("they turn so far and no further, as a knee");
+        *sink.previews_stops = by.hovered() && stopped < all;
         if by.changed() {
             sink.set(&by, MatterChange::Stops(if has_stops { Stops::Some } else { Stops::None }));
         }

@@ -222,10 +222,13 @@ pub(super) fn reason(why: &str) -> String {
     }
 }
 
-/// The menu of what is put beside the scene, and taken away.
-pub(super) fn menu(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
+/// What the menu is called.
+pub(super) const COMPARE: &str = "Compare…";
+
+/// The menu of what is put beside the scene, and taken away; its name stands beside its sign where it has room.
+pub(super) fn menu(ui: &mut Ui, has_name: bool, facts: &Facts, wishes: &mut Vec<Wish>) {
     let said = "the same start by another method beside this one, under the same mouse";
-    let button = icons::worded(ui, Icon::Beside, "Compare…", (true, false));
+    let button = icons::worded(ui, Icon::Beside, COMPARE, (has_name, false));
     Popup::menu(&button).show(|ui| {
         ui.set_min_width(210.0);
         for (place, neighbor) in facts.neighbors.iter().skip(1).enumerate() {

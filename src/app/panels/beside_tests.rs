@@ -17,7 +17,7 @@ fn frame(context: &egui::Context, facts: &Facts, events: Vec<Event>) -> (Vec<Wis
     let screen_rect = Some(egui::Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0)));
     let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
     let mut output = context.run_ui(input, |ui| {
-        beside::menu(ui, facts, &mut wishes);
+        beside::menu(ui, true, facts, &mut wishes);
         _ = beside::titles(ui.ctx(), facts, false);
     });
     output.textures_delta.clear();

@@ -2,8 +2,9 @@
 
 use egui::{Area, DragValue, Id, Rect, RichText, Slider, Ui};
 
+use super::folded::titled;
 use super::material::{WIDTH, gives_way, presets, sagging, short};
-use super::theme::{colors, floating};
+use super::theme::{as_high_as_buttons, colors, floating};
 use super::{Facts, Wish, low, ranged, ticks};
 use crate::app::matter::{Painted, Switched};
 use crate::app::tools::{Brush, RADII};
@@ -14,7 +15,13 @@ const LEAST: f64 = 0.1;
 /// Width of the check boxes with their names `[points]`.
 const NAMES: f32 = 98.0;
 
-pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: &Facts, wishes: &mut Vec<Wish>) {
+/// Shows it at the right of the tools, in a room that ends below; it may be folded.
+pub(super) fn show(
+    context: &egui::Context,
+    (tools, room, can_fold): (Rect, Rect, bool),
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let mut brush = facts.brush;
     Area::new(Id::unique("brush")).fixed_pos(corner).show(context, |ui| {
@@ -22,8 +29,7 @@ pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: 
             low::within(ui, room, |ui| {
                 ui.set_width(WIDTH);
                 ui.spacing_mut().slider_width = 120.0;
-                ui.label(RichText::new("Material brush").color(colors(ui).text).strong());
-                all(ui, &mut brush, facts, wishes);
+                titled(ui, ("Material brush", can_fold), |ui| all(ui, &mut brush, facts, wishes));
             })
         });
     });
@@ -56,6 +62,7 @@ fn all(ui: &mut Ui, brush: &mut Brush, facts: &Facts, wishes: &mut Vec<Wish>) {
     number(ui, ("friction", ""), friction, 0.0..=10.0);
     number(ui, ("restitution", ""), restitution, 0.0..=1.0);
     ui.horizontal(|ui| {
+        as_high_as_buttons(ui);
         let label = switch(ui, "colour", &mut color.is_on);
         let words = "bodies are filled in it; a picture is tinted by it";
         if let Some((_, chosen)) = super::color::button(ui, color.value, label, words) {
@@ -85,6 +92,7 @@ fn all(ui: &mut Ui, brush: &mut Brush, facts: &Facts, wishes: &mut Vec<Wish>) {
 /// A number that is switched on by its check box, or by being changed.
 fn number(ui: &mut Ui, (name, unit): (&str, &str), of: &mut Switched<f64>, range: std::ops::RangeInclusive<f64>) {
     ui.horizontal(|ui| {
+        as_high_as_buttons(ui);
         let label = switch(ui, name, &mut of.is_on);
         let speed = SPEED * of.value.max(LEAST);
         let field = DragValue::new(&mut of.value).speed(speed);
@@ -125,7 +133,7 @@ mod tests {
             let mut wishes = Vec::new();
             let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
             let tools = Rect::from_min_size(Pos2::new(10.0, 80.0), vec2(50.0, 400.0));
-            let places = (tools, Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0)));
+            let places = (tools, Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0)), false);
             let mut output = self.context.run_ui(input, |ui| show(ui.ctx(), places, &self.facts, &mut wishes));
             output.textures_delta.clear();
             if let Some(Wish::Brush(brush)) = wishes.pop() {

@@ -2,6 +2,7 @@
 
 use egui::{Area, ComboBox, Id, Rect, RichText, Slider, Ui};
 
+use super::folded::titled;
 use super::theme::{colors, floating};
 use super::{Facts, Wish, low, ranged, ticks};
 use crate::app::action::Tool;
@@ -19,8 +20,13 @@ const LENGTHS: [f64; 2] = [0.2, 3.0];
 /// The shortest period that they reach `[s]`.
 const QUICKEST: f64 = 0.2;
 
-/// Shows it at the right of the tools.
-pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: &Facts, wishes: &mut Vec<Wish>) {
+/// Shows it at the right of the tools; it may be folded.
+pub(super) fn show(
+    context: &egui::Context,
+    (tools, room, can_fold): (Rect, Rect, bool),
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let mut drives = facts.drives;
     Area::new(Id::unique("drives")).fixed_pos(corner).show(context, |ui| {
@@ -31,8 +37,8 @@ pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: 
                 ui.spacing_mut().item_spacing.y = GAP;
                 ui.spacing_mut().slider_width = 100.0;
                 match facts.tool {
-                    Tool::Muscle => of_muscle(ui, &mut drives),
-                    _ => of_motor(ui, &mut drives),
+                    Tool::Muscle => titled(ui, ("Muscle", can_fold), |ui| of_muscle(ui, &mut drives)),
+                    _ => titled(ui, ("Hinge and motor", can_fold), |ui| of_motor(ui, &mut drives)),
                 }
             })
         });
@@ -44,7 +50,6 @@ pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: 
 
 fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
     let muscle = &mut drives.muscle;
-    ui.label(RichText::new("Muscle").color(colors(ui).text).strong());
     ui.label(RichText::new("click a bond, or drag over some").color(colors(ui).weak));
     slider(ui, "stretch", &mut muscle.amplitude, -MOST[0]..=MOST[0], "");
     let follows = muscle.has_wave || muscle.key.is_none();
@@ -70,7 +75,6 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
 
 fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     let motor = &mut drives.motor;
-    ui.label(RichText::new("Hinge and motor").color(colors(ui).text).strong());
     ui.label(RichText::new("click the middle of a wheel, or any body").color(colors(ui).weak));
     let mut is_on = motor.is_on.unwrap_or(false);
     if ticks::check(ui, &mut is_on, "motor").changed() {

@@ -1,21 +1,28 @@
 //! The keys that drive what is in the scene, as caps at the lower edge: those that are held are lit.
 
-use egui::{Align2, Area, CornerRadius, FontId, Id, Rect, RichText, Sense, StrokeKind, vec2};
+use egui::{Align2, Area, CornerRadius, FontId, Id, LayerId, Order, Rect, RichText, Sense, StrokeKind, pos2, vec2};
 
 use super::Facts;
+use super::places::APART;
 use super::theme::{colors, floating};
 use crate::sim::Key;
 
 /// Side of a cap `[points]`.
 const CAP: f32 = 26.0;
+/// What all of it takes of the lower edge, with some room above it `[points]`.
+pub(super) const HEIGHT: f32 = CAP + 24.0;
+/// Its width before it was shown `[points]`.
+const WIDTH: f32 = 120.0;
 
+/// Shows them at the lower edge of a room, in the middle of the window or as near to that as the room has place for them.
 pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts) {
     if facts.keys.is_empty() {
         return;
     }
-    let up = room.height() - context.content_rect().height() - 4.0;
-    let place = Area::new(Id::unique("held keys")).anchor(Align2::CENTER_BOTTOM, [0.0, up]).interactable(false);
-    place.show(context, |ui| {
+    let half = 0.5 * context.memory(|memory| memory.area_rect(area_id())).map_or(WIDTH, |rect| rect.width()) + APART;
+    let middle = context.content_rect().center().x.min(room.right() - half).max(room.left() + half);
+    let place = Area::new(area_id()).pivot(Align2::CENTER_BOTTOM).interactable(false);
+    place.fixed_pos(pos2(middle, room.bottom() - 4.0)).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.horizontal(|ui| {
                 ui.label(RichText::new("hold").color(colors(ui).weak));
@@ -23,6 +30,16 @@ pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts) {
             });
         });
     });
+}
+
+fn area_id() -> Id {
+    Id::unique("held keys")
+}
+
+/// Where they lie, if they are shown `[points]`.
+pub(super) fn lie(context: &egui::Context) -> Option<Rect> {
+    let layer = LayerId::new(Order::Middle, area_id());
+    context.memory(|memory| memory.area_rect(area_id()).filter(|_| memory.areas().is_visible(&layer)))
 }
 
 fn cap(ui: &mut egui::Ui, key: Key, is_held: bool) {

@@ -1,10 +1,11 @@
 //! Signs on buttons, drawn as strokes: no font has all of them everywhere.
 
 use std::f32::consts::{PI, TAU};
+use std::sync::Arc;
 
 use egui::epaint::PathShape;
 use egui::{
-    Align2, Color32, FontId, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, TextStyle, Ui, Vec2,
+    Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, TextStyle, Ui, Vec2,
     WidgetInfo, pos2, vec2,
 };
 
@@ -71,10 +72,9 @@ pub(super) fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, is_on: boo
 
 /// A button with a sign and, where there is room for it, the word that it is called by. `is_on`: it is what is chosen of several.
 pub(super) fn worded(ui: &mut Ui, icon: Icon, word: &str, (has_word, is_on): (bool, bool)) -> Response {
-    let font = TextStyle::Button.resolve(ui.style());
-    let galley = has_word.then(|| ui.painter().layout_no_wrap(word.to_owned(), font, Color32::PLACEHOLDER));
-    let wide = galley.as_ref().map_or(0.0, |galley| galley.size().x + PAD - SIDE);
-    let (rect, response) = ui.allocate_exact_size(SMALL + vec2(wide, 0.0), Sense::click());
+    let galley = has_word.then(|| laid_out(ui, word));
+    let size = SMALL + vec2(galley.as_deref().map_or(0.0, beside_sign), 0.0);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let is_enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, word));
     let visuals = ui.style().interact(&response);
@@ -89,6 +89,21 @@ pub(super) fn worded(ui: &mut Ui, icon: Icon, word: &str, (has_word, is_on): (bo
         ui.painter().galley(at, galley, color);
     }
     response
+}
+
+fn laid_out(ui: &Ui, word: &str) -> Arc<Galley> {
+    let font = TextStyle::Button.resolve(ui.style());
+    ui.painter().layout_no_wrap(word.to_owned(), font, Color32::PLACEHOLDER)
+}
+
+/// What a word takes beside the sign `[points]`.
+fn beside_sign(galley: &Galley) -> f32 {
+    galley.size().x + PAD - SIDE
+}
+
+/// How wide such a button is with its word `[points]`.
+pub(super) fn width(ui: &Ui, word: &str) -> f32 {
+    SMALL.x + beside_sign(&laid_out(ui, word))
 }
 
 /// Room at the right of such a word, and so much nearer to its sign than a button of that sign would end `[points]`.

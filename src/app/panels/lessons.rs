@@ -25,6 +25,10 @@ const ROW: f32 = 330.0;
 const NAMES: f32 = 62.0;
 /// Frame and header, above what is scrolled `[points]`.
 const HEAD: f32 = 56.0;
+/// What is scrolled is no lower, however low a window is; and below the header all that leads on has no room where there is less than that
+/// `[points]`.
+const LEAST: f32 = 36.0;
+const ROOMY: f32 = 130.0;
 /// Along the lower edge it takes this share of the height at most `[1]`.
 pub(super) const LOW: f32 = 0.4;
 /// The middle of the room and so much to its right stays free, but in the narrowest ones `[points]`.
@@ -167,7 +171,7 @@ fn panel(
     state: &mut Lessons,
     wishes: &mut Vec<Wish>,
 ) -> f32 {
-    let height = (height - HEAD).max(120.0);
+    let height = (height - HEAD).max(LEAST);
     let shown = Area::new(Id::unique("lessons")).pivot(pivot).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_width(width);
@@ -251,7 +255,8 @@ fn line(ui: &mut Ui, words: RichText) {
 fn of_lesson(ui: &mut Ui, lesson: &Lesson, (at, next): (At, Option<At>), height: f32, wishes: &mut Vec<Wish>) {
     let Some(step) = lesson.steps.get(at.step) else { return };
     let is_wide = ui.available_width() >= ROW;
-    let height = (height - if is_wide { 42.0 } else { 78.0 }).max(60.0);
+    let has_again = height >= ROOMY;
+    let height = (height - if is_wide || !has_again { 42.0 } else { 78.0 }).max(LEAST);
     let scroll = ScrollArea::vertical().id_salt((at.lesson, at.step)).max_height(height).min_scrolled_height(height);
     scroll.show(ui, |ui| {
         of_step(ui, step);
@@ -280,7 +285,7 @@ fn of_lesson(ui: &mut Ui, lesson: &Lesson, (at, next): (At, Option<At>), height:
             }
         });
     });
-    if !is_wide {
+    if !is_wide && has_again {
         again(ui, at, wishes);
     }
 }

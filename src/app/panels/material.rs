@@ -24,6 +24,8 @@ const BAR: f32 = 20.0;
 /// All of its width `[points]`.
 pub(super) const WHOLE: f32 = WIDTH + FRAME + BAR;
 const HEAD: f32 = 50.0;
+/// What is scrolled is no lower, however low a window is `[points]`.
+const LEAST: f32 = 60.0;
 /// Its usual height, before it was shown `[points]`.
 const USUAL: f32 = 430.0;
 /// Width of the names before fields `[points]`.
@@ -44,6 +46,8 @@ pub(super) struct Sink<'a> {
     /// What is being dragged.
     gesture: &'a mut Option<Id>,
     wishes: &'a mut Vec<Wish>,
+    /// The pointer rests on what gives joints stops.
+    pub(super) previews_stops: &'a mut bool,
 }
 
 impl Sink<'_> {
@@ -112,7 +116,7 @@ pub(super) fn show(
         let sides = [right, Rect::from_min_size(beside_tools, size)];
         state.matter_at.find(room, sides, (facts.chosen_at.filter(|_| !is_upright), is_pushed && !is_upright));
     }
-    let mut sink = Sink { gesture: &mut state.gesture, wishes };
+    let mut sink = Sink { gesture: &mut state.gesture, wishes, previews_stops: &mut state.previews_stops };
     let middle = context.content_rect().center().x;
     let (pivot, corner, is_open) = match state.matter_at.is_left {
         true => (Align2::LEFT_TOP, beside_tools, beside_tools.x + WIDTH + FRAME < middle),
@@ -133,7 +137,7 @@ pub(super) fn show(
                 header.toggle();
             }
             header.body_unindented(|ui| {
-                let height = (room.height() - HEAD).max(120.0);
+                let height = (room.height() - HEAD).max(LEAST);
                 ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                     match &facts.matter {
                         Some(matter) => of_selection(ui, matter, facts, &mut sink),
@@ -244,17 +248,46 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         sink.wishes.push(Wish::Bear);
     }
     number(ui, ("damping", " N s/m"), matter.damping, sink, |x| Some(MatterChange::Damping(x)));
-    limits(ui, matter, sink);
-    number(ui, ("relaxation", ""), matter.relaxation, sink, |x| {
-        (0.0 < x && x <= 1.0).then_some(MatterChange::Relaxation(x))
+    let has_angles = matter.rest_angle.is_some() || matter.joints[1] > 0 || matter.bending.is_some();
+    let has_surface = matter.friction.is_some() || matter.radius.is_some() || matter.points > 0;
+    let moves = facts.figures.velocity.is_some() || !matter.pins.is_empty();
+    // What is set most often first.
+    group(ui, "Angles and stops", has_angles, |ui| {
+        angles::show(ui, matter, sink);
+        number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
     });
-    number(ui, ("corrects", " m"), matter.max_correction, sink, |x| {
-        (x > 0.0).then_some(MatterChange::MaxCorrection(x))
-    });
-    number(ui, ("rest length", " m"), matter.rest_length, sink, |x| (x > 0.0).then_some(MatterChange::RestLength(x)));
-    breaks(ui, matter, sink);
-    angles::show(ui, matter, sink);
-    number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
+    group(ui, "Look", matter.points > 0, |ui| looks(ui, matter, facts, sink));
+    group(ui, "Surface", has_surface, |ui| surface(ui, matter, facts, sink));
+    group(ui, "Motion", moves, |ui| ways::show(ui, matter, facts, sink));
+    group(ui, "Bonds", matter.bonds > 0, |ui| of_bonds(ui, matter, sink));
+}
+
+/// Rows that belong together, where there are any.
+fn group(ui: &mut Ui, name: &str, has_rows: bool, rows: impl FnOnce(&mut Ui)) {
+    if has_rows {
+        ui.separator();
+        ui.label(RichText::new(name).color(colors(ui).accent));
+        rows(ui);
+    }
+}
+
+/// How it is drawn.
+fn looks(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>) {
+    color(ui, matter, facts.drawn_color, sink);
+    visible(ui, matter, sink);
+    if matter.area > 0.0 && facts.dimensions == 2 {
+        row(ui, "picture", |ui, label| {
+            let by = ui.button("from a file…").labelled_by(label);
+            if by.on_hover_text("drawn over all of it, as large as it is now").clicked() {
+                sink.wishes.push(Wish::Wear);
+            }
+        });
+    }
+    number(ui, ("width", " m"), matter.width, sink, |x| Some(MatterChange::Width(x)));
+}
+
+/// How it meets others.
+fn surface(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>) {
     share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
     share(ui, "restitution", 1.0, matter.restitution, sink, MatterChange::Restitution);
     skin(ui, matter, sink);
@@ -262,20 +295,19 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     if matter.points > 0 && matter.friction.is_none() && facts.dimensions == 2 {
         ui.label(RichText::new("bodies pass through each other: G, to let them meet").color(colors(ui).weak));
     }
-    if matter.points > 0 {
-        color(ui, matter, facts.drawn_color, sink);
-        if matter.area > 0.0 && facts.dimensions == 2 {
-            row(ui, "picture", |ui, label| {
-                let by = ui.button("from a file…").labelled_by(label);
-                if by.on_hover_text("drawn over all of it, as large as it is now").clicked() {
-                    sink.wishes.push(Wish::Wear);
-                }
-            });
-        }
-        number(ui, ("width", " m"), matter.width, sink, |x| Some(MatterChange::Width(x)));
-        visible(ui, matter, sink);
-    }
-    ways::show(ui, matter, facts, sink);
+}
+
+/// Lengths of bonds, and what they do at them.
+fn of_bonds(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+    breaks(ui, matter, sink);
+    number(ui, ("rest length", " m"), matter.rest_length, sink, |x| (x > 0.0).then_some(MatterChange::RestLength(x)));
+    limits(ui, matter, sink);
+    number(ui, ("relaxation", ""), matter.relaxation, sink, |x| {
+        (0.0 < x && x <= 1.0).then_some(MatterChange::Relaxation(x))
+    });
+    number(ui, ("corrects", " m"), matter.max_correction, sink, |x| {
+        (x > 0.0).then_some(MatterChange::MaxCorrection(x))
+    });
 }
 
 /// Says that a body would sag by some share of its height, and offers the stiffness that bears it `[N/m]`. Returns the offer, if it is taken.

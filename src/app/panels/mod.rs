@@ -18,6 +18,7 @@ mod dial;
 mod drives;
 mod fewer;
 mod finding;
+mod folded;
 mod gallery;
 mod held;
 mod help;
@@ -55,6 +56,8 @@ mod settings;
 #[cfg(test)]
 mod settings_tests;
 mod sheet;
+#[cfg(test)]
+mod small_tests;
 pub(super) mod theme;
 pub(super) mod ticks;
 mod top;
@@ -88,7 +91,8 @@ pub(super) use material::MatterAt;
 pub(super) use material::lies as matter_lies;
 pub(super) use notes::Notes;
 pub(super) use open_from::{OpenFrom, meant};
-pub(super) use opened::Opened;
+use opened::Seen;
+pub(super) use opened::{Opened, Room};
 pub(super) use parameters::all as parameters;
 use places::Places;
 pub(super) use places::{Laid, covered, kept_in, read as read_at};
@@ -216,10 +220,14 @@ pub(super) struct PanelState {
     pub(super) has_selection: bool,
     /// Panels that stay open, the one that was opened last at the end.
     pub(super) opened: Vec<Opened>,
+    /// The pointer rests on what gives joints stops: it is shown where they would be.
+    pub(super) previews_stops: bool,
     /// Where the panel of what is selected stands.
     pub(super) matter_at: MatterAt,
-    /// Settings and lessons have room beside each other.
-    pub(super) has_room_for_both: bool,
+    /// For which of them the window has room at once.
+    pub(super) room: Room,
+    /// The tool that was taken: one that is held for a while opens and closes no panel.
+    pub(super) tool: Tool,
     /// What is plotted; `None`: the panel is closed, and nothing is measured.
     pub(super) plots: Option<Plots>,
     /// What was, of the same world, when it was closed.
@@ -349,7 +357,10 @@ pub(super) struct Facts {
 /// Shows the panels; returns what was asked for, and what they leave to the world.
 pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> (Vec<Wish>, Laid) {
     let mut wishes = Vec::new();
-    state.has_selection = facts.matter.is_some();
+    (state.has_selection, state.previews_stops) = (facts.matter.is_some(), false);
+    if facts.tool != state.tool && palette::has_panel(facts.tool) {
+        state.take(facts.tool);
+    }
     state.keep_order();
     if !state.hides_panels {
         transport::show(ui, &mut state.lessons.left, facts, &mut wishes);
@@ -361,34 +372,48 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     let has_panels = !state.hides_panels && !is_covered;
     let mut places = Places::new(room, is_covered);
     places.has_numbers = facts.look.has_grid && facts.dimensions == 2;
+    // In a small window panels end above the keys that are to be held.
+    let keys_low =
+        (has_panels && Room::of(room, places.is_upright()) == Room::One && !facts.keys.is_empty()).then(|| {
+            let low = room.with_max_y(places.below);
+            places.below -= held::HEIGHT;
+            low
+        });
     if has_panels {
         places.bar = Some(top::show(&context, (room, &state.recent), facts, &mut wishes));
     }
-    // What lies at the right edge, from there on: the settings, then the lessons. Where there is no room for both, lessons wait.
+    // What lies at the right edge, from there on: the settings, then the lessons. What has no room waits.
     let stands_upright = places.is_upright();
-    let has_settings = state.has_settings && has_panels;
-    state.has_room_for_both = lessons::has_room(room, settings::WIDTH + GAP);
-    let has_lessons = state.lessons.is_open && has_panels && (!has_settings || state.has_room_for_both);
+    state.room = Room::of(room, stands_upright);
+    let is_small = state.room == Room::One;
+    let Seen { has_settings, has_lessons, has_plots, has_tool } = state.seen(has_panels);
     let takes = |is_shown: bool, width: f32| if is_shown && !stands_upright { width + GAP } else { 0.0 };
     let edge = takes(has_settings, settings::WIDTH);
     let column = lessons::width(room, edge);
     let panels_edge = edge + takes(has_lessons, column);
     // Beside worlds that lie side by side plots take room, as panels do: there is no place that none of them is in.
-    let has_plots = state.plots.is_some() && has_panels;
     let is_dragged = state.plots_at.is_dragged();
     // A lesson and its plots are one column: what is read and what is seen leave the world alone, wherever plots were dragged to elsewhere.
     let is_read = has_lessons && (!is_dragged || state.lessons.open_at().is_some());
     let are_stacked = has_plots && !stands_upright && is_read;
-    let are_docked = has_plots && !stands_upright && !is_dragged && !are_stacked && !facts.neighbors.is_empty();
+    let stand_alone = has_plots && !stands_upright && !are_stacked;
+    let are_docked = stand_alone && !is_dragged && !is_small && !facts.neighbors.is_empty();
+    // In a small window they have a place of their own, whatever lies there.
+    let are_small = stand_alone && is_small;
     // Along the lower edge, where that leaves more to each of them.
     let (worlds, high) = (facts.neighbors.len(), plots::low_height(room));
     let is_low = are_docked && places.are_larger_above(worlds, panels_edge, [plots::WIDTH, high]);
-    let all_edge = panels_edge + takes(are_docked && !is_low, plots::WIDTH);
-    let has_figures = room.width() > 560.0 && (!are_stacked || room.height() > FIGURES);
+    let own = if are_small { plots::small_width(room) } else { plots::WIDTH };
+    let takes_edge = are_docked && !is_low || are_small && !facts.neighbors.is_empty();
+    let all_edge = panels_edge + takes(takes_edge, own);
+    // A small window has no room for figures and legends beside a panel.
+    let has_own = has_tool && palette::has_panel(facts.tool);
+    places.is_crowded = is_small && (has_settings || has_lessons || has_plots || has_own);
+    let has_figures = room.width() > 560.0 && (!are_stacked || room.height() > FIGURES) && !places.is_crowded;
     if !state.hides_hud && has_figures && !is_covered {
         hud::show(&context, &mut places, facts);
     }
-    if facts.look.overlay == Overlay::Strain && !is_covered {
+    if facts.look.overlay == Overlay::Strain && !is_covered && !places.is_crowded {
         legend::show(&context, &mut places, &facts.look);
     }
     if has_lessons && stands_upright {
@@ -411,9 +436,12 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         settings::show(&context, places.beside(settings::WIDTH), state, facts, &mut wishes);
     }
     let (mut plotted, mut strip, mut column, mut column_low) = (None, None, None, None);
-    if let Some(plots) = state.plots.as_mut().filter(|_| has_panels && !are_stacked) {
+    if let Some(plots) = state.plots.as_mut().filter(|_| has_plots && !are_stacked) {
         if stands_upright {
             places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes).top();
+        } else if are_small {
+            let rect = plots::show_small(&context, places.beside(own), plots, &mut wishes);
+            plotted = Some(rect).filter(|_| facts.neighbors.is_empty());
         } else if is_low {
             let rect = plots::show_below(&context, places.low_strip(panels_edge), plots, &mut wishes);
             (plotted, strip) = (Some(rect), Some(rect.top()));
@@ -421,20 +449,20 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
             let points = (&facts.points[..], &mut state.plots_at, are_docked);
             let high = places.right.max(places.bar_bottom());
             let room = (places.low_beside(panels_edge), high);
-            let of_tool = palette::of_tool(&context, facts.tool);
-            let rect = plots::show(&context, room, (plots, points, of_tool), &mut wishes);
+            let taken = palette::of_tool(&context, facts.tool).into_iter().chain(held::lie(&context)).collect();
+            let rect = plots::show(&context, room, (plots, points, taken), &mut wishes);
             plotted = rect.filter(|_| !are_docked);
         }
     }
     if has_panels {
-        let rooms = places.of_tools(plotted, all_edge);
-        column = palette::show(&context, &rooms, state, facts, &mut wishes);
+        let rooms = places.of_tools((plotted.filter(|_| strip.is_none() && !are_small), strip), all_edge);
+        column = palette::show(&context, &rooms, (state, has_tool), facts, &mut wishes);
         column_low = rooms.half.filter(|_| column.is_some());
         // The others have a place beside the tools, which they keep while they are there.
         let of_tool = || palette::of_tool(&context, facts.tool).filter(|_| facts.tool != Tool::Select);
         column = column.or_else(|| of_tool().map(|at| [at.left(), at.right()]));
     }
-    held::show(&context, places.low(), facts);
+    held::show(&context, keys_low.unwrap_or_else(|| places.low_strip(all_edge)), facts);
     state.notes.lie_under(Cover::of(state.sheet, facts.waits && !facts.asks));
     state.notes.show(&context, &places, facts, &mut wishes);
     let mut titles_end = 0.0;
@@ -452,7 +480,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         None => {}
     }
     // Where plots were dragged to on purpose they may lie over bodies.
-    let plotted = plotted.filter(|_| !state.plots_at.is_dragged());
+    let plotted = plotted.filter(|_| are_small || !state.plots_at.is_dragged());
     let free = (!is_covered).then(|| match has_panels {
         true => places.free(
             (all_edge, beside::height(facts)),
@@ -462,7 +490,7 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
     });
     let is_shared = !facts.neighbors.is_empty() && has_panels;
     let size = places.size(all_edge, is_shared, strip);
-    let has_plots_at_edge = has_plots && (stands_upright || are_stacked || are_docked);
+    let has_plots_at_edge = has_plots && (stands_upright || are_stacked || are_docked || are_small);
     let (corner, titles) = (places.corner(&context), beside::row(facts));
     (wishes, Laid { size, corner, column, column_low, has_plots_at_edge, titles, free })
 }

@@ -59,6 +59,9 @@ fn digitless(line: &str) -> String {
     line.chars().filter(|sign| !sign.is_ascii_digit() && *sign != '.').collect()
 }
 
+/// Words that are less wide stand above their button, not beside it `[points]`.
+const NARROW: f32 = 200.0;
+
 /// The line at the cursor.
 const HINT: &str = "press and drag: grab it, throw it";
 /// Its size until it was shown, about `[points]`.
@@ -156,7 +159,8 @@ impl Notes {
         let mut top = places.bar_bottom().max(places.room.top() + APART);
         let complaint = self.complaint.as_ref().filter(|complaint| complaint.is_said(self.over));
         let complaint = complaint.map(|complaint| complaint.line.clone());
-        let is_caption_due = self.complaint.is_none() && self.done.is_none();
+        // Beside a panel in a small window there is room for what is said of what is done alone.
+        let is_caption_due = self.complaint.is_none() && self.done.is_none() && !places.is_crowded;
         let caption =
             facts.caption.filter(|_| is_caption_due && self.has_caption && self.offer.is_none() && !places.is_covered);
         // Titles of worlds side by side lie below the caption, and all else that is said below the titles.
@@ -173,10 +177,18 @@ impl Notes {
         }
         if let Some(complaint) = complaint {
             top = words(context, (places, top), COMPLAINT, |ui| {
-                ui.horizontal(|ui| {
-                    is_read = ui.button("Close").clicked();
+                let words = |ui: &mut egui::Ui| {
                     ui.label(RichText::new("!").color(colors(ui).away).strong());
                     ui.add(Label::new(RichText::new(complaint).color(colors(ui).text)).wrap());
+                };
+                if ui.available_width() < NARROW {
+                    ui.vertical(words);
+                    is_read = ui.button("Close").clicked();
+                    return;
+                }
+                ui.horizontal(|ui| {
+                    is_read = ui.button("Close").clicked();
+                    words(ui);
                 });
             });
         } else if let Some((line, _)) = &self.done {
@@ -243,13 +255,20 @@ pub(super) fn is_own(id: Id) -> bool {
 fn warned(ui: &mut egui::Ui, warnings: &mut Vec<(String, Instant)>) {
     let mut is_closed = None;
     for (place, (warning, _)) in warnings.iter().enumerate() {
+        let is_narrow = ui.available_width() < NARROW;
+        let said = |ui: &mut egui::Ui| ui.add(Label::new(RichText::new(seen(warning)).color(colors(ui).text)).wrap());
         ui.horizontal(|ui| {
             if ui.small_button("×").on_hover_text("close").clicked() {
                 is_closed = Some(place);
             }
             ui.label(RichText::new("!").color(colors(ui).lead).strong());
-            ui.add(Label::new(RichText::new(seen(warning)).color(colors(ui).text)).wrap());
+            if !is_narrow {
+                said(ui);
+            }
         });
+        if is_narrow {
+            said(ui);
+        }
     }
     is_closed.into_iter().for_each(|place| _ = warnings.remove(place));
 }
@@ -257,7 +276,7 @@ fn warned(ui: &mut egui::Ui, warnings: &mut Vec<(String, Instant)>) {
 /// A session that was cut off.
 fn offer(ui: &mut egui::Ui, line: &str, wishes: &mut Vec<Wish>) {
     ui.add(Label::new(RichText::new(line).color(colors(ui).text)).wrap());
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let go_on = Button::new(RichText::new("Go on with it").color(colors(ui).on_accent)).fill(colors(ui).accent);
         if ui.add(go_on).clicked() {
             wishes.push(Wish::GoOnWithLeftover(0));

@@ -5,7 +5,7 @@ use egui::{Align2, Area, Id, LayerId, Order, Rect, RectAlign, Tooltip};
 use super::icons::{self, Icon};
 use super::places::ToolRooms;
 use super::theme::floating;
-use super::{Facts, PanelState, Wish, brush, described, drives, low, material, primitives, push};
+use super::{Facts, PanelState, Room, Wish, brush, described, drives, low, material, primitives, push};
 use crate::app::action::{Action, Tool};
 use crate::app::tools::PushWay;
 
@@ -58,17 +58,26 @@ fn choice(
     }
 }
 
+/// The name of the panel that belongs to a tool, if it has one.
+fn name_of(tool: Tool) -> Option<&'static str> {
+    match tool {
+        Tool::Build => Some("primitives"),
+        Tool::Muscle | Tool::Motor => Some("drives"),
+        Tool::Select => Some("matter"),
+        Tool::Push => Some("push"),
+        Tool::Paint => Some("brush"),
+        Tool::Hand | Tool::Pin | Tool::Cut | Tool::Erase => None,
+    }
+}
+
+/// Whether a panel belongs to a tool.
+pub(super) fn has_panel(tool: Tool) -> bool {
+    name_of(tool).is_some()
+}
+
 /// Where what belongs to a tool lies, if it is shown `[points]`.
 pub(super) fn of_tool(context: &egui::Context, tool: Tool) -> Option<Rect> {
-    let name = match tool {
-        Tool::Build => "primitives",
-        Tool::Muscle | Tool::Motor => "drives",
-        Tool::Select => "matter",
-        Tool::Push => "push",
-        Tool::Paint => "brush",
-        Tool::Hand | Tool::Pin | Tool::Cut | Tool::Erase => return None,
-    };
-    let id = Id::unique(name);
+    let id = Id::unique(name_of(tool)?);
     let layer = LayerId::new(Order::Middle, id);
     context.memory(|memory| memory.area_rect(id).filter(|_| memory.areas().is_visible(&layer)))
 }
@@ -80,11 +89,12 @@ fn beside(context: &egui::Context, tools: Rect, room: Rect, tool: Tool) -> Rect 
     tools.with_min_y(tools.top().min(room.bottom() - high).max(room.top().min(tools.top())))
 }
 
-/// Shows them, and what belongs to the one that is taken. Returns where that begins and ends, of what grows with what is selected `[points]`.
+/// Shows them, and what belongs to the one that is taken, if that `has_panel`. Returns where that begins and ends, of what grows with what is
+/// selected `[points]`.
 pub(super) fn show(
     context: &egui::Context,
     rooms: &ToolRooms,
-    state: &mut PanelState,
+    (state, has_panel): (&mut PanelState, bool),
     facts: &Facts,
     wishes: &mut Vec<Wish>,
 ) -> Option<[f32; 2]> {
@@ -113,13 +123,17 @@ pub(super) fn show(
             })
         });
     });
+    if !has_panel {
+        return None;
+    }
+    let can_fold = state.room == Room::One;
     if facts.tool == Tool::Build {
-        primitives::show(context, (shown.response.rect, rooms.left), facts, wishes);
+        primitives::show(context, (shown.response.rect, rooms.left, can_fold), facts, wishes);
     }
     let tools = beside(context, shown.response.rect, rooms.left, facts.tool);
     let part = rooms.left.with_max_y(rooms.left.bottom().min(rooms.tools.bottom()));
     if matches!(facts.tool, Tool::Muscle | Tool::Motor) {
-        drives::show(context, (tools, part), facts, wishes);
+        drives::show(context, (tools, part, can_fold), facts, wishes);
     }
     match facts.tool {
         Tool::Select => {
@@ -132,8 +146,8 @@ pub(super) fn show(
                 wishes,
             ));
         }
-        Tool::Push => push::show(context, (tools, part), facts, wishes),
-        Tool::Paint => brush::show(context, (tools, part), facts, wishes),
+        Tool::Push => push::show(context, (tools, part, can_fold), facts, wishes),
+        Tool::Paint => brush::show(context, (tools, part, can_fold), facts, wishes),
         _ => {}
     }
     None

@@ -17,11 +17,11 @@ const SAID_NARROW: f32 = 78.0;
 const MOST_SAID: f32 = 112.0;
 /// From the tools to the numbers beside them `[points]`.
 const BESIDE_TOOLS: f32 = TOOLS + 44.0;
-/// What begins nearer than this to the left edge lies below what stands beside the tools `[points]`.
-const NEAR: f32 = 320.0;
 /// Widest line of what is said, and the narrowest gap that it stands in `[points]`.
 const WIDEST: f32 = 760.0;
 const LEAST_SAID: f32 = 170.0;
+/// The same beside a panel in a small window `[points]`.
+const LEAST_CROWDED: f32 = 104.0;
 /// From this width on what is said has two lines at most `[points]`.
 const WORDS: f32 = 420.0;
 /// Width of the usual picture in its heights `[1]`.
@@ -34,6 +34,11 @@ const LOWEST: f32 = 0.65;
 const HIGH: f32 = 0.4;
 /// Bodies are not shown in less than this share of the width `[1]`.
 const LEAST: f32 = 0.4;
+/// The same beside a panel in a small window `[1]`.
+const LEAST_BESIDE: f32 = 0.2;
+
+/// What belongs to a tool has a room so high at least `[points]`.
+const LEAST_HIGH: f32 = 110.0;
 
 /// What the panels leave.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -67,6 +72,8 @@ pub(super) struct Places {
     pub(super) is_covered: bool,
     /// Numbers of the grid stand beside the tools.
     pub(super) has_numbers: bool,
+    /// A panel lies beside the world where there is room for one alone.
+    pub(super) is_crowded: bool,
 }
 
 impl Places {
@@ -78,6 +85,7 @@ impl Places {
             below: room.bottom() - NUMBERS,
             is_covered,
             has_numbers: false,
+            is_crowded: false,
         }
     }
 
@@ -119,25 +127,19 @@ impl Places {
         Rect::from_min_max(pos2(self.room.left(), self.bar_bottom()), pos2(self.room.right(), self.above_dock()))
     }
 
-    /// The rooms for the tools and what belongs to them, beside `plots` and what takes so much of the right edge.
-    pub(super) fn of_tools(&self, plots: Option<Rect>, at_right: f32) -> ToolRooms {
+    /// The rooms for the tools and what belongs to them, beside what takes so much of the right edge. Plots that float go out of the way of
+    /// all but the tools; those along the lower edge keep their `strip`.
+    pub(super) fn of_tools(&self, (plots, strip): (Option<Rect>, Option<f32>), at_right: f32) -> ToolRooms {
         let high = self.bar_bottom();
         let low = if self.has_dock() { self.below - APART } else { self.room.bottom() };
-        let beside = |lies_there: bool| {
-            let low = plots.filter(|_| lies_there).map_or(self.above_dock(), |plots| plots.top() - APART);
-            Rect::from_min_max(pos2(self.room.left(), high), pos2(self.room.right(), low.max(high + 160.0)))
-        };
-        let left = beside(plots.is_some_and(|plots| plots.left() < self.room.left() + NEAR));
+        let end = strip.map_or(self.above_dock(), |top| top - APART);
+        let left =
+            Rect::from_min_max(pos2(self.room.left(), high), pos2(self.room.right(), end.max(high + LEAST_HIGH)));
         let end = self.room.right() - EDGE - at_right;
-        // Plots at the right edge lie below what belongs to a tool there, or above it.
-        let at_right = plots.filter(|plots| plots.right() > end - NEAR);
-        let above = at_right.filter(|plots| plots.center().y < self.room.center().y);
-        let right = beside(at_right.is_some() && above.is_none());
         // Where the buttons go as far as what is selected is shown, that begins below them.
         let is_below = self.bar.is_some_and(|bar| bar.right() + APART > end - WHOLE);
-        let first = if is_below { self.right.max(high) } else { self.right };
-        let top = above.map_or(first, |plots| plots.bottom() + APART);
-        let right = right.with_max_x(end).with_min_y(top.min(right.bottom() - 160.0));
+        let top = if is_below { self.right.max(high) } else { self.right };
+        let right = left.with_max_x(end).with_min_y(top.min(left.bottom() - LEAST_HIGH));
         let lies_below = plots.filter(|plots| plots.left() < self.room.left() + TOOLS);
         let lowest = lies_below.map_or(low, |plots| low.min(plots.top() - APART));
         // Bodies have the lower half for themselves.
@@ -177,8 +179,13 @@ impl Places {
     pub(super) fn free(&self, (at_right, titles): (f32, f32), (ends, plots): ([f32; 2], Option<Rect>)) -> Rect {
         let (left, right) = (self.room.left() + TOOLS + EDGE, self.room.right() - EDGE);
         let at_right = if at_right > 0.0 { at_right + EDGE } else { 0.0 };
-        let right = (right - at_right).max(left + LEAST * (right - left));
-        let said = if self.room.width() < NARROW { SAID_NARROW } else { SAID };
+        let least = if self.is_crowded { LEAST_BESIDE } else { LEAST };
+        let right = (right - at_right).max(left + least * (right - left));
+        let said = match self.room.width() < NARROW {
+            _ if self.is_crowded => EDGE,
+            true => SAID_NARROW,
+            false => SAID,
+        };
         let [caption, above] = ends;
         // What a tool's panel pushed down moves no body.
         let caption = caption.min(self.bar_bottom() + MOST_SAID);
@@ -219,8 +226,10 @@ impl Places {
     pub(super) fn said(&self, context: &Context, top: f32) -> (egui::Pos2, f32) {
         let lie: Vec<Rect> =
             areas(context).into_iter().filter(|(layer, _)| is_in_the_way(*layer)).map(|(_, at)| at).collect();
-        let room = self.room.with_min_x(self.room.left() + BESIDE_TOOLS).with_max_x(self.room.right() - EDGE);
-        between((room, self.room.center().x), &lie, top)
+        let room = self.room.with_max_x(self.room.right() - EDGE);
+        let (left, least) = if self.is_crowded { (TOOLS + APART, LEAST_CROWDED) } else { (BESIDE_TOOLS, LEAST_SAID) };
+        let room = room.with_min_x(self.room.left() + left);
+        between((room, self.room.center().x), (&lie, least), top)
     }
 }
 
@@ -230,8 +239,8 @@ fn is_in_the_way(layer: LayerId) -> bool {
 }
 
 /// The middle of the upper edge of a line in a room from `top` on, and how wide it may be: in the widest gap between what lies there, as
-/// near to `middle` as may be; below what leaves no gap.
-fn between((room, middle): (Rect, f32), lie: &[Rect], top: f32) -> (egui::Pos2, f32) {
+/// near to `middle` as may be; below what leaves no gap that is `least` wide.
+fn between((room, middle): (Rect, f32), (lie, least): (&[Rect], f32), top: f32) -> (egui::Pos2, f32) {
     let highest = top;
     let mut top = top;
     // Each time it goes below one of them at least.
@@ -242,7 +251,7 @@ fn between((room, middle): (Rect, f32), lie: &[Rect], top: f32) -> (egui::Pos2, 
         // In a narrow gap the same words take more lines.
         let beside = beside(if right - left < WORDS { MOST_SAID } else { SAID });
         let (left, right) = widest_gap(room, &beside);
-        if right - left >= LEAST_SAID {
+        if right - left >= least {
             let width = (right - left).min(WIDEST);
             return (pos2(middle.clamp(left + 0.5 * width, right - 0.5 * width), top), width);
         }
@@ -375,7 +384,7 @@ mod tests {
     fn what_is_said_stands_in_the_widest_gap_or_below_what_leaves_none() {
         let room = Rect::from_min_max(pos2(110.0, 0.0), pos2(1270.0, 650.0));
         let at = |left: f32, right: f32, bottom: f32| Rect::from_min_max(pos2(left, 60.0), pos2(right, bottom));
-        let said = |lie: &[Rect]| between((room, 640.0), lie, 60.0);
+        let said = |lie: &[Rect]| between((room, 640.0), (lie, LEAST_SAID), 60.0);
         let (middle, width) = said(&[]);
         assert_eq!((middle, width), (pos2(640.0, 60.0), WIDEST));
         let (middle, width) = said(&[at(450.0, 694.0, 100.0)]);
@@ -402,9 +411,9 @@ mod tests {
     fn what_lies_along_the_lower_edge_takes_its_room_from_tools_and_bodies() {
         let mut places = Places::new(Rect::from_min_max(pos2(0.0, 0.0), pos2(720.0, 1236.0)), false);
         assert!(places.is_upright());
-        assert_eq!(places.of_tools(None, 0.0).tools.bottom(), 1236.0);
+        assert_eq!(places.of_tools((None, None), 0.0).tools.bottom(), 1236.0);
         places.below = 700.0;
-        let rooms = places.of_tools(None, 0.0);
+        let rooms = places.of_tools((None, None), 0.0);
         for bottom in [rooms.tools.bottom(), rooms.left.bottom(), places.free((0.0, 0.0), ([0.0; 2], None)).bottom()] {
             assert_eq!(bottom, 700.0 - APART);
         }

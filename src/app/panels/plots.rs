@@ -30,6 +30,10 @@ const LEFT: [f32; 2] = [76.0, 10.0];
 /// Its frame, header, choices and names, above the plot `[points]`; those of one that has its choices in the header.
 const HEAD: f32 = 118.0;
 const SHORT: f32 = 86.0;
+/// In a small window: what half of its width has more than a plot, its least width, the least that has room for choices in its header, and its
+/// least height `[points]`; and the greatest height, unless three tenths of the room are more `[points]`.
+const SMALL: [f32; 4] = [70.0, 200.0, 330.0, 40.0];
+const LOW_SMALL: f32 = 90.0;
 /// Beside a lesson a plot is no lower than this `[points]`.
 const LEAST: f32 = 70.0;
 /// Points so near to it are covered by what lies about them `[points]`.
@@ -100,12 +104,12 @@ impl PlotsAt {
     }
 }
 
-/// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge; off what belongs to a tool; not at all
-/// where that leaves no room for it. Returns where it lies `[points]`.
+/// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge; off what is taken, by what
+/// belongs to a tool and by keys that are to be held; not at all where that leaves no room for it. Returns where it lies `[points]`.
 pub(super) fn show(
     context: &egui::Context,
     (room, top): (Rect, f32),
-    (plots, (points, at, is_docked), of_tool): (&mut Plots, (&[Pos2], &mut PlotsAt, bool), Option<Rect>),
+    (plots, (points, at, is_docked), taken): (&mut Plots, (&[Pos2], &mut PlotsAt, bool), Vec<Rect>),
     wishes: &mut Vec<Wish>,
 ) -> Option<Rect> {
     let id = area_id();
@@ -125,7 +129,6 @@ pub(super) fn show(
     // What belongs to a tool has the place that it takes; a folded panel is as low as it is.
     let is_folded = size.y < HEAD;
     let most = if is_folded { size.y } else { size.y.max(high + HEAD) };
-    let taken: Vec<Rect> = of_tool.into_iter().collect();
     let (corner, less) = clear_of(corner, vec2(size.x, most), room, &taken)?;
     let high = (high - less).max(LEAST);
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
@@ -157,6 +160,23 @@ pub(super) fn show_above(
     let corner = room.right_bottom() - vec2(10.0 + at_edge, 0.0);
     let area = Area::new(Id::unique("plots above")).pivot(Align2::RIGHT_BOTTOM).fixed_pos(corner);
     area.show(context, |ui| panel(ui, ([width, high], true), plots, wishes));
+}
+
+/// Width of a plot in a room that is small `[points]`: the world keeps half of it.
+pub(super) fn small_width(room: Rect) -> f32 {
+    (0.5 * room.width() - SMALL[0]).clamp(SMALL[1], SIZE[0])
+}
+
+/// Shows it at the lower right corner of a room that is small. Returns where it lies `[points]`.
+pub(super) fn show_small(context: &egui::Context, room: Rect, plots: &mut Plots, wishes: &mut Vec<Wish>) -> Rect {
+    let width = small_width(room);
+    // Choices have room in the header of a wide one alone.
+    let is_short = width >= SMALL[2] || plots.probes().iter().all(Option::is_none);
+    let head = if is_short { head(plots) } else { HEAD };
+    let high = (room.height() - head).clamp(SMALL[3], LOW_SMALL.max(0.3 * room.height()));
+    let area = Area::new(Id::unique("plots below")).pivot(Align2::RIGHT_BOTTOM);
+    let area = area.fixed_pos(room.right_bottom() - vec2(LEFT[1], 0.0));
+    area.show(context, |ui| panel(ui, ([width, high], is_short), plots, wishes)).response.rect
 }
 
 /// What is above the plot beside a lesson `[points]`: of two probes the choices have a row of their own.

@@ -54,7 +54,12 @@ impl Screen {
         let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
         let mut output = self.context.run_ui(input, |ui| {
             let at = (&[][..], &mut self.at, false);
-            plots::show(ui.ctx(), (ui.available_rect_before_wrap(), 0.0), (&mut self.plots, at, None), &mut wishes);
+            plots::show(
+                ui.ctx(),
+                (ui.available_rect_before_wrap(), 0.0),
+                (&mut self.plots, at, Vec::new()),
+                &mut wishes,
+            );
         });
         output.textures_delta.clear();
         let mut shapes = Vec::new();

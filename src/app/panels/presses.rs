@@ -10,6 +10,8 @@ use egui::{Context, Event, Plugin, RawInput, Ui};
 pub(in crate::app) fn listen(context: &Context) {
     context.add_plugin(Presses::default());
     context.add_plugin(Numbers);
+    // A press and its release are a frame apart, which may take long: however long, they are a click where the pointer stays.
+    context.options_mut(|options| options.input_options.max_click_duration = f64::INFINITY);
 }
 
 /// Events that later passes will hear of.
@@ -75,5 +77,22 @@ mod tests {
         assert_eq!(end_of_first(&all[..1]), 1, "moves alone are heard at once");
         assert_eq!(end_of_first(&[button(from, true), Event::Text("x".to_owned())]), 2, "so is what is typed");
         assert_eq!(end_of_first(&[]), 0);
+    }
+
+    #[test]
+    fn a_press_and_a_release_that_frames_of_a_second_part_are_a_click() {
+        let context = Context::default();
+        listen(&context);
+        let (mut is_clicked, at) = (false, pos2(20.0, 20.0));
+        let all = [vec![], vec![Event::PointerMoved(at)], vec![button(at, true)], vec![button(at, false)]];
+        for (events, second) in all.into_iter().zip(1_u8..) {
+            let input = RawInput { events, time: Some(f64::from(second)), ..RawInput::default() };
+            let mut output = context.run_ui(input, |ui| {
+                let size = egui::vec2(80.0, 40.0);
+                is_clicked |= ui.put(egui::Rect::from_center_size(at, size), egui::Button::new("a button")).clicked();
+            });
+            output.textures_delta.clear();
+        }
+        assert!(is_clicked);
     }
 }

@@ -3,9 +3,10 @@
 use egui::epaint::PathShape;
 use egui::{Area, Id, Painter, Pos2, Rect, RectAlign, Response, Shape, Stroke, Tooltip, Ui};
 
+use super::folded::untitled;
 use super::icons::{self, Icon};
 use super::theme::floating;
-use super::{Facts, Wish, ticks};
+use super::{Facts, Wish, low, ticks};
 use crate::app::action::Primitive;
 use crate::app::tools::{Link, is_of_space};
 
@@ -50,28 +51,43 @@ fn columns(height: f32) -> usize {
     (2..=4).find(|columns| rows(columns) * ROW + FRAME <= height).unwrap_or(4)
 }
 
-/// Shows them at the right of the tools, above the lower edge of a room.
-pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: &Facts, wishes: &mut Vec<Wish>) {
+/// Shows them at the right of the tools, above the lower edge of a room; they may be folded.
+pub(super) fn show(
+    context: &egui::Context,
+    (tools, room, can_fold): (Rect, Rect, bool),
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let columns = columns(room.bottom() - corner.y);
     let id = Id::unique("primitives");
     let edge = context.memory(|memory| memory.area_rect(id)).map_or(corner.x, |panel| panel.right());
     Area::new(id).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
-            ui.spacing_mut().item_spacing.y = 4.0;
-            let is_there = |primitive: &Primitive| facts.dimensions != 3 || is_of_space(*primitive);
-            let all: Vec<Primitive> = Primitive::ALL.into_iter().filter(is_there).collect();
-            for row in all.chunks(columns) {
-                ui.horizontal(|ui| {
-                    ui.spacing_mut().item_spacing.x = 4.0;
-                    row.iter().for_each(|&primitive| choice(ui, (primitive, edge), facts, wishes));
+            let part = room.with_min_y(corner.y);
+            low::within(ui, part, |ui| {
+                untitled(ui, ("Build", can_fold), |ui| {
+                    ui.spacing_mut().item_spacing.y = 4.0;
+                    choices(ui, (columns, edge), facts, wishes);
+                    if facts.primitive == Primitive::Bonds {
+                        links(ui, edge, facts, wishes);
+                    }
                 });
-            }
-            if facts.primitive == Primitive::Bonds {
-                links(ui, edge, facts, wishes);
-            }
+            });
         });
     });
+}
+
+/// All that the scene has room for, in so many columns.
+fn choices(ui: &mut Ui, (columns, edge): (usize, f32), facts: &Facts, wishes: &mut Vec<Wish>) {
+    let is_there = |primitive: &Primitive| facts.dimensions != 3 || is_of_space(*primitive);
+    let all: Vec<Primitive> = Primitive::ALL.into_iter().filter(is_there).collect();
+    for row in all.chunks(columns) {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            row.iter().for_each(|&primitive| choice(ui, (primitive, edge), facts, wishes));
+        });
+    }
 }
 
 /// What drawn bonds are made of.
@@ -183,7 +199,7 @@ mod tests {
         let tools = Rect::from_min_size(Pos2::new(10.0, 100.0), egui::vec2(50.0, 400.0));
         let room = Rect::from_min_size(Pos2::ZERO, egui::vec2(1280.0, 720.0));
         let mut harness = Harness::builder().with_size(room.size()).build_ui(move |ui| {
-            show(ui.ctx(), (tools, room), &facts, &mut Vec::new());
+            show(ui.ctx(), (tools, room, false), &facts, &mut Vec::new());
         });
         harness.run_steps(6);
         for primitive in Primitive::ALL {

@@ -2,6 +2,7 @@
 
 use egui::{Area, Id, Rect, RichText, Slider, SliderClamping};
 
+use super::folded::titled;
 use super::settings::Setting;
 use super::theme::{colors, floating};
 use super::{Facts, Wish, low, ranged, ticks};
@@ -37,35 +38,46 @@ fn turbulence(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     }
 }
 
-/// Shows it at the right of the tools.
-pub(super) fn show(context: &egui::Context, (tools, room): (Rect, Rect), facts: &Facts, wishes: &mut Vec<Wish>) {
+/// What an arrow is.
+fn choices(ui: &mut egui::Ui, way: &mut PushWay, facts: &Facts) {
+    let is_plane = facts.dimensions == 2;
+    for other in PushWay::ALL.into_iter().filter(|way| is_plane || *way != PushWay::Turn) {
+        let words = match other {
+            PushWay::Wind => "wind over all bodies (W)",
+            PushWay::Point => "on a point",
+            PushWay::Body => "on the body (Shift)",
+            PushWay::Turn => "torque on the body (Alt)",
+            PushWay::Speed => "no force: its velocity",
+        };
+        ticks::one_of(ui, way, other, words);
+    }
+}
+
+/// Shows it at the right of the tools; it may be folded.
+pub(super) fn show(
+    context: &egui::Context,
+    (tools, room, can_fold): (Rect, Rect, bool),
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
     let mut way = facts.push;
     Area::new(Id::unique("push")).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             low::within(ui, room, |ui| {
                 ui.set_width(WIDTH);
-                let is_plane = facts.dimensions == 2;
                 let (title, said) = match way {
                     PushWay::Wind => ("Wind", WIND),
                     PushWay::Speed => ("Velocity", "drag an arrow from a body: it flies off so fast; a click stops it"),
                     _ => ("Force that stays", "drag an arrow from a body; a click on one takes it away"),
                 };
-                ui.label(RichText::new(title).color(colors(ui).text).strong());
-                ui.label(RichText::new(said).color(colors(ui).weak));
-                for other in PushWay::ALL.into_iter().filter(|way| is_plane || *way != PushWay::Turn) {
-                    let words = match other {
-                        PushWay::Wind => "wind over all bodies (W)",
-                        PushWay::Point => "on a point",
-                        PushWay::Body => "on the body (Shift)",
-                        PushWay::Turn => "torque on the body (Alt)",
-                        PushWay::Speed => "no force: its velocity",
-                    };
-                    ticks::one_of(ui, &mut way, other, words);
-                }
-                if way == PushWay::Wind {
-                    turbulence(ui, facts, wishes);
-                }
+                titled(ui, (title, can_fold), |ui| {
+                    ui.label(RichText::new(said).color(colors(ui).weak));
+                    choices(ui, &mut way, facts);
+                    if way == PushWay::Wind {
+                        turbulence(ui, facts, wishes);
+                    }
+                });
             })
         });
     });

@@ -4,19 +4,75 @@ use std::path::PathBuf;
 
 use egui::{Area, Id, Rect, RichText, Ui};
 
+use super::beside::COMPARE;
 use super::icons::{self, Icon};
 use super::theme::{colors, floating};
 use super::{Facts, Wish, described, icon, low, reopen};
 use crate::app::action::{Action, Showing};
 
-/// In narrower rooms buttons stand closer to each other, so that most of them are in one row `[points]`.
-const TIGHT: f32 = 1080.0;
+/// How close buttons stand, and which have a word beside their sign.
+#[derive(Clone, Copy)]
+struct Spread {
+    /// All of them have one.
+    has_words: bool,
+    /// Those whose signs alone say little have one.
+    has_names: bool,
+    /// From button to button `[points]`.
+    gap: f32,
+    /// Width of the name of what is open `[points]`: what it is called moves no button.
+    name: f32,
+}
 
-/// From this width on there is room for words beside the signs `[points]`.
+/// From the widest to the narrowest.
+const SPREADS: [Spread; 4] = [
+    Spread { has_words: true, has_names: true, gap: 8.0, name: 150.0 },
+    Spread { has_words: false, has_names: true, gap: 8.0, name: 150.0 },
+    Spread { has_words: false, has_names: true, gap: 4.0, name: 104.0 },
+    Spread { has_words: false, has_names: false, gap: 4.0, name: 104.0 },
+];
+
+/// From this width on there is room for all words `[points]`.
 const WORDS: f32 = 1500.0;
 
-/// Width of the name of what is open `[points]`: what it is called moves no button. The second is that in narrower rooms.
-const NAME: [f32; 2] = [150.0, 104.0];
+/// What the row does not have of the width of a room, and the width of a line between buttons `[points]`.
+const BESIDE: f32 = 36.0;
+const LINE: f32 = 6.0;
+
+impl Spread {
+    /// Of as few rows as may be in a room so wide, the widest one: by all buttons that there can be, so that none stands elsewhere where a
+    /// scene has one more.
+    fn of(ui: &Ui, width: f32) -> Self {
+        let all = SPREADS.into_iter().filter(|spread| width >= WORDS || !spread.has_words);
+        all.min_by_key(|spread| spread.rows(ui, width - BESIDE)).unwrap_or(SPREADS[3])
+    }
+
+    /// How many rows all buttons are in, in so much width.
+    fn rows(self, ui: &Ui, width: f32) -> usize {
+        let sign = |has: bool, word: &str| if has { icons::width(ui, word) } else { icons::SMALL.x };
+        let of_words = |words: &[&str]| words.iter().map(|word| sign(self.has_words, word)).collect::<Vec<_>>();
+        let of_names = |words: &[&str]| words.iter().map(|word| sign(self.has_names, word)).collect::<Vec<_>>();
+        let signs = |count: usize| vec![icons::SMALL.x; count];
+        let names = Showing::ALL.map(Showing::name);
+        let groups = [
+            [signs(2), vec![self.name, LINE]].concat(),
+            [of_words(&["New", "Draw", "Open", "Save"]), vec![LINE]].concat(),
+            [signs(2), vec![LINE], of_words(&["Fit"])].concat(),
+            [of_names(&names), of_names(&[COMPARE]), vec![LINE]].concat(),
+            [signs(4), of_names(&[PICTURE])].concat(),
+        ];
+        let (mut rows, mut end) = (1, 0.0);
+        for wide in groups.into_iter().flatten() {
+            if end > 0.0 && end + wide > width {
+                (rows, end) = (rows + 1, 0.0);
+            }
+            end += wide + self.gap;
+        }
+        rows
+    }
+}
+
+/// What the button is called that cuts a picture out anew.
+const PICTURE: &str = "Picture";
 
 /// The part of the height that it takes at most `[1]`.
 const MOST: f32 = 0.42;
@@ -30,7 +86,7 @@ pub(super) fn show(
 ) -> Rect {
     let shown = Area::new(Id::unique("scene")).fixed_pos([10.0, 10.0]).show(context, |ui| {
         floating(ui).show(ui, |ui| {
-            ui.set_max_width((room.width() - 36.0).max(40.0));
+            ui.set_max_width((room.width() - BESIDE).max(40.0));
             let part = room.with_max_y(room.top() + MOST * room.height());
             low::within(ui, part, |ui| ui.horizontal_wrapped(|ui| buttons(ui, (room.width(), recent), facts, wishes)));
         });
@@ -40,21 +96,17 @@ pub(super) fn show(
 
 /// All of them, in a room so wide.
 fn buttons(ui: &mut Ui, (width, recent): (f32, &[PathBuf]), facts: &Facts, wishes: &mut Vec<Wish>) {
-    if width < TIGHT {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        ui.spacing_mut().button_padding.x = 6.0;
-    }
+    let Spread { has_words, has_names, gap, name: of_name } = Spread::of(ui, width);
+    ui.spacing_mut().item_spacing.x = gap;
     icon(ui, Icon::Before, "the scene before", Action::PreviousScene, wishes);
     icon(ui, Icon::After, "the scene after", Action::NextScene, wishes);
     let name = egui::Button::new(RichText::new(&facts.title).color(colors(ui).text).strong()).truncate();
-    let of_name = NAME[usize::from(width < TIGHT)].min(ui.max_rect().width());
+    let of_name = of_name.min(ui.max_rect().width());
     let said = format!("{}: {}", facts.title, described("the gallery", Action::Gallery));
     let height = ui.spacing().interact_size.y.max(icons::SMALL.y);
     if ui.add_sized([of_name, height], name).on_hover_text(said).clicked() {
         wishes.push(Wish::Act(Action::Gallery));
     }
-    // A word beside its sign where there is room, and always where signs alone say little.
-    let has_words = width >= WORDS;
     ui.separator();
     plain(ui, (Icon::New, "New"), ("new: an empty scene", Action::New), has_words, wishes);
     plain(ui, (Icon::Draw, "Draw"), ("draw a body", Action::Paint), has_words, wishes);
@@ -74,9 +126,9 @@ fn buttons(ui: &mut Ui, (width, recent): (f32, &[PathBuf]), facts: &Facts, wishe
         };
         let said = described(showing.words(), Action::NextShowing);
         let is_on = facts.showing == showing;
-        worded(ui, (sign, showing.name()), (said, Action::Show(showing)), [true, is_on], wishes);
+        worded(ui, (sign, showing.name()), (said, Action::Show(showing)), [has_names, is_on], wishes);
     }
-    super::beside::menu(ui, facts, wishes);
+    super::beside::menu(ui, has_names, facts, wishes);
     ui.separator();
     icon(ui, Icon::Book, "lessons: how it works", Action::Lessons, wishes);
     icon(ui, Icon::Plot, "plots of the energies", Action::Plots, wishes);
@@ -86,7 +138,7 @@ fn buttons(ui: &mut Ui, (width, recent): (f32, &[PathBuf]), facts: &Facts, wishe
     // Last: where a scene has none no other button stands elsewhere.
     if facts.has_picture {
         let said = described("cut the scene's first picture out anew", Action::Import);
-        worded(ui, (Icon::Picture, "Picture"), (said, Action::Import), [true, false], wishes);
+        worded(ui, (Icon::Picture, PICTURE), (said, Action::Import), [has_names, false], wishes);
     }
 }
 
@@ -119,5 +171,45 @@ fn worded(
 ) {
     if icons::worded(ui, sign, word, (has_word, is_on)).on_hover_text(said).clicked() {
         wishes.push(Wish::Act(action));
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use egui::{Pos2, vec2};
+
+    use super::super::theme;
+    use super::*;
+
+    /// How wide and how high the bar is in a window so wide, of a scene with a picture or without.
+    fn size(width: f32, has_picture: bool) -> egui::Vec2 {
+        let context = egui::Context::default();
+        theme::apply(&context, Default::default());
+        let room = Rect::from_min_size(Pos2::ZERO, vec2(width, 700.0));
+        let facts = Facts { has_picture, title: "a scene".to_owned(), ..Facts::default() };
+        let mut rect = Rect::NOTHING;
+        for _ in 0..4 {
+            let input = egui::RawInput { screen_rect: Some(room), ..egui::RawInput::default() };
+            let mut output = context.run_ui(input, |ui| rect = show(ui.ctx(), (room, &[]), &facts, &mut Vec::new()));
+            output.textures_delta.clear();
+        }
+        rect.size()
+    }
+
+    #[test]
+    fn buttons_are_in_one_row_wherever_that_has_room() {
+        let row = size(1280.0, true).y;
+        assert!((30.0..60.0).contains(&row), "{row}");
+        for width in (800..2000).step_by(20) {
+            let bar = size(width as f32, true);
+            assert!(bar.y <= row + 1.0 && bar.x <= width as f32 - 16.0, "{width}: {bar}");
+            let without = size(width as f32, false);
+            assert!(without.y <= row + 1.0 && without.x < bar.x, "{width}: {without}");
+        }
+        for width in [480.0, 600.0, 720.0] {
+            let bar = size(width, true);
+            assert!(bar.y <= 2.0 * row && bar.x <= width - 16.0, "{width}: {bar}");
+        }
     }
 }

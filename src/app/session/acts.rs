@@ -98,11 +98,14 @@ impl Session {
             Action::Paste => self.paste(),
             Action::Save => self.save(),
             Action::Screenshot => self.take_screenshot(),
-            Action::Settings if self.panels.has_settings => self.close_settings(),
-            Action::Settings => self.panels.has_settings = true,
-            Action::FindSetting => (self.panels.has_settings, self.panels.finds_setting) = (true, true),
+            Action::Settings if self.panels.is_seen(Opened::Settings) => self.close_settings(),
+            Action::Settings => self.panels.toggle_settings(),
+            Action::FindSetting => {
+                (self.panels.has_settings, self.panels.finds_setting) = (true, true);
+                self.panels.bring(Opened::Settings);
+            }
             Action::Plots => self.toggle_plots(),
-            Action::Lessons => self.toggle_lessons(),
+            Action::Lessons => self.panels.toggle_lessons(),
             Action::TogglePanels => self.panels.hides_panels = !self.panels.hides_panels,
             Action::ToggleHud => self.panels.hides_hud = !self.panels.hides_hud,
             Action::FullScreen => self.toggle_full_screen(),
@@ -130,6 +133,7 @@ impl Session {
             next = next.next();
         }
         self.hand.choose(next);
+        self.panels.bring(Opened::Tool);
         self.say(format!("build: {}", next.name().to_lowercase()));
         self.touch();
     }
@@ -234,8 +238,8 @@ impl Session {
             Some(Opened::Settings) => self.close_settings(),
             Some(Opened::Selection) => self.hand.deselect(),
             Some(Opened::Plots) => self.toggle_plots(),
-            Some(Opened::Lessons) => self.toggle_lessons(),
-            None => {}
+            Some(Opened::Lessons) => self.panels.toggle_lessons(),
+            Some(Opened::Tool) | None => {}
         }
     }
 
@@ -254,6 +258,7 @@ impl Session {
         }
         self.leave_drawing();
         self.hand.take(tool);
+        self.panels.take(tool);
         // It is of the hand.
         self.place_hint();
         if tool == Tool::Build && self.scene.dimensions() == 3 && !is_of_space(self.hand.primitive()) {
@@ -281,17 +286,6 @@ impl Session {
         self.panels.has_settings = false;
         self.panels.settings_search.clear();
         self.leave_field();
-    }
-
-    /// Opens the lessons, or closes them. Where they have no room beside the settings, those close.
-    fn toggle_lessons(&mut self) {
-        let panels = &mut self.panels;
-        let are_hidden = panels.has_settings && !panels.has_room_for_both;
-        panels.lessons.is_open = !panels.lessons.is_open || are_hidden;
-        panels.lessons.left = None;
-        if panels.lessons.is_open && are_hidden {
-            panels.has_settings = false;
-        }
     }
 
     fn toggle_sheet(&mut self, sheet: Sheet) {

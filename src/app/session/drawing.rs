@@ -12,7 +12,7 @@ use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, theme};
-use crate::app::tools::{Mark, Role, Scope, labels, no_motors, no_muscles, probe};
+use crate::app::tools::{Mark, Role, Scope, labels, no_motors, no_muscles, probe, would_stop};
 use crate::app::whereabouts::{apart, places_of};
 use crate::app::words::{self, Anchor};
 use crate::lessons::heading_of;
@@ -328,6 +328,9 @@ impl Session {
         if !self.is_covered() && self.shown().point_count() <= MOST_MARKED {
             // What is selected is seen while its panel is used.
             marks.extend(self.hand.marks(scope, self.pixel().filter(|_| !is_idle)));
+            if let Some(matter) = self.shown().matter.as_ref().filter(|_| self.panels.previews_stops) {
+                marks.extend(would_stop(scope, &matter.coming_stops));
+            }
         }
         if !self.is_covered() && !self.panels.hides_hud {
             marks.extend(labels(scope, self.shown().figures.relaxed));

@@ -8,7 +8,7 @@ use super::Session;
 use crate::app::action::Tool;
 use crate::app::framing::{Beside, Framing, Open, Turn, Undocked};
 use crate::app::opening::{self, Followed, Over};
-use crate::app::panels::{Laid, matter_lies};
+use crate::app::panels::{Laid, Opened, matter_lies};
 use crate::render::Overlay;
 
 impl Session {
@@ -102,7 +102,8 @@ impl Session {
         let panels = &self.panels;
         let tool = self.hand.tool();
         let selects = tool == Tool::Select;
-        let open = [panels.has_settings, panels.lessons.is_open, has_plots, panels.hides_panels, selects];
+        let seen = [Opened::Settings, Opened::Lessons].map(|panel| panels.is_seen(panel));
+        let open = [seen[0], seen[1], has_plots, panels.hides_panels, selects];
         let finds_size = self.ways.wait_for(open, tool) && taken != self.ways.taken;
         if !(self.lies_below() || finds_size) {
             return;
@@ -136,9 +137,9 @@ impl Session {
         let panels = &self.panels;
         let has_legend = self.look.overlay == Overlay::Strain;
         let panels = [
-            panels.has_settings,
-            panels.lessons.is_open,
-            panels.plots.is_some(),
+            panels.is_seen(Opened::Settings),
+            panels.is_seen(Opened::Lessons),
+            panels.is_seen(Opened::Plots),
             !panels.hides_hud,
             has_legend,
             panels.hides_panels,

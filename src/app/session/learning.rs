@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::app::action::Showing;
-use crate::app::panels::{At, Met};
+use crate::app::panels::{At, Met, Opened, Room};
 use crate::lessons::{Show, lessons};
 
 impl Session {
@@ -51,6 +51,10 @@ impl Session {
             Some(plot) => {
                 self.panels.lessons.plots |= !had;
                 self.plot_as(plot);
+                // Where there is no room for both, words come before curves.
+                if !had && self.panels.room == Room::One {
+                    self.panels.bring(Opened::Lessons);
+                }
             }
             // What an earlier step opened would lie over this one's scene.
             None if std::mem::take(&mut self.panels.lessons.plots) && had => self.forget_plots(),

@@ -19,8 +19,9 @@ impl Session {
 
     /// Closes the panel for good: what it was of is of another scene, or of another step of a lesson.
     pub(super) fn forget_plots(&mut self) {
-        self.toggle_plots();
-        self.panels.plots_left = None;
+        self.panels.plots_at.begin();
+        (self.panels.plots, self.panels.plots_left) = (None, None);
+        self.watch();
     }
 
     /// Opens the panel on what a lesson asks for.

@@ -63,6 +63,7 @@ mod selection;
 mod skin;
 #[cfg(test)]
 mod space_tests;
+mod stops;
 #[cfg(test)]
 mod tests;
 mod throw;
@@ -105,6 +106,7 @@ pub(super) use rings::Ring;
 use rings::RingGrip;
 pub(super) use room::Walls;
 use selection::Selection;
+pub(super) use stops::would_be as would_stop;
 use throw::Throw;
 use wind::Blow;
 

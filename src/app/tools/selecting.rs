@@ -10,7 +10,7 @@ use super::marks::{Mark, Role};
 use super::pick::Scope;
 use super::region::Region;
 use super::rings::{Ring, RingGrip, Rings};
-use super::{Deed, Doing, Hand};
+use super::{Deed, Doing, Hand, stops};
 use crate::app::action::Tool;
 use crate::sim::Knots;
 
@@ -218,7 +218,8 @@ impl Hand {
                 let ring = at.and_then(|at| rings?.ring(scope, at));
                 let rings = rings.iter().flat_map(|rings| rings.marks(scope, ring));
                 let handles = frame.iter().flat_map(|frame| frame.marks(scope, near)).chain(rings);
-                outline.into_iter().chain(handles).chain(ways(scope)).collect()
+                let stops = stops::marks(scope, &chosen.points);
+                outline.into_iter().chain(handles).chain(ways(scope)).chain(stops).collect()
             }
             _ => outline,
         }

@@ -23,6 +23,8 @@ const SEARCH: &str = "search the settings";
 pub(super) const WIDTH: f32 = 250.0;
 /// Frame and header, above what is scrolled `[points]`.
 const HEAD: f32 = 52.0;
+/// What is scrolled is no lower, however low a window is `[points]`.
+const LEAST: f32 = 60.0;
 /// What can be set, as it is.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::app) struct Settings {
@@ -116,7 +118,7 @@ pub(super) fn show_below(
     facts: &Facts,
     wishes: &mut Vec<Wish>,
 ) -> f32 {
-    let size = [(room.width() - 36.0).max(180.0), (super::lessons::LOW * room.height() - HEAD).max(120.0)];
+    let size = [(room.width() - 36.0).max(180.0), (super::lessons::LOW * room.height() - HEAD).max(LEAST)];
     let place = (Align2::CENTER_BOTTOM, room.center_bottom());
     // As high whatever is found: it stands on the lower edge, and the field would move.
     panel(context, (place, size, true), state, (facts, wishes), |ui, facts, sections, sink| {
@@ -132,7 +134,7 @@ pub(super) fn show_below(
 /// Shows it at the upper right corner of a room.
 pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
     let corner = room.right_top() - egui::vec2(10.0, 0.0);
-    let size = [WIDTH, (room.height() - HEAD).max(120.0)];
+    let size = [WIDTH, (room.height() - HEAD).max(LEAST)];
     panel(context, ((Align2::RIGHT_TOP, corner), size, false), state, (facts, wishes), |ui, facts, sections, sink| {
         all_of(ui, sections, facts, sink);
     });

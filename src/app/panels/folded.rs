@@ -1,0 +1,38 @@
+//! A panel of a tool: in a small window its title folds it, and unfolds it.
+
+use egui::collapsing_header::CollapsingState;
+use egui::{Id, Label, RichText, Sense, Ui};
+
+use super::theme::colors;
+
+/// Shows what a panel has below its title, which folds it where it `can_fold`.
+pub(super) fn titled(ui: &mut Ui, (title, can_fold): (&str, bool), body: impl FnOnce(&mut Ui)) {
+    match can_fold {
+        true => folded(ui, title, body),
+        false => {
+            heading(ui, title);
+            body(ui);
+        }
+    }
+}
+
+/// Shows what a panel has; where it `can_fold`, below a title that does that.
+pub(super) fn untitled(ui: &mut Ui, (title, can_fold): (&str, bool), body: impl FnOnce(&mut Ui)) {
+    if can_fold { folded(ui, title, body) } else { body(ui) }
+}
+
+fn folded(ui: &mut Ui, title: &str, body: impl FnOnce(&mut Ui)) {
+    let fold = CollapsingState::load_with_default_open(ui.ctx(), Id::unique(("panel of a tool", title)), true);
+    let mut is_clicked = false;
+    let mut header = fold.show_header(ui, |ui| is_clicked = heading(ui, title));
+    if is_clicked {
+        header.toggle();
+    }
+    header.body_unindented(body);
+}
+
+/// Returns whether it is clicked.
+fn heading(ui: &mut Ui, title: &str) -> bool {
+    let words = Label::new(RichText::new(title).color(colors(ui).text).strong());
+    ui.add(words.selectable(false).sense(Sense::click())).clicked()
+}

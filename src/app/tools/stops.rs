@@ -1,0 +1,144 @@
+//! The stops of joints, in the world: an arc from one to the other about the joint, and where in it the arm is that turns.
+
+use std::f64::consts::TAU;
+
+use glam::DVec2;
+
+use super::marks::{Mark, Role};
+use super::pick::Scope;
+use crate::app::matter::Joint;
+use crate::sim::PointId;
+
+/// Radius of an arc in lengths of the shorter arm, and the least and the greatest one `[logical px]`.
+const SHARE: f64 = 0.45;
+const RADII: [f64; 2] = [16.0, 56.0];
+/// A stop is a line across the arc, from this to that, in its radii.
+const ACROSS: [f64; 2] = [0.75, 1.25];
+/// Numbers stand so far out, in radii.
+const OUT: f64 = 1.5;
+/// An arc is cut into pieces no longer than this `[rad]`.
+const PIECE: f64 = TAU / 48.0;
+/// Widths of the arc and of its stops, and the radius of the knob where the arm is `[logical px]`.
+const WIDTHS: [f64; 2] = [1.6, 2.6];
+const KNOB: f64 = 3.5;
+/// So far beyond a stop it is pressed on, not just met `[rad]`.
+const BEYOND: f64 = 0.02;
+/// Arcs that are drawn at most, and those that have numbers.
+const MOST: usize = 64;
+const NUMBERED: usize = 2;
+
+/// The stops of all joints among points, which are ascending.
+pub(super) fn marks(scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
+    let has = |point: &PointId| points.binary_search(point).is_ok();
+    let angles = scope.shown.scenery.angles.iter().filter(|angle| angle.points.iter().all(has));
+    let joints: Vec<Joint> = angles.filter_map(|angle| Some((angle.points, angle.range?))).take(MOST).collect();
+    all(scope, Role::Lead, &joints)
+}
+
+/// Where joints that have none would get them.
+pub(in crate::app) fn would_be(scope: Scope<'_>, joints: &[Joint]) -> Vec<Mark> {
+    all(scope, Role::Come, &joints[..joints.len().min(MOST)])
+}
+
+fn all(scope: Scope<'_>, role: Role, joints: &[Joint]) -> Vec<Mark> {
+    if scope.shown.dimensions != 2 {
+        return Vec::new();
+    }
+    let is_numbered = joints.len() <= NUMBERED;
+    joints.iter().filter_map(|joint| arc(scope, role, joint, is_numbered)).flatten().collect()
+}
+
+/// One of them; `None` where an arm has no length or lies behind what is seen.
+fn arc(scope: Scope<'_>, role: Role, (points, [least, most]): &Joint, is_numbered: bool) -> Option<Vec<Mark>> {
+    let [i, j, k] = points.map(|point| DVec2::from_slice(&scope.shown.place(point.index())[..2]));
+    let (first, second) = (i - j, k - j);
+    let arm = first.length().min(second.length());
+    if !(arm > 0.0 && arm.is_finite()) {
+        return None;
+    }
+    let [low, high] = RADII.map(|radius| radius * scope.scale / scope.camera.pixels_per_metre());
+    let radius = (SHARE * arm).clamp(low, high);
+    let from = first.to_angle();
+    let at = |angle: f64, share: f64| scope.on_screen(j + share * radius * DVec2::from_angle(from + angle));
+    let line = |[a, b]: [Option<DVec2>; 2], width: f64| Some(Mark::Line(role, a?, b?, width * scope.scale));
+    let count = ((most - least) / PIECE).ceil().max(1.0);
+    let along = |place: u32| at(least + (most - least) * f64::from(place) / count, 1.0);
+    let pieces = (0..count as u32).filter_map(|place| line([along(place), along(place + 1)], WIDTHS[0]));
+    let stops = [*least, *most].into_iter().filter_map(|stop| line(ACROSS.map(|share| at(stop, share)), WIDTHS[1]));
+    let mut marks: Vec<Mark> = pieces.chain(stops).collect();
+    let now = within(second.to_angle() - from, 0.5 * (least + most));
+    let is_beyond = now < least - BEYOND || now > most + BEYOND;
+    let knob = if is_beyond { Role::Away } else { role };
+    marks.extend(at(now, 1.0).map(|place| Mark::Knob(knob, place, KNOB * scope.scale)));
+    if is_numbered {
+        let number = |stop: f64| Some(Mark::Words(at(stop, OUT)?, format!("{:.0}°", stop.to_degrees())));
+        marks.extend([*least, *most].into_iter().filter_map(number));
+    }
+    Some(marks)
+}
+
+/// The angle that points the same way and is no more than half a turn from a middle `[rad]`.
+fn within(angle: f64, middle: f64) -> f64 {
+    angle - TAU * ((angle - middle) / TAU).round()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::super::Hand;
+    use super::super::tests::{pixel, scope, shown};
+    use super::*;
+    use crate::app::action::Tool;
+    use crate::scene::Scene;
+
+    /// Two arms at a right angle with stops, and a pair that has none.
+    const KNEES: &str = r#"{"wobble": 1, "gravity": [0, 0], "view": {"center": [2, 0], "height": 8},
+        "points": {"position": [[1, 0], [0, 0], [0, 1], [4, 0], [5, 0], [6, 0]]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 3, "b": 4}, {"a": 4, "b": 5}],
+        "angles": [{"points": [0, 1, 2], "min": 0.5, "max": 2.5}]}"#;
+
+    #[test]
+    fn a_selected_joint_has_an_arc_from_stop_to_stop_about_it_and_a_knob_where_its_arm_is() {
+        let seen = shown(Scene::parse(KNEES, "x.json").unwrap());
+        let mut hand = Hand::default();
+        hand.take(Tool::Select);
+        let arcs = |hand: &Hand| {
+            let marks = hand.marks(scope(&seen), None);
+            let is_lead = |mark: &&Mark| matches!(mark, Mark::Line(Role::Lead, ..) | Mark::Knob(Role::Lead, ..));
+            (marks.iter().filter(is_lead).cloned().collect::<Vec<_>>(), marks)
+        };
+        let at = pixel(&seen, 2);
+        hand.press(scope(&seen), at);
+        hand.release(scope(&seen), at);
+        let (own, all) = arcs(&hand);
+        let joint = pixel(&seen, 1);
+        // On the screen up is down: an angle from the arm to the right, anticlockwise, goes up.
+        let angle = |place: DVec2| (joint.y - place.y).atan2(place.x - joint.x);
+        let ends = own.iter().filter_map(|mark| match mark {
+            Mark::Line(_, a, b, _) => Some([angle(*a), angle(*b)]),
+            _ => None,
+        });
+        let (least, most) = ends.flatten().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+        assert!((least - 0.5).abs() < 1e-3 && (most - 2.5).abs() < 1e-3, "{least} to {most}");
+        let knobs: Vec<f64> = own
+            .iter()
+            .filter_map(|mark| if let Mark::Knob(_, at, _) = mark { Some(angle(*at)) } else { None })
+            .collect();
+        assert!(knobs.len() == 1 && (knobs[0] - 0.5 * std::f64::consts::PI).abs() < 1e-3, "{knobs:?}");
+        let says = |words: &str| all.iter().any(|mark| matches!(mark, Mark::Words(_, said) if said == words));
+        assert!(says("29°") && says("143°"), "{all:?}");
+        // What has no stops has no arc.
+        let at = pixel(&seen, 5);
+        hand.press(scope(&seen), at);
+        hand.release(scope(&seen), at);
+        assert!(hand.chosen(scope(&seen)).is_some() && arcs(&hand).0.is_empty());
+    }
+
+    #[test]
+    fn an_arm_that_presses_on_its_stop_is_seen_to() {
+        let text = KNEES.replace("\"max\": 2.5", "\"max\": 1.4");
+        let seen = shown(Scene::parse(&text, "x.json").unwrap());
+        let points: Vec<PointId> = (0..3).map(PointId).collect();
+        assert!(marks(scope(&seen), &points).iter().any(|mark| matches!(mark, Mark::Knob(Role::Away, ..))));
+    }
+}
