@@ -462,7 +462,14 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> 
         let of_tool = || palette::of_tool(&context, facts.tool).filter(|_| facts.tool != Tool::Select);
         column = column.or_else(|| of_tool().map(|at| [at.left(), at.right()]));
     }
-    held::show(&context, keys_low.unwrap_or_else(|| places.low_strip(all_edge)), facts);
+    let mut strip_of_keys = keys_low.unwrap_or_else(|| places.low_strip(all_edge));
+    // What belongs to a tool may reach down to them.
+    let of_tool =
+        palette::of_tool(&context, facts.tool).filter(|at| at.bottom() > strip_of_keys.bottom() - held::HEIGHT);
+    if let Some(at) = of_tool.filter(|at| at.left() < places.room.center().x) {
+        strip_of_keys.min.x = strip_of_keys.left().max(at.right());
+    }
+    held::show(&context, strip_of_keys, facts);
     state.notes.lie_under(Cover::of(state.sheet, facts.waits && !facts.asks));
     state.notes.show(&context, &places, facts, &mut wishes);
     let mut titles_end = 0.0;

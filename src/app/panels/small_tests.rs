@@ -12,9 +12,9 @@ use crate::app::matter::Matter;
 use crate::render::Overlay;
 use crate::sim::Key;
 
-/// The smallest window, small ones, those of a small laptop and of one that stands upright; and both at 200 %, in points.
-const SIZES: [[f32; 2]; 7] =
-    [[480.0, 360.0], [600.0, 450.0], [640.0, 360.0], [800.0, 600.0], [1280.0, 720.0], [720.0, 1280.0], [360.0, 640.0]];
+/// The smallest window, small ones, those of a small laptop, at 200 % too, in points, and of one that stands upright.
+const SIZES: [[f32; 2]; 6] =
+    [[480.0, 360.0], [600.0, 450.0], [640.0, 360.0], [800.0, 600.0], [1280.0, 720.0], [720.0, 1280.0]];
 /// What a panel leaves in the smallest windows at least `[points]`.
 const LEAST: [f32; 2] = [90.0, 60.0];
 
