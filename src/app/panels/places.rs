@@ -28,6 +28,8 @@ const WORDS: f32 = 420.0;
 const USUAL: f32 = 1.3;
 /// Narrower rooms have no place for panels on both sides `[points]`.
 const NARROW: f32 = 900.0;
+/// Lower ones keep none free beside a panel for what is said `[points]`.
+const LOW: f32 = 520.0;
 /// Nor do they begin lower than this share of the height `[1]`.
 const LOWEST: f32 = 0.65;
 /// From this height on, in its widths, bodies in a part of a window may fill its width `[1]`.
@@ -182,7 +184,7 @@ impl Places {
         let least = if self.is_crowded { LEAST_BESIDE } else { LEAST };
         let right = (right - at_right).max(left + least * (right - left));
         let said = match self.room.width() < NARROW {
-            _ if self.is_crowded => EDGE,
+            _ if self.is_crowded && self.room.height() < LOW => EDGE,
             true => SAID_NARROW,
             false => SAID,
         };
