@@ -73,7 +73,7 @@ fn a_spring_between_bodies_breaks_at_its_length_and_the_load_falls() {
     let left = 0.6 - gone;
     let y = -strain - speed * left - 0.5 * g * left * left;
     assert!((end.position[1][1] - y).abs() < 1e-6, "{} {y}", end.position[1][1]);
-    let ledger = end.ledger.clone().unwrap();
+    let ledger = end.ledger.unwrap();
     let stored = 0.5 * stiffness * strain * strain;
     assert!((ledger.book.breaks - stored).abs() < 1e-6, "{} {stored}", ledger.book.breaks);
     assert_told("a spring that breaks", &*world, &end, 1e-6);
@@ -102,7 +102,7 @@ fn a_string_that_gets_taut_gives_both_bodies_one_speed() {
         assert!((end.velocity[point][0] - 0.5).abs() < 1e-9);
     }
     // Of 3 kg at 1 m/s half is lost.
-    let lost = end.ledger.clone().unwrap().book.impacts;
+    let lost = end.ledger.unwrap().book.impacts;
     assert!((lost - 0.75).abs() < 1e-9, "{lost}");
     assert_told("a jerk", &*world, &end, 1e-9);
 }
@@ -150,7 +150,7 @@ fn a_string_to_a_pin_that_is_led_pulls_a_body_along_and_its_work_is_told() {
     let end = run(&mut *world, 1.5);
     assert!((end.position[1][0] - 2.0).abs() < 1e-9 && (end.velocity[1][0] - 2.0).abs() < 1e-9, "{:?}", end.position);
     // Half of what the pin does is motion, the other half is lost in the jerk.
-    let book = end.ledger.clone().unwrap().book;
+    let book = end.ledger.unwrap().book;
     assert!((book.pins - 12.0).abs() < 1e-6 && (book.impacts - 6.0).abs() < 1e-6, "{book:?}");
 }
 
