@@ -158,6 +158,7 @@ const SIM: [(&str, &[&str]); 46] = [
             "points",
             "pull",
             "real",
+            "sets",
             "sizes",
             "solve",
             "swept",

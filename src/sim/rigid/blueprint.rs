@@ -7,6 +7,7 @@ use super::pieces::{Found, find};
 use super::shape::{Held, Shape};
 use super::strings::Strand;
 use crate::sim::bond::{Bond, Limit};
+use crate::sim::sets::Sets;
 use crate::sim::sizes::MOST_PIECES;
 
 /// Most that one body in joints may be as heavy as another: of more, rows that light ones bear look as if they repeated others.
@@ -96,7 +97,29 @@ impl Blueprint {
         // Rods that may break and are more than hold bodies are a mesh.
         let is_mesh = !loose.is_empty() && plan.rows() > plan.freedoms();
         let is_even = joined == 0 || heaviest <= MOST_RATIO * lightest;
-        (plan.bodies.len() <= MOST_PIECES && joined <= MOST_PIECES && is_even && !is_mesh).then_some(plan)
+        let is_small = plan.bodies.len() <= MOST_PIECES && joined <= MOST_PIECES;
+        (is_small && is_even && !is_mesh && plan.follows()).then_some(plan)
+    }
+
+    /// Whether nothing else joins the ends of a string or of a driven rod: what is joined in a ring may not get as far as a drive leads it, and
+    /// strings in one may be taut at once and say the same.
+    fn follows(&self) -> bool {
+        let ground = self.bodies.len() as u32;
+        let body = |end: End| match end {
+            End::On { body, .. } => body,
+            End::Fixed(_) => ground,
+        };
+        let is_doubtful = |link: &&Link| link.drive.is_some();
+        let mut together = Sets::new(self.bodies.len() + 1);
+        for link in self.links.iter().filter(|link| !is_doubtful(link)) {
+            together.join(body(link.ends[0]), body(link.ends[1]));
+        }
+        let driven = self.links.iter().filter(is_doubtful).map(|link| link.ends);
+        driven.chain(self.strings.iter().map(|string| string.ends)).all(|[a, b]| {
+            let is_bridge = together.find(body(a)) != together.find(body(b));
+            together.join(body(a), body(b));
+            is_bridge
+        })
     }
 
     /// The links between its bodies, and the seats of all points.

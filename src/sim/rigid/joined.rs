@@ -185,12 +185,11 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
     }
 
     fn put_out(&self, motions: &Vec<Motion>, t: f64, near: &Vec<Near>) -> Option<Vec<Motion>> {
-        let behind = |motions: &[Motion]| {
-            let mut spots = self.spots(near, |body, near| self.among[body].behind(&motions[body], near));
-            spots.extend(self.strings_where((motions, t), |gap| gap < -self.touch()));
-            spots
-        };
-        self.mended(motions, t, behind)
+        let behind = |motions: &[Motion]| self.spots(near, |body, near| self.among[body].behind(&motions[body], near));
+        let beyond = |motions: &[Motion]| self.strings_where((motions, t), |gap| gap < -self.touch());
+        // A string that is longer by a trifle is no reason to stop.
+        let with_strings = self.mended(motions, t, |motions| [behind(motions), beyond(motions)].concat());
+        with_strings.or_else(|| self.mended(motions, t, behind).filter(|_| !self.linkage.strings.is_empty()))
     }
 
     fn stopped(&self, mut motions: Vec<Motion>) -> Vec<Motion> {

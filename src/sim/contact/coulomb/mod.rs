@@ -243,5 +243,6 @@ fn solve<A: Answers>(body: &A, (contact, rub): (usize, &Rub), old: Impulse, moti
     let after = body.along_after(contact, push - old[0], motion);
     let most = rub.friction * push;
     let wanted = if along > 0.0 { old[1] + (hold - after) / along } else { 0.0 };
-    [push, wanted.clamp(-most, most)]
+    // What is no number stays none, and is seen as that.
+    [push, wanted.max(-most).min(most)]
 }
