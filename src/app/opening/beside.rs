@@ -20,6 +20,9 @@ pub struct Over {
 /// What a panel leaves below it is large enough from this share of the height on `[1]`.
 const LEAST_BELOW: f64 = 0.4;
 
+/// And what it leaves beside it from this share of the width on `[1]`.
+const LEAST_BESIDE: f64 = 0.3;
+
 /// A part of a picture: its left, upper, right and lower edge `[px]`.
 type Part = [f64; 4];
 
@@ -63,10 +66,10 @@ fn parted(free: Free, [from, to]: [f64; 2], low: Option<f64>) -> Option<(Part, F
     if let Some(low) = low.filter(|low| (top..bottom - LEAST_BELOW * (bottom - top)).contains(low)) {
         return Some(([from, top, to, low], [[left, low], [right, bottom]]));
     }
-    let middle = 0.5 * (left + right);
-    match 0.5 * (from + to) > middle {
-        true if from > middle => Some(([from, top, right, bottom], [[left, top], [from, bottom]])),
-        false if to < middle => Some(([left, top, to, bottom], [[to, top], [right, bottom]])),
+    let is_enough = |width: f64| width >= LEAST_BESIDE * (right - left);
+    match from + to > left + right {
+        true if is_enough(from - left) => Some(([from, top, right, bottom], [[left, top], [from, bottom]])),
+        false if is_enough(right - to) => Some(([left, top, to, bottom], [[to, top], [right, bottom]])),
         _ => None,
     }
 }
