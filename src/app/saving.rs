@@ -26,14 +26,11 @@ pub(super) struct Saving {
 }
 
 impl Saving {
-    /// Opens the dialog over `window` in a folder, for a scene or a recording of one, of this ending.
-    pub(super) fn new(
-        window: &Window,
-        (begins, scene, ending): (&Path, &str, &str),
-        wake: impl Fn() + Send + 'static,
-    ) -> Self {
-        let name = format!("{}.{ending}", plain(scene));
-        let dialog = AsyncFileDialog::new().set_title("Save").set_parent(window).set_directory(begins);
+    /// Opens the dialog over `window` with the path of a scene or of a recording of one.
+    pub(super) fn new(window: &Window, path: &Path, wake: impl Fn() + Send + 'static) -> Self {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let dialog = AsyncFileDialog::new().set_title("Save").set_parent(window);
+        let dialog = path.parent().iter().fold(dialog, |dialog, begins| dialog.set_directory(begins));
         let chosen = dialog.set_file_name(name).add_filter("Scenes and recordings", &["json", "jsonl"]).save_file();
         let (sender, receiver) = channel();
         let start = Instant::now();
@@ -90,6 +87,17 @@ pub(super) fn free_name(folder: &Path, scene: &str, ending: &str) -> PathBuf {
     (1..1000).map(named).find(|path| !path.exists()).unwrap_or_else(|| named(1000))
 }
 
+/// The file that a scene lies in, with this ending: there it is saved again, if its folder is still there.
+pub(super) fn saved_again(file: Option<&Path>, ending: &str) -> Option<PathBuf> {
+    let file = file.filter(|file| file.parent().is_some_and(Path::is_dir))?;
+    Some(file.with_extension(ending))
+}
+
+/// The scene's name with an ending.
+pub(super) fn plain_name(scene: &str, ending: &str) -> String {
+    format!("{}.{ending}", plain(scene))
+}
+
 /// A name that any file system takes.
 fn plain(name: &str) -> String {
     let letters = name.chars().map(|letter| if letter.is_alphanumeric() || letter == '-' { letter } else { '-' });
@@ -128,5 +136,16 @@ mod tests {
         std::fs::write(&first, b"").unwrap();
         assert_eq!(free_name(folder.path(), "a/b c", "png").file_name().unwrap(), "wobble-a-b-c-002.png");
         assert_eq!(plain(""), "scene");
+        assert_eq!(plain_name("a/b c", "json"), "a-b-c.json");
+    }
+
+    #[test]
+    fn a_scene_is_saved_again_where_it_lies() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("wheel.json");
+        assert_eq!(saved_again(Some(&file), "json"), Some(file.clone()), "whether it is there or not");
+        assert_eq!(saved_again(Some(&file), "jsonl"), Some(folder.path().join("wheel.jsonl")), "a recording beside it");
+        assert_eq!(saved_again(Some(&folder.path().join("gone/wheel.json")), "json"), None);
+        assert_eq!(saved_again(None, "json"), None, "a scene of the gallery lies in no file");
     }
 }

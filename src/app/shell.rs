@@ -17,7 +17,6 @@ use super::action::{Action, Tool};
 use super::keys::{self, Held};
 use super::leftovers::{state_folder, title};
 use super::player::{Keeping, Player};
-use super::recent::Used;
 use super::session::Session;
 use crate::history::Start;
 use crate::render::RenderCounters;
@@ -135,7 +134,7 @@ impl Shell {
         let mut session = Session::new(Arc::clone(&window), (display, waker), (player, scene))?;
         session.keep_in(state_folder, later);
         if let Some(path) = file {
-            session.remember(&path, Used::Opened);
+            session.have_come_from(&path);
         }
         if let Some(path) = picture {
             session.load(&path);

@@ -2,14 +2,14 @@
 
 use std::time::{Duration, Instant};
 
-use egui::{Align2, Area, Button, Id, Label, Rect, RichText};
+use egui::{Align2, Area, Button, Id, Label, Pos2, Rect, RichText, pos2, vec2};
 
 use super::beside::titles_end;
 use super::complaint::{Complaint, Cover};
 use super::hud::STRETCHED;
 use super::places::{APART, Places, kept_in};
 use super::theme::{colors, floating};
-use super::{Facts, Wish, button};
+use super::{Facts, Wish, button, sheet};
 use crate::app::action::Action;
 use crate::app::warnings::seen;
 
@@ -41,7 +41,7 @@ pub(in crate::app) struct Notes {
     /// Width of the room in which the caption of this scene was last shown, and where it ended `[points]`.
     caption_end: Option<(f32, f32)>,
     /// Nobody has touched anything yet: a line at the cursor says how, where the cursor is `[points]`.
-    pub(in crate::app) hint_at: Option<egui::Pos2>,
+    pub(in crate::app) hint_at: Option<Pos2>,
 }
 
 /// Whether a warning is of pins that are led too far apart.
@@ -65,7 +65,7 @@ const NARROW: f32 = 200.0;
 /// The line at the cursor.
 const HINT: &str = "press and drag: grab it, throw it";
 /// Its size until it was shown, about `[points]`.
-const HINT_SIZE: egui::Vec2 = egui::vec2(220.0, 28.0);
+const HINT_SIZE: egui::Vec2 = vec2(220.0, 28.0);
 
 impl Notes {
     /// Says what went wrong while this lay over the world: until it is closed, or something else lies there.
@@ -208,7 +208,7 @@ impl Notes {
         if let Some(at) = self.hint_at.filter(|_| !places.is_covered) {
             let id = Id::unique("hint");
             let size = context.memory(|memory| memory.area_rect(id)).map_or(HINT_SIZE, |rect| rect.size());
-            let rect = kept_in(Rect::from_min_size(at + egui::vec2(18.0, 18.0), size), Some(at), places.room);
+            let rect = kept_in(Rect::from_min_size(at + vec2(18.0, 18.0), size), Some(at), places.room);
             let place = Area::new(id).order(egui::Order::Tooltip).interactable(false);
             place.fixed_pos(rect.min).show(context, |ui| {
                 floating(ui).show(ui, |ui| ui.label(RichText::new(HINT).color(colors(ui).text)));
@@ -296,6 +296,7 @@ fn words(context: &egui::Context, (places, top): (&Places, f32), name: &str, add
     let can_be_pressed = [COMPLAINT, WARNED, CANVAS, OFFER].contains(&name);
     // Above a sheet: it may be of what is done there.
     let order = if places.is_covered { egui::Order::Foreground } else { egui::Order::Middle };
+    let at = below_title(context, name, (at, width));
     let place = Area::new(Id::unique(name)).order(order);
     let place = place.pivot(Align2::CENTER_TOP).fixed_pos(at).interactable(can_be_pressed);
     let shown = place.show(context, |ui| {
@@ -306,6 +307,17 @@ fn words(context: &egui::Context, (places, top): (&Places, f32), name: &str, add
     });
     shown.response.rect.bottom() + APART
 }
+
+/// The middle of the upper edge of a line so wide, where it covers neither the title of a sheet nor the button that closes it: below them.
+fn below_title(context: &egui::Context, name: &str, (at, width): (Pos2, f32)) -> Pos2 {
+    let high = context.memory(|memory| memory.area_rect(Id::unique(name))).map_or(LINE, |rect| rect.height());
+    let own = Rect::from_min_size(at - vec2(0.5 * width, 0.0), vec2(width, high));
+    let covered = sheet::title(context).filter(|title| own.intersects(*title));
+    covered.map_or(at, |title| pos2(at.x, title.bottom() + APART))
+}
+
+/// Height of a line until it was shown, about `[points]`.
+const LINE: f32 = 36.0;
 
 #[cfg(test)]
 mod tests {
@@ -329,7 +341,7 @@ mod tests {
         let mut notes = Notes { offer: Some("a session was cut off".to_owned()), ..Notes::default() };
         notes.complain("it went wrong".to_owned(), Cover::default());
         for _ in 0..30 {
-            let screen_rect = Some(Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 720.0)));
+            let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0)));
             let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
             let mut output = context.run_ui(input, |ui| {
                 let room = ui.available_rect_before_wrap();
@@ -352,10 +364,39 @@ mod tests {
     #[test]
     fn over_a_sheet_what_is_said_of_it_is_seen_and_an_offer_waits() {
         assert_eq!(on_top(None), [COMPLAINT, OFFER]);
-        let whole = Rect::from_min_max(egui::pos2(20.0, 5.0), egui::pos2(1260.0, 660.0));
+        let whole = Rect::from_min_max(pos2(20.0, 5.0), pos2(1260.0, 660.0));
         let narrow = whole.with_min_x(350.0).with_max_x(900.0);
         for sheet in [whole, narrow] {
             assert_eq!(on_top(Some(sheet)), [COMPLAINT], "{sheet}");
+        }
+    }
+
+    #[test]
+    fn titles_of_sheets_and_what_closes_them_are_never_covered() {
+        use super::super::{PanelState, show};
+        for size in [vec2(1280.0, 720.0), vec2(600.0, 450.0), vec2(420.0, 700.0)] {
+            for open in [Sheet::Gallery, Sheet::Help, Sheet::SaveTo, Sheet::OpenFrom] {
+                let context = egui::Context::default();
+                let mut state = PanelState { sheet: Some(open), ..PanelState::default() };
+                state.notes.lie_under(Cover::Sheet(open));
+                state.notes.warn("it is in the scene, but bodies pass through each other".to_owned());
+                state
+                    .notes
+                    .complain("nothing is pasted: there is nothing on the clipboard".to_owned(), Cover::Sheet(open));
+                for _ in 0..8 {
+                    let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, size));
+                    let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+                    let mut output = context.run_ui(input, |ui| _ = show(ui, &mut state, &Facts::default()));
+                    output.textures_delta.clear();
+                }
+                let title = sheet::title(&context);
+                assert!(title.is_some_and(|title| title.height() > 10.0), "{open:?} in {size}: {title:?}");
+                for name in [WARNED, COMPLAINT] {
+                    let own = context.memory(|memory| memory.area_rect(Id::unique(name)));
+                    let is_clear = own.zip(title).is_some_and(|(own, title)| !own.intersects(title));
+                    assert!(is_clear, "{name} over {open:?} in {size}: {own:?}, {title:?}");
+                }
+            }
         }
     }
 

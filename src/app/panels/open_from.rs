@@ -56,7 +56,7 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         takes_words(&field.response);
         field.response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
         if std::mem::take(&mut state.is_fresh) {
-            to_end(ui, &mut field.state, &state.path);
+            to_end(ui, &mut field, &state.path);
             field.response.request_focus();
         }
         if field.response.changed() {
@@ -66,7 +66,7 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         let names = names(&mut state.open_from, &state.path);
         if completes && let Some(more) = completed(&state.path, &names) {
             state.path = more;
-            to_end(ui, &mut field.state, &state.path);
+            to_end(ui, &mut field, &state.path);
             field.response.request_focus();
         }
         list(ui, (&names, high - BESIDE), state, wishes);
@@ -97,10 +97,10 @@ fn field_id() -> egui::Id {
 }
 
 /// What is written next comes at the end.
-fn to_end(ui: &egui::Ui, state: &mut egui::text_edit::TextEditState, text: &str) {
+pub(super) fn to_end(ui: &egui::Ui, field: &mut egui::text_edit::TextEditOutput, text: &str) {
     let end = egui::text::CCursor::new(text.chars().count());
-    state.cursor.set_char_range(Some(egui::text::CCursorRange::one(end)));
-    state.clone().store(ui.ctx(), field_id());
+    field.state.cursor.set_char_range(Some(egui::text::CCursorRange::one(end)));
+    field.state.clone().store(ui.ctx(), field.response.id);
 }
 
 /// What begins as the name does: a click takes it, a second one opens it. The list stays as it is until one goes on writing.

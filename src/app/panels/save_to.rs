@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{Button, Label, RichText, Role, TextEdit, WidgetInfo};
 
-use super::open_from::meant;
+use super::open_from::{meant, to_end};
 use super::theme::colors;
 use super::typed::takes_words;
 use super::{PanelState, Wish, sheet, ticks};
@@ -40,16 +40,17 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         }
         ui.add_space(4.0);
         let hint = "the path of the file that is to be written";
-        let field = ui.add(TextEdit::singleline(&mut state.path).hint_text(hint).desired_width(f32::INFINITY));
-        takes_words(&field);
-        field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
+        let mut field = TextEdit::singleline(&mut state.path).hint_text(hint).desired_width(f32::INFINITY).show(ui);
+        takes_words(&field.response);
+        field.response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
         if std::mem::take(&mut state.is_fresh) {
-            field.request_focus();
+            to_end(ui, &mut field, &state.path);
+            field.response.request_focus();
         }
-        if field.changed() {
+        if field.response.changed() {
             state.save_to.begin();
         }
-        let is_entered = sheet::entered(ui, &field);
+        let is_entered = sheet::entered(ui, &field.response);
         // Its line is there before it is, so that the buttons stay where they are.
         let fault = state.save_to.fault.as_deref().unwrap_or(" ");
         ui.add(Label::new(RichText::new(fault).color(colors(ui).away)).wrap());

@@ -1,21 +1,39 @@
 //! The frame of a sheet: what lies over the world until it is closed.
 
-use egui::{Align2, Context, Id, Key, Response, Ui, Window};
+use egui::{Align2, Context, Id, Key, Rect, Response, Ui, Window};
 
 /// The bar below is so high `[points]`: sheets lie above it.
 const BAR: f32 = 44.0;
 
 /// Shows a sheet in the middle, with its title and a button that closes it. Returns whether it stays.
 pub(in crate::app) fn show(context: &Context, id: &str, title: impl Into<String>, add: impl FnOnce(&mut Ui)) -> bool {
-    let mut stays = true;
-    Window::new(title.into())
+    let (mut stays, mut begins) = (true, 0.0);
+    let shown = Window::new(title.into())
         .id(Id::unique(id))
         .open(&mut stays)
         .collapsible(false)
         .resizable(false)
         .anchor(Align2::CENTER_CENTER, [0.0, -0.5 * BAR])
-        .show(context, add);
+        .show(context, |ui| {
+            begins = ui.max_rect().top();
+            add(ui);
+        });
+    if let Some(shown) = shown {
+        let title = (context.cumulative_pass_nr(), shown.response.rect.with_max_y(begins));
+        context.data_mut(|data| data.insert_temp(title_id(), title));
+    }
     stays
+}
+
+/// What is kept of the title.
+fn title_id() -> Id {
+    Id::unique("title of a sheet")
+}
+
+/// Where the title of the sheet that lies over the world was shown last, with the button that closes it; `None`: there is none.
+pub(super) fn title(context: &Context) -> Option<Rect> {
+    let (pass, title): (u64, Rect) = context.data(|data| data.get_temp(title_id()))?;
+    (pass + 1 >= context.cumulative_pass_nr()).then_some(title)
 }
 
 /// What a sheet has beside what stands in it: margins, and room to the edges of the window; above and below it too, title and bar below

@@ -85,6 +85,8 @@ pub struct Player {
     record: Option<PathBuf>,
     /// What it was saved as last.
     called: Option<String>,
+    /// Where its scene lies.
+    file: Option<PathBuf>,
     thread: JoinHandle<()>,
     orders: Sender<(u64, Order)>,
     desk: Arc<Desk>,
@@ -120,6 +122,7 @@ impl Player {
             start,
             record,
             called: None,
+            file: None,
             thread,
             orders,
             desk,
@@ -302,6 +305,18 @@ impl Player {
     /// What it is called since it was saved.
     pub fn called(&self) -> Option<&str> {
         self.called.as_deref()
+    }
+
+    /// Its scene lies in this file: it was opened from there, or saved there. A file that is no scene is not written over with one.
+    pub fn lie_in(&mut self, file: &Path) {
+        if file.extension().is_some_and(|ending| ending == "json") {
+            self.file = std::path::absolute(file).ok();
+        }
+    }
+
+    /// Where its scene lies: where it is to be saved again.
+    pub fn file(&self) -> Option<&Path> {
+        self.file.as_deref()
     }
 
     /// What it is recorded to.

@@ -317,6 +317,12 @@ fn what_was_refused_is_no_work_to_be_saved() {
     assert_eq!(player.called(), None);
     player.call(&folder.path().join("swing.json"));
     assert_eq!(player.called(), Some("swing"));
+    assert_eq!(player.file(), None, "a recording may be called so");
+    let file = folder.path().join("swing.json");
+    player.lie_in(&file);
+    player.lie_in(&folder.path().join("swing.jsonl"));
+    player.lie_in(&folder.path().join("swing.png"));
+    assert_eq!(player.file(), Some(&*file), "what is no scene is not written over");
 }
 
 #[test]

@@ -75,8 +75,8 @@ impl Session {
                 self.touch();
             }
             (_, Coming::Scene(start)) => {
-                self.remember(path, Used::Opened);
                 self.open(*start);
+                self.have_come_from(path);
             }
         }
     }

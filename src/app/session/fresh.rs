@@ -1,5 +1,6 @@
 //! Scenes that begin anew: an empty one, the same without bodies, the same drawn by another lot.
 
+use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::{Framing, Session};
@@ -37,7 +38,9 @@ impl Session {
     /// A history goes on from this moment with what is fixed when one begins: it is looked at as before, and undo goes back.
     pub(super) fn begin_from_here(&mut self, start: Start) {
         let (camera, plays) = (self.camera, self.player.is_playing());
+        let file = self.player.file().map(Path::to_owned);
         self.open(start);
+        file.iter().for_each(|file| self.player.lie_in(file));
         self.player.play(plays);
         self.looks_again = Some(camera);
         (self.camera, self.framing) = (camera, Framing::Free);

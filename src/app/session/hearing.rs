@@ -93,6 +93,9 @@ impl Session {
                 self.say(format!("written: {}", path.display()));
                 if self.panels.save_to.is_written(&path) {
                     self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
+                    if !self.panels.save_to.is_all {
+                        self.player.lie_in(&path);
+                    }
                 }
                 if is_recording(&path) {
                     self.remember(&path, Used::Saved);

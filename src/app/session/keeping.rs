@@ -8,7 +8,7 @@ use crate::app::opening::keys;
 use crate::app::panels::{SaveTo, Sheet, Wish, ask_to_save, is_recording};
 use crate::app::player::Order;
 use crate::app::recent::Used;
-use crate::app::saving::{Chosen, Saving, folder, free_name};
+use crate::app::saving::{Chosen, Saving, folder, free_name, plain_name, saved_again};
 use crate::render::{Capture, View};
 
 impl Session {
@@ -24,9 +24,10 @@ impl Session {
     /// Opens the system's dialog, unless it is open.
     pub(super) fn browse_to_save(&mut self) {
         if self.saving.is_none() {
-            let begins = folder(self.recent.saved());
-            let ending = self.panels.save_to.ending();
-            self.saving = Some(Saving::new(&self.window, (&begins, self.scene.name(), ending), self.wake_up()));
+            let (begins, ending) = (folder(self.recent.saved()), self.panels.save_to.ending());
+            let path = saved_again(self.player.file(), ending)
+                .unwrap_or_else(|| begins.join(plain_name(self.scene.name(), ending)));
+            self.saving = Some(Saving::new(&self.window, &path, self.wake_up()));
         }
     }
 
@@ -40,6 +41,14 @@ impl Session {
         }
     }
 
+    /// The scene was read from this file: it is listed as the newest, and saved there again. A recording stays as it is.
+    pub(in crate::app) fn have_come_from(&mut self, path: &Path) {
+        self.remember(path, Used::Opened);
+        if !self.player.start().is_replayed() {
+            self.player.lie_in(path);
+        }
+    }
+
     /// A name that no file has, of this ending, where files go that nobody named a place for.
     pub(super) fn free_path(&self, ending: &str) -> PathBuf {
         free_name(&folder(self.recent.saved()), self.scene.name(), ending)
@@ -49,7 +58,9 @@ impl Session {
     fn ask_where_to_save(&mut self) {
         // What was chosen for the last file says nothing of this one.
         self.panels.save_to = SaveTo::default();
-        self.panels.path = self.free_path(self.panels.save_to.ending()).display().to_string();
+        let ending = self.panels.save_to.ending();
+        let path = saved_again(self.player.file(), ending).unwrap_or_else(|| self.free_path(ending));
+        self.panels.path = path.display().to_string();
         (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
         self.place_hint();
     }
