@@ -50,10 +50,10 @@ impl Hinge {
     }
 }
 
-/// Where a world has joints with stops, ascending.
+/// Where a world has joints, ascending: those with stops, and those that lost them and turn freely. What bends or is driven is none.
 pub fn joints(world: &dyn Dynamics) -> Vec<PointId> {
-    let with_stops = world.angles().iter().filter(|angle| angle.range.is_some());
-    let mut list: Vec<PointId> = with_stops.map(|angle| angle.points[1]).collect();
+    let is_joint = |angle: &&Angle| angle.range.is_some() || (angle.stiffness == 0.0 && angle.drive.is_none());
+    let mut list: Vec<PointId> = world.angles().iter().filter(is_joint).map(|angle| angle.points[1]).collect();
     list.sort_unstable();
     list.dedup();
     list
@@ -109,7 +109,7 @@ pub struct View<'a> {
     pub mouse: Option<(&'a MouseForce, Cursor)>,
     /// Where motors and servos turn: marked over all else.
     pub hinges: Vec<Hinge>,
-    /// Where joints with stops are, ascending: bodies that have some are drawn as figures of limbs.
+    /// Where joints are, ascending: bodies that have some are drawn as figures of limbs.
     pub joints: Vec<PointId>,
     /// What lies over the picture, from the left and from the top to the right and to the bottom `[px]`: numbers of the grid stay clear
     /// of it.

@@ -3,6 +3,7 @@
 use super::Among;
 use super::extent::{areas, rest_length};
 use super::facts::NEVER;
+use super::former::Former;
 use super::joints::{self, Stops};
 use super::painted::Painted;
 use super::preset::{Preset, Stuff};
@@ -107,11 +108,11 @@ impl MatterChange {
     }
 }
 
-/// The commands of a change.
+/// The commands of a change; joints get the stops back that they had.
 ///
 /// Errors: in words, why what is meant has nothing that could be changed so.
 pub(in crate::app) fn commands(
-    world: &dyn Dynamics,
+    (world, former): (&dyn Dynamics, &Former),
     among: &Among,
     change: MatterChange,
 ) -> Result<Vec<Do>, &'static str> {
@@ -172,7 +173,7 @@ pub(in crate::app) fn commands(
             vec![set(SetKeys { bonds, rest: one(length), ..SetKeys::default() })]
         }
         MatterChange::RestAngle(angle) => vec![joints::rest(world, among, angle)],
-        MatterChange::Stops(stops) => joints::stops(world, among, stops)?,
+        MatterChange::Stops(stops) => joints::stops((world, former), among, stops)?,
         MatterChange::Friction(friction) => {
             surfaces(world, (&points, among), SetKeys { friction: Some(friction), ..SetKeys::default() })
         }
@@ -200,7 +201,7 @@ pub(in crate::app) fn commands(
             springy(world, rigid, mass, SPRINGY).map(set).into_iter().collect()
         }
         MatterChange::Preset(preset) => of_preset(world, (&points, among), preset),
-        MatterChange::Painted(numbers) => painted(world, among, numbers)?,
+        MatterChange::Painted(numbers) => painted((world, former), among, numbers)?,
     };
     let names_nothing = |act: &Do| {
         let Do::Set(keys) = act else { return false };
@@ -214,10 +215,10 @@ pub(in crate::app) fn commands(
 /// Each number that is switched on, of what has it.
 ///
 /// Errors: nothing has any of them; why the first of them has nowhere to go.
-fn painted(world: &dyn Dynamics, among: &Among, numbers: Painted) -> Result<Vec<Do>, &'static str> {
+fn painted(known: (&dyn Dynamics, &Former), among: &Among, numbers: Painted) -> Result<Vec<Do>, &'static str> {
     let (mut all, mut fault) = (Vec::new(), None);
     for change in numbers.changes() {
-        match commands(world, among, change) {
+        match commands(known, among, change) {
             Ok(acts) => all.extend(acts),
             Err(why) => fault = fault.or(Some(why)),
         }

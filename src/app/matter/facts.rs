@@ -2,6 +2,7 @@
 
 use super::Among;
 use super::extent::{areas, place};
+use super::former::Former;
 use super::joints::{Joint, coming, held};
 use crate::picture::Tint;
 use crate::sim::{Bond, BondKind, Dynamics, Knots, Limit, Obstacle, PointId};
@@ -115,9 +116,9 @@ pub struct Matter {
 }
 
 impl Matter {
-    /// Of what is meant in a world, whose bodies are called by `names`; `None` where nothing of it is there.
+    /// Of what is meant in a world, whose joints had these stops and whose bodies are called by `names`; `None` where nothing of it is there.
     pub(in crate::app) fn of(
-        world: &dyn Dynamics,
+        (world, former): (&dyn Dynamics, &Former),
         (tints, names): (&[Tint], &[Option<String>]),
         among: &Among,
     ) -> Option<Self> {
@@ -195,7 +196,7 @@ impl Matter {
             rest_angle: Span::of(held(&angles).map(|angle| angle.rest)),
             joints: [ranges().count(), angles.len() + usize::from(is_knee)],
             stops: least.zip(most).map(|(least, most)| [least, most]),
-            coming_stops: coming(world, among, &angles),
+            coming_stops: coming((world, former), among, &angles),
             friction: Span::of(surfaces().map(|surface| surface[0])),
             restitution: Span::of(surfaces().map(|surface| surface[1])),
             penalty: penalties.and_then(|list| list.first().copied()).filter(|_| points.is_empty()),

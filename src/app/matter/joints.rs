@@ -1,6 +1,6 @@
 //! Angles of a selection: where they are at rest, and the stops of joints.
 
-use super::Among;
+use super::{Among, Former};
 use crate::app::alike::alike;
 use crate::history::{Do, OneOrEach, RangeOrNone, SetKeys};
 use crate::scene::{AddKeys, AngleKeys, Row};
@@ -22,7 +22,7 @@ pub(in crate::app) type Joint = ([PointId; 3], [f64; 2]);
 /// The stops of joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stops {
-    /// Some, on both sides of where they are at rest, for those that have none.
+    /// Some, for those that have none: the former ones, or on both sides of where they are at rest.
     Some,
     /// None: they turn freely.
     None,
@@ -61,9 +61,9 @@ impl Among {
 }
 
 /// The joints that would get stops, and where: i, j, k as [`Angle`] has them, and the least and the largest angle `[rad]`.
-pub(super) fn coming(world: &dyn Dynamics, among: &Among, angles: &[Angle]) -> Vec<Joint> {
+pub(super) fn coming((world, former): (&dyn Dynamics, &Former), among: &Among, angles: &[Angle]) -> Vec<Joint> {
     let free = angles.iter().filter(|angle| angle.range.is_none()).take(MOST);
-    let free = free.map(|angle| (angle.points, about(angle.rest)));
+    let free = free.map(|angle| (angle.points, again(world, former, angle)));
     free.chain(among.knee_of(world).map(|(points, rest)| (points, about(rest)))).collect()
 }
 
@@ -72,14 +72,27 @@ fn about(rest: f64) -> [f64; 2] {
     [rest - SWING, rest + SWING]
 }
 
+/// The stops that a joint without any gets: those that it had, else some about where it is at rest. Where it stands now is always
+/// between them, so that nothing is pushed `[rad]`.
+fn again(world: &dyn Dynamics, former: &Former, angle: &Angle) -> [f64; 2] {
+    let range = former.of(angle).unwrap_or_else(|| about(angle.rest));
+    let mut angle = Angle { range: Some(range), ..*angle };
+    angle.reach(angle.points.map(|point| place(world, point)), f64::INFINITY);
+    angle.range.unwrap_or(range)
+}
+
 /// Commands that give joints among some points these stops.
 ///
 /// Errors: in words, why they cannot be so.
-pub(super) fn stops(world: &dyn Dynamics, among: &Among, stops: Stops) -> Result<Vec<Do>, &'static str> {
+pub(super) fn stops(
+    (world, former): (&dyn Dynamics, &Former),
+    among: &Among,
+    stops: Stops,
+) -> Result<Vec<Do>, &'static str> {
     let angles = among.angles_of(world);
     let ranges = angles.iter().filter_map(|angle| {
         let range = match (stops, angle.range) {
-            (Stops::Some, None) => Some(about(angle.rest)),
+            (Stops::Some, None) => Some(again(world, former, angle)),
             (Stops::Least(least), Some([_, most])) => Some([least, most]),
             (Stops::Most(most), Some([least, _])) => Some([least, most]),
             (Stops::None, Some(_)) => None,

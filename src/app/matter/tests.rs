@@ -227,7 +227,7 @@ fn what_is_pressed_flat_becomes_stiffer_without_a_hop_in_one_step_of_undo() {
             if is_led {
                 change(&mut stage, &disc, given);
             } else {
-                let list = super::commands(stage.history().world(), &disc, given).unwrap();
+                let list = super::commands((stage.history().world(), &super::Former::default()), &disc, given).unwrap();
                 assert_eq!(stage.obey(Order::Give(list, Some("at once"))), None);
             }
             let mut highest = 0.0_f64;
@@ -250,7 +250,12 @@ fn what_is_pressed_flat_becomes_stiffer_without_a_hop_in_one_step_of_undo() {
 #[test]
 fn what_is_pressed_flat_or_stretched_gets_the_mass_of_its_shape_at_rest() {
     let weighed = |stage: &mut Stage, among: &Among| {
-        let list = super::commands(stage.history().world(), among, MatterChange::Preset(Preset::Wood)).unwrap();
+        let list = super::commands(
+            (stage.history().world(), &super::Former::default()),
+            among,
+            MatterChange::Preset(Preset::Wood),
+        )
+        .unwrap();
         assert_eq!(stage.obey(Order::Give(list, Some("at once"))), None);
         let after = matter(stage, among);
         assert!(after.area == 0.0 || (after.density().unwrap() / Preset::Wood.stuff().density - 1.0).abs() < 1e-9);
@@ -346,7 +351,8 @@ fn a_brush_paints_the_numbers_that_are_switched_on_alone_and_as_one_step_of_undo
     assert_eq!(matter(&mut stage, &rope).color, Coloring::One([1, 2, 3]));
     let stiff = Painted { stiffness: numbers.stiffness, ..all };
     assert_eq!(MatterChange::Painted(stiff).name(), "stiffness");
-    let why = super::commands(stage.history().world(), &rope, MatterChange::Painted(stiff));
+    let why =
+        super::commands((stage.history().world(), &super::Former::default()), &rope, MatterChange::Painted(stiff));
     assert!(why.is_err_and(|why| why.contains("rigid")));
 }
 
@@ -421,7 +427,12 @@ fn what_was_only_just_built_is_as_stiff_at_once_as_it_is_made() {
     let mut stage = stage();
     let soft = among(3..12);
     let strained = |stage: &Stage| {
-        let list = super::commands(stage.history().world(), &soft, MatterChange::Preset(Preset::Wood)).unwrap();
+        let list = super::commands(
+            (stage.history().world(), &super::Former::default()),
+            &soft,
+            MatterChange::Preset(Preset::Wood),
+        )
+        .unwrap();
         let led = super::led(stage.history().world(), list);
         led.iter().any(|act| matches!(act, crate::history::Do::Set(keys) if keys.over.is_some()))
     };
@@ -482,6 +493,42 @@ fn a_knee_gets_stops_and_an_angle_at_rest_each_in_a_step_of_undo() {
     let rest = matter(&mut stage, &beam).rest_angle.unwrap();
     assert_eq!((rest.same(), matter(&mut stage, &among(0..7)).rest_angle), (Some(2.0), Some(rest)));
     assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "rest angle"));
+}
+
+#[test]
+fn stops_that_were_taken_from_a_figure_come_back_as_they_were_and_push_nothing() {
+    let text = r#"{"wobble": 1, "gravity": [0, 0], "bodies": [{"make": "ragdoll"}]}"#;
+    let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+    let all = among(0..stage.history().world().point_count() as u32);
+    let ranges = |stage: &Stage| stage.history().world().angles().iter().map(|angle| angle.range).collect::<Vec<_>>();
+    let drawn = |stage: &Stage| crate::render::joints(stage.history().world());
+    let (before, joints) = (ranges(&stage), drawn(&stage));
+    assert!(before.len() > 8 && before.iter().all(Option::is_some) && !joints.is_empty());
+    matter(&mut stage, &all);
+    change(&mut stage, &all, MatterChange::Stops(Stops::None));
+    assert!(ranges(&stage).iter().all(Option::is_none));
+    assert_eq!(drawn(&stage), joints, "it is drawn as a figure still");
+    let coming: Vec<_> = matter(&mut stage, &all).coming_stops.iter().map(|(_, range)| Some(*range)).collect();
+    let energy = stage.history().world().energy();
+    change(&mut stage, &all, MatterChange::Stops(Stops::Some));
+    let is_same = |a: &[Option<[f64; 2]>]| {
+        let off = |(a, b): (&Option<[f64; 2]>, &Option<[f64; 2]>)| {
+            (0..2).any(|k| (a.unwrap()[k] - b.unwrap()[k]).abs() > 1e-9)
+        };
+        a.len() == before.len() && !a.iter().zip(&before).any(off)
+    };
+    assert!(is_same(&ranges(&stage)) && is_same(&coming), "{before:?}, {coming:?}, {:?}", ranges(&stage));
+    assert!((stage.history().world().energy() - energy).abs() < 1e-9);
+}
+
+#[test]
+fn stops_reach_to_where_a_joint_stands() {
+    let text = KNEES.replace(r#""stiffness": 2}"#, r#""rest": 1.5}"#);
+    let mut stage = Stage::new(Scene::parse(&text, "x.json").unwrap().into()).unwrap();
+    change(&mut stage, &among(3..6), MatterChange::Stops(Stops::Some));
+    let [least, most] = stage.history().world().angles()[0].range.unwrap();
+    assert!((least - (1.5 - std::f64::consts::FRAC_PI_3)).abs() < 1e-9, "{least}");
+    assert!((most - std::f64::consts::PI).abs() < 1e-9, "{most}: it is straight");
 }
 
 #[test]

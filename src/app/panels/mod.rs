@@ -95,7 +95,7 @@ use opened::Seen;
 pub(super) use opened::{Opened, Room};
 pub(super) use parameters::all as parameters;
 use places::Places;
-pub(super) use places::{Laid, covered, kept_in, read as read_at};
+pub(super) use places::{Laid, clear_about, covered, kept_in, read as read_at};
 pub(super) use plots::{PlotsAt, figure, lie as plots_lie};
 pub(super) use presses::listen;
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};

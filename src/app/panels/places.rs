@@ -327,6 +327,34 @@ pub(in crate::app) fn kept_in(rect: Rect, pointer: Option<egui::Pos2>, room: Rec
     Rect::from_min_size(pos2(x, y), rect.size())
 }
 
+/// The part of a room about the pointer that no panel lies over, for what is written there; `None`: as it lies in the room no panel lies
+/// over it, or it does not stand near the pointer. A panel that the pointer is over takes nothing away.
+pub(in crate::app) fn clear_about(
+    rect: Rect,
+    pointer: Option<egui::Pos2>,
+    (room, taken): (Rect, &[Rect]),
+) -> Option<Rect> {
+    let at = pointer.filter(|at| rect.expand(NEAR_POINTER).contains(*at))?;
+    let lies = kept_in(rect, pointer, room);
+    if !taken.iter().any(|panel| panel.intersects(lies)) {
+        return None;
+    }
+    let without = |room: Rect, panel: &Rect| {
+        if !room.intersects(*panel) {
+            return room;
+        }
+        let parts = [
+            room.with_min_x(panel.right() + APART),
+            room.with_max_x(panel.left() - APART),
+            room.with_min_y(panel.bottom() + APART),
+            room.with_max_y(panel.top() - APART),
+        ];
+        let beside = parts.into_iter().filter(|part| part.expand(APART).contains(at));
+        beside.max_by(|a, b| a.area().total_cmp(&b.area())).unwrap_or(room)
+    };
+    Some(taken.iter().fold(room, without))
+}
+
 /// What stands so near to the pointer goes with it `[points]`.
 const NEAR_POINTER: f32 = 60.0;
 
@@ -380,6 +408,23 @@ mod tests {
         assert_eq!(kept_in(wide, Some(middle), room).right(), 800.0, "no side has room for it");
         let away = beside(pos2(900.0, 300.0));
         assert_eq!(kept_in(away, Some(middle), room), away, "it belongs to something out of view");
+    }
+
+    #[test]
+    fn what_stands_beside_the_pointer_lies_off_panels() {
+        let room = Rect::from_min_max(pos2(0.0, 0.0), pos2(640.0, 360.0));
+        let bar = Rect::from_min_max(pos2(0.0, 0.0), pos2(640.0, 40.0));
+        let panel = Rect::from_min_max(pos2(60.0, 46.0), pos2(330.0, 354.0));
+        let at = pos2(400.0, 250.0);
+        let beside = |width: f32| Rect::from_min_size(at + egui::vec2(16.0, -30.0), egui::vec2(width, 20.0));
+        let clear = |rect: Rect| clear_about(rect, Some(at), (room, &[bar, panel]));
+        assert_eq!(clear(beside(200.0)), None, "it has room where it is");
+        let own = Rect::from_min_max(pos2(330.0 + APART, 40.0 + APART), room.max);
+        assert_eq!(clear(beside(290.0)), Some(own));
+        let lies = kept_in(beside(290.0), Some(at), own);
+        assert!(own.contains_rect(lies) && !lies.intersects(panel), "{lies:?}");
+        let away = Rect::from_min_size(pos2(100.0, 100.0), egui::vec2(50.0, 20.0));
+        assert_eq!(clear(away), None, "it belongs to something below the panel");
     }
 
     #[test]

@@ -105,7 +105,7 @@ pub struct Scenery {
     pub angles: Vec<Angle>,
     /// Where motors and servos turn.
     pub hinges: Vec<Hinge>,
-    /// Where joints with stops are, ascending.
+    /// Where joints are, ascending.
     pub joints: Vec<PointId>,
     walls: OnceLock<Walls>,
 }

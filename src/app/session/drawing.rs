@@ -356,7 +356,11 @@ impl Session {
         let clip_rect = Rect::from_min_max(Pos2::ZERO, Pos2::new(width, height));
         // Words stay off panels at the right edge.
         let room = clip_rect.with_max_x(width.min(self.free[1][0] as f32 / scale + words::SIZE)).shrink(words::APART);
-        let room = (room, self.place_of_pointer());
+        let panel = |[left, top, right, bottom]: &[f32; 4]| {
+            Rect::from_min_max(Pos2::new(left / scale, top / scale), Pos2::new(right / scale, bottom / scale))
+        };
+        let taken: Vec<Rect> = self.covered.iter().map(panel).collect();
+        let room = ((room, self.place_of_pointer()), &taken[..]);
         let shapes = marks
             .iter()
             .map(|mark| ClippedShape {
@@ -399,7 +403,7 @@ impl Session {
 }
 
 /// A mark as the panels' painter draws it, with an edge so that it is seen on any ground.
-fn shape(context: &egui::Context, mark: &Mark, scale: f32, room: (Rect, Option<Pos2>)) -> Shape {
+fn shape(context: &egui::Context, mark: &Mark, scale: f32, (room, taken): ((Rect, Option<Pos2>), &[Rect])) -> Shape {
     let colors = theme::colors(context);
     let color = |role: &Role| match role {
         Role::Lead => colors.lead,
@@ -443,7 +447,7 @@ fn shape(context: &egui::Context, mark: &Mark, scale: f32, room: (Rect, Option<P
                 Shape::rect_filled(square(half), 1.5, color(role)),
             ])
         }
-        Mark::Words(corner, said) => words::written(context, (at(corner), Anchor::Corner), said, room),
+        Mark::Words(corner, said) => words::written_beside(context, (at(corner), Anchor::Corner), said, (room, taken)),
         Mark::Label(foot, said, clip) => {
             let own = words::points(*clip, scale).shrink(words::APART).intersect(room.0);
             words::written(context, (at(foot), Anchor::Middle), said, (own, room.1))

@@ -4,11 +4,13 @@ mod labels;
 
 pub use labels::Labels;
 
+use std::sync::Arc;
+
 use egui::epaint::Shape;
-use egui::{Context, FontId, Pos2, Rect, Vec2};
+use egui::{Context, FontId, Galley, Pos2, Rect, Vec2};
 use glam::{DVec2, DVec3};
 
-use super::panels::{kept_in, theme};
+use super::panels::{clear_about, kept_in, theme};
 use crate::render::{Camera, View};
 use crate::scene::LabelKeys;
 
@@ -19,12 +21,12 @@ pub(super) const APART: f32 = 4.0;
 /// From words to the rim of their ground `[points]`.
 const MARGIN: Vec2 = Vec2::new(6.0, 3.0);
 
-/// How words lie about where they stand.
+/// How words lie about where they stand; they have several lines where there is no room for one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
-    /// That is their lower left corner: they are as wide as they are.
+    /// That is their lower left corner.
     Corner,
-    /// That is the middle of their lower edge: they have several lines where there is no room for one.
+    /// That is the middle of their lower edge.
     Middle,
 }
 
@@ -35,20 +37,35 @@ pub(super) fn written(
     words: &str,
     (room, pointer): (Rect, Option<Pos2>),
 ) -> Shape {
-    let font = FontId::proportional(SIZE);
     let colors = theme::colors(context);
-    let width = match anchor {
-        Anchor::Corner => f32::INFINITY,
-        Anchor::Middle => (room.width() - 2.0 * MARGIN.x).max(SIZE),
-    };
-    let galley = context.fonts_mut(|fonts| fonts.layout(words.to_owned(), font, colors.text, width));
-    let size = galley.size();
-    let left = if anchor == Anchor::Middle { 0.5 * size.x } else { 0.0 };
-    let ground = Rect::from_min_size(at - egui::vec2(left, size.y), size).expand2(MARGIN);
+    let (galley, ground) = laid(context, (at, anchor), words, room);
     let ground = kept_in(ground, pointer, room);
     let place = ground.min + MARGIN;
     let ground = Shape::rect_filled(ground, 5.0, colors.panel.gamma_multiply(0.92));
     Shape::Vec(vec![ground, Shape::galley(place, galley, colors.text)])
+}
+
+/// The same of what stands beside the pointer: where the panels that are taken there do not lie over it.
+pub(super) fn written_beside(
+    context: &Context,
+    from: (Pos2, Anchor),
+    words: &str,
+    ((room, pointer), taken): ((Rect, Option<Pos2>), &[Rect]),
+) -> Shape {
+    let (_, ground) = laid(context, from, words, room);
+    let own = clear_about(ground, pointer, (room, taken)).unwrap_or(room);
+    written(context, from, words, (own, pointer))
+}
+
+/// Words as they are set in a room, and their ground where nothing is in the way.
+fn laid(context: &Context, (at, anchor): (Pos2, Anchor), words: &str, room: Rect) -> (Arc<Galley>, Rect) {
+    let width = (room.width() - 2.0 * MARGIN.x).max(SIZE);
+    let (font, color) = (FontId::proportional(SIZE), theme::colors(context).text);
+    let galley = context.fonts_mut(|fonts| fonts.layout(words.to_owned(), font, color, width));
+    let size = galley.size();
+    let left = if anchor == Anchor::Middle { 0.5 * size.x } else { 0.0 };
+    let ground = Rect::from_min_size(at - egui::vec2(left, size.y), size).expand2(MARGIN);
+    (galley, ground)
 }
 
 /// Labels of a scene and the pixels that they stand at: those whose point is gone, behind the camera or beside the picture are left out.

@@ -266,7 +266,7 @@ enum Limbs {
     Within,
 }
 
-/// Which bodies are figures of limbs, that is have joints with stops; in the plane.
+/// Which bodies are figures of limbs, that is have joints; in the plane.
 fn limbs(view: &View<'_>, bodies: &[Filled]) -> Vec<Limbs> {
     if view.dimensions != 2 || view.joints.is_empty() {
         return Vec::new();

@@ -21,7 +21,7 @@ impl Stage {
         // What is led there is shown as it will be.
         let ahead = if is_wanted { self.history.ahead() } else { None };
         let world = ahead.as_deref().unwrap_or(self.history.world());
-        let matter = is_wanted.then(|| Matter::of(world, known, &self.among)).flatten();
+        let matter = is_wanted.then(|| Matter::of((world, &self.former), known, &self.among)).flatten();
         self.matter = matter.map(Arc::new);
         self.velocity = mean_velocity(self.history.world(), &self.among.points);
     }

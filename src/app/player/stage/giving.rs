@@ -5,7 +5,7 @@ use super::super::order::{Adder, Coming, Note};
 use super::super::rungs::Rung;
 use super::super::shown::Latest;
 use super::Stage;
-use crate::app::matter::{Among, MatterChange, commands, led};
+use crate::app::matter::{Among, MatterChange, Stops, commands, led};
 use crate::app::warnings::{refused, said};
 use crate::history::{Do, Refusal, SetKeys};
 use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting};
@@ -127,7 +127,11 @@ impl Stage {
     pub(super) fn change_matter(&mut self, among: &Among, change: MatterChange, goes_on: bool) -> Option<Note> {
         let ahead = self.history.ahead();
         let world = ahead.as_deref().unwrap_or(self.history.world());
-        match commands(world, among, change) {
+        let list = commands((world, &self.former), among, change);
+        if change == MatterChange::Stops(Stops::None) {
+            self.former.note(world, among);
+        }
+        match list {
             Err(why) => Some(Note::Refused(why.to_owned())),
             // What is dragged on is led by the hand.
             Ok(list) if goes_on => self.give_on(list, change.name()),

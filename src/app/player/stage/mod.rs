@@ -18,7 +18,7 @@ use super::save::{self, Seen};
 use super::shown::{Latest, Scenery};
 use super::softness::Relaxed;
 use super::watch::Watch;
-use crate::app::matter::{Among, Matter};
+use crate::app::matter::{Among, Former, Matter};
 use crate::app::meter::{Lowest, Meter};
 use crate::app::tools::Hauled;
 use crate::history::{BranchView, Clock, History, HistoryError, Recording, Start};
@@ -80,6 +80,8 @@ pub struct Stage {
     /// Whose matter is shown, and what it is.
     among: Among,
     matter: Option<Arc<Matter>>,
+    /// Stops that were taken from joints.
+    former: Former,
     /// Numbers that the scene names for sliders.
     named: Vec<Parameter>,
     /// What the world warned of when it was looked at last.
@@ -158,6 +160,7 @@ impl Stage {
             among: Among::default(),
             named,
             matter: None,
+            former: Former::default(),
             warned: Vec::new(),
             strained: None,
             led_at: None,
