@@ -21,7 +21,7 @@ pub struct Over {
 const LEAST_BELOW: f64 = 0.4;
 
 /// And what it leaves beside it from this share of the width on `[1]`.
-const LEAST_BESIDE: f64 = 0.3;
+const LEAST_BESIDE: f64 = 0.4;
 
 /// A part of a picture: its left, upper, right and lower edge `[px]`.
 type Part = [f64; 4];
