@@ -25,7 +25,7 @@ pub(crate) fn triangles(count: u32) -> Value {
 }
 
 /// Where the same scene is by a splitting of order 4 that solves bond by bond.
-fn bond_by_bond(scene: &Value, t: f64) -> Sample {
+pub(crate) fn bond_by_bond(scene: &Value, t: f64) -> Sample {
     let mut scene = scene.clone();
     scene["method"] = json!({"solver": "blanes-moan-4", "substep": 0.0005, "budget": "none"});
     let mut world = world(&scene);

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use wobble::sim::{Dynamics, Sample, Solver};
 
 use super::{run, world};
-use crate::linkages::apart;
+use crate::linkages::{apart, bond_by_bond};
 
 /// Two triangles of 1 kg a point and a bond with these keys from a corner of one to a corner of the other, 0.5 m apart; the first hangs on a pin.
 fn swinging(keys: &Value) -> Value {
@@ -26,17 +26,6 @@ fn in_line(velocity: [f64; 2], keys: &Value) -> Value {
     scene["points"] = json!({"position": [[-1, 0.5], [0, 0], [-1, -0.5], [1, 0], [2, 0.5], [2, -0.5]], "mass": 1,
         "velocity": [[left, 0], [left, 0], [left, 0], [right, 0], [right, 0], [right, 0]]});
     scene
-}
-
-/// The same bond by bond, by a splitting of order 4 that locates events.
-fn bond_by_bond(scene: &Value, t: f64) -> Sample {
-    let mut scene = scene.clone();
-    scene["method"] = json!({"solver": "blanes-moan-4", "substep": 0.0005, "budget": "none"});
-    let mut world = world(&scene);
-    while world.time() < t - 1e-9 {
-        world.step();
-    }
-    world.sample(t)
 }
 
 fn assert_told(what: &str, world: &dyn Dynamics, end: &Sample, most: f64) {

@@ -139,7 +139,7 @@ fn mean<S: Real>(mass: &[S], places: impl Iterator<Item = [S; 2]>) -> [S; 2] {
 }
 
 impl<S: Real> Cluster<S> {
-    /// Whether any of three points is led to its shape.
+    /// Whether all of three points are led to their shape.
     #[inline(always)]
     pub(super) fn is_led(&self, points: [usize; 3]) -> bool {
         let list = &self.tangle.is_led;

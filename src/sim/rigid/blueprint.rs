@@ -109,12 +109,12 @@ impl Blueprint {
             End::On { body, .. } => body,
             End::Fixed(_) => ground,
         };
-        let is_doubtful = |link: &&Link| link.drive.is_some();
+        let is_driven = |link: &&Link| link.drive.is_some();
         let mut together = Sets::new(self.bodies.len() + 1);
-        for link in self.links.iter().filter(|link| !is_doubtful(link)) {
+        for link in self.links.iter().filter(|link| !is_driven(link)) {
             together.join(body(link.ends[0]), body(link.ends[1]));
         }
-        let driven = self.links.iter().filter(is_doubtful).map(|link| link.ends);
+        let driven = self.links.iter().filter(is_driven).map(|link| link.ends);
         driven.chain(self.strings.iter().map(|string| string.ends)).all(|[a, b]| {
             let is_bridge = together.find(body(a)) != together.find(body(b));
             together.join(body(a), body(b));

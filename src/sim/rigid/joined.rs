@@ -189,7 +189,10 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
         let beyond = |motions: &[Motion]| self.strings_where((motions, t), |gap| gap < -self.touch());
         // A string that is longer by a trifle is no reason to stop.
         let with_strings = self.mended(motions, t, |motions| [behind(motions), beyond(motions)].concat());
-        with_strings.or_else(|| self.mended(motions, t, behind).filter(|_| !self.linkage.strings.is_empty()))
+        match with_strings {
+            None if !self.linkage.strings.is_empty() => self.mended(motions, t, behind),
+            out => out,
+        }
     }
 
     fn stopped(&self, mut motions: Vec<Motion>) -> Vec<Motion> {

@@ -4,6 +4,9 @@ use super::inertia::{Contact, Inertia};
 use super::motion::Twist;
 use crate::sim::contact::coulomb::{Impulse, Rub};
 
+/// A string has no friction and gives nothing back.
+pub(super) const SMOOTH: Rub = Rub { friction: 0.0, restitution: 0.0, slides: 0.0, target: [0.0; 2] };
+
 /// A contact of one body, or of two that push each other by as much.
 #[derive(Clone, Debug)]
 pub(super) struct Meeting {
@@ -22,8 +25,7 @@ impl Meeting {
 
     /// Ends of a string on bodies, with normals in which it pulls them; `lead`: how fast that of no body goes away `[m/s]`.
     pub(super) fn string(legs: Vec<(u32, Contact)>, lead: f64) -> Self {
-        let rub = Rub { friction: 0.0, restitution: 0.0, slides: 0.0, target: [0.0; 2] };
-        Meeting { rub, legs, lead }
+        Meeting { rub: SMOOTH, legs, lead }
     }
 
     /// How fast it opens and goes along by the motion of its bodies `[m/s]`.

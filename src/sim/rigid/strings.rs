@@ -10,8 +10,7 @@
 
 use super::inertia::Contact;
 use super::link::{End, Stand};
-use super::meeting::Meeting;
-use crate::sim::contact::coulomb::Rub;
+use super::meeting::{Meeting, SMOOTH};
 use crate::sim::vector::{add, cross, dot, scale, sub};
 
 /// A string, or a strut that may part.
@@ -50,8 +49,7 @@ impl Strand {
             match end {
                 End::On { body, place } => {
                     let arm = stand.motions[body as usize].place.turned(place);
-                    let rub = Rub { friction: 0.0, restitution: 0.0, slides: 0.0, target: [0.0; 2] };
-                    legs.push((body, Contact { arm, normal, rub }));
+                    legs.push((body, Contact { arm, normal, rub: SMOOTH }));
                 }
                 End::Fixed(_) => lead += dot(stand.velocity(end), normal),
             }
