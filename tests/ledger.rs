@@ -269,6 +269,17 @@ fn a_led_pin_does_the_work_of_what_holds_it() {
     assert!(fine.left_over().abs() < 1e-3 * fine.book.pins.abs() && (3.0..5.0).contains(&ratio), "{ratio} {fine:?}");
 }
 
+/// No group has what joins pins alone.
+#[test]
+fn a_led_pin_stretches_what_joins_it_to_a_pin() {
+    let mut model = towed(spring(0, 1, 1.0, 75.0, 4.0), Solver::Rk4);
+    model.pinned.push(PointId(1));
+    let ledger = ledger(&model, 1.1);
+    // From 1 m to 3 m.
+    near(ledger.book.pins, 0.5 * 75.0 * 4.0, 1e-9, "half of the stiffness times the stretch squared");
+    assert!(ledger.left_over().abs() < 1e-9, "{ledger:?}");
+}
+
 #[test]
 fn a_ledger_changes_nothing_of_the_motion_and_nobody_pays_for_one_who_has_none() {
     let soft = BondKind::Spring { stiffness: 2e3, damping: 2.0 };

@@ -67,19 +67,21 @@ pub(crate) fn energies<const D: usize>(
     energies
 }
 
-/// Energy of every spring `[J]`: stiffness (|d| - rest)^2 / 2 where it acts.
+/// Energy of every spring `[J]`.
 pub(crate) fn springs_energy<const D: usize>(bonds: &Bonds, position: impl Fn(usize) -> [f64; D]) -> f64 {
-    let of = |bond: Bond| {
-        let BondKind::Spring { stiffness, .. } = bond.kind else { return 0.0 };
-        let d = sub(position(bond.a.index()), position(bond.b.index()));
-        let stretch = dot(d, d).sqrt() - bond.rest_length;
-        match bond.limit {
-            Limit::Max if stretch < 0.0 => 0.0,
-            Limit::Min if stretch > 0.0 => 0.0,
-            _ => 0.5 * stiffness * stretch * stretch,
-        }
-    };
-    if bonds.may_have_springs() { bonds.iter().map(of).sum() } else { 0.0 }
+    if bonds.may_have_springs() { bonds.iter().map(|bond| spring_energy(&bond, &position)).sum() } else { 0.0 }
+}
+
+/// Energy of a bond `[J]`: stiffness (|d| - rest)^2 / 2 where it is a spring and acts.
+pub(crate) fn spring_energy<const D: usize>(bond: &Bond, position: impl Fn(usize) -> [f64; D]) -> f64 {
+    let BondKind::Spring { stiffness, .. } = bond.kind else { return 0.0 };
+    let d = sub(position(bond.a.index()), position(bond.b.index()));
+    let stretch = dot(d, d).sqrt() - bond.rest_length;
+    match bond.limit {
+        Limit::Max if stretch < 0.0 => 0.0,
+        Limit::Min if stretch > 0.0 => 0.0,
+        _ => 0.5 * stiffness * stretch * stretch,
+    }
 }
 
 /// Largest |length/rest - 1| over the bonds `[1]`, those of rest length 0 left out.

@@ -97,6 +97,7 @@ impl<S: Real, const D: usize> World<S, D> {
     fn advance(&mut self, kept: &[(usize, f64)], span: impl Fn(&Self, f64) -> f64) {
         let t = self.timeline.time();
         let h = span(self, t);
+        let between_pins = self.energy_between_pins();
         // Places of groups that are where the step ends already.
         let mut done: Vec<usize> = Vec::new();
         for &(place, from) in kept {
@@ -120,6 +121,7 @@ impl<S: Real, const D: usize> World<S, D> {
             self.take_all(&dues, &mut Vec::new());
         }
         self.gather();
+        self.book_between_pins(between_pins);
         self.note_kinetic();
     }
 

@@ -87,6 +87,14 @@ pub(crate) trait Mover<S: Real, const D: usize>: Debug + Send + Sync {
         None
     }
 
+    /// Work that its next step may take: beyond that it ends early, where it can.
+    fn bound(&mut self, _work: u64) {}
+
+    /// When its last step ended early for what it took `[s]`.
+    fn take_gave_up(&mut self) -> Option<f64> {
+        None
+    }
+
     /// Takes over what another one knew of points: slots there and here.
     fn inherit(&mut self, _other: &dyn Mover<S, D>, _slots: &[(u32, u32)]) {}
 

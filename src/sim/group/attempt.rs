@@ -38,8 +38,10 @@ impl<S: Real, const D: usize> Group<S, D> {
     pub(crate) fn advance(&mut self, around: &Environment<D>, t: f64, h: f64, counters: &mut Counters) {
         if let Engine::Bulk(bulk) = &mut self.engine {
             let before = *counters;
+            bulk.bound(self.limit.saturating_sub(counters.work));
             bulk.step(&mut self.points, &self.pull, around, (t, h), counters, self.account.as_deref_mut());
             self.edges.broken = bulk.take_broken().map(|(at, bonds)| Broken { at, bonds });
+            self.gave_up = bulk.take_gave_up();
             return counters.count_batches(&before, bulk.kernel().work_of_a_bond(), D);
         }
         counters.substeps += 1;

@@ -22,7 +22,7 @@ use crate::sim::bulk::kernel::Kernel;
 use crate::sim::counters::{Counters, operations};
 use crate::sim::group::Group;
 use crate::sim::group::engine::Engine;
-use crate::sim::group::watch::{Alarm, Sums};
+use crate::sim::group::watch::{Alarm, Anchor, Sums};
 use crate::sim::live;
 use crate::sim::measure;
 use crate::sim::moved::Why;
@@ -46,7 +46,8 @@ pub(super) fn most_work<S: Real, const D: usize>(
     counters: &Counters,
 ) -> u64 {
     let (Some(budget), Some(watch)) = (budget, &group.watch) else { return u64::MAX };
-    if !watch.may_go || matches!(group.engine, Engine::Bulk(_)) {
+    let is_bounded = !matches!(group.engine, Engine::Bulk(_)) || matches!(group.kernel(), Some(Kernel::Joined(_)));
+    if !watch.may_go || !is_bounded {
         return u64::MAX;
     }
     let most = allowed(budget, h).max((CHEAPER * live_work(group, 0.0)) as u64);
@@ -102,7 +103,20 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// A group gives up its step at `t` `[s]`. Returns the places of those that take what is left of it.
     pub(crate) fn give_up(&mut self, place: usize, t: f64) -> Vec<usize> {
-        self.go_live(&[place], t, Why::Budget)
+        // What takes that long may be past mending already.
+        let alarm = self.plan.groups[place].look(&self.around, t, &mut self.counters);
+        match alarm.filter(|alarm| alarm.is_lost()).and_then(|_| self.plan.groups[place].take_anchor()) {
+            Some(anchor) => self.go_live_from(place, &anchor, t),
+            None => self.go_live(&[place], t, Why::Budget),
+        }
+    }
+
+    /// The live step moves a group from a state that was good, up to `t` `[s]` at once. Returns the places of its islands.
+    fn go_live_from(&mut self, place: usize, anchor: &Anchor<S, D>, t: f64) -> Vec<usize> {
+        let from = self.plan.groups[place].go_back(anchor);
+        let places = self.go_live(&[place], from, Why::Alarm);
+        self.take_again(&places, (from, t - from));
+        places
     }
 
     /// The live step moves groups from `t` on `[s]`, with no more energy than each may have. Returns the places of their islands.
@@ -161,9 +175,7 @@ impl<S: Real, const D: usize> World<S, D> {
             }
             return;
         };
-        let from = self.plan.groups[place].go_back(&anchor);
-        let places = self.go_live(&[place], from, Why::Alarm);
-        self.take_again(&places, (from, t - from));
+        self.go_live_from(place, &anchor, t);
         self.heed_lost_of_live();
         self.gather();
     }

@@ -253,8 +253,9 @@ pub(super) fn prepare<S: Real>(state: &mut Cluster<S>, common: &Common<S>, h: S)
 
 /// One sweep over the bonds that are held, and over springs too stiff to be forces, each along its present direction.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    for (body, base) in state.members(common).filter(|(body, _)| body.tree > 0) {
-        tree::solve(state, &common.holds(body)[..body.tree as usize], (body, base));
+    for (k, (body, base)) in state.members(common).enumerate().filter(|(_, (body, _))| body.tree > 0) {
+        let phase = tree::solve(state, &common.holds(body)[..body.tree as usize], (body, base));
+        state.swings[k].seen += (phase / state.span).to_f64();
     }
     state.does_turn = state.is_all_rigid && turns(state);
     let firm = std::mem::take(&mut state.firm);

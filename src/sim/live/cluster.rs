@@ -101,6 +101,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) share: f64,
     /// Substeps of a frame that it is given at most so that springs can be forces.
     pub(super) most_substeps: u32,
+    /// How fast what trees pull at swings across them, body by body.
+    pub(super) swings: Vec<Swing>,
     /// Something is so fast that springs are projected, which bears more.
     pub(super) is_violent: bool,
     /// Some points are so much heavier than others that these cannot bear them.
@@ -158,6 +160,13 @@ pub(super) struct Counts {
     pub(super) mouse_points: u64,
     pub(super) detections: u64,
     pub(super) work: u64,
+}
+
+/// How fast what a tree of rigid bonds pulls at swings across it `[rad/s]`: what is known from before the step, and the sum of its substeps.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Swing {
+    pub(super) known: f64,
+    pub(super) seen: f64,
 }
 
 /// An edge near which points may come.

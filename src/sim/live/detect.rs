@@ -28,9 +28,10 @@ const LEAST_SHARE: f64 = 0.25;
 const MOST_LOOKS: [usize; 2] = [500_000, 64];
 const MOST_PAIRS: [usize; 2] = [32_000, 16];
 
-/// Counted work of a search for each edge and each cell that it is in, each edge that a corner looks at, and each pair.
+/// Counted work of a search for each edge and each cell that it is in, each edge that a corner looks at and that it is near, and each pair.
 const OF_AN_EDGE: u64 = 20;
 const OF_A_LOOK: u64 = 8;
+const OF_A_FIND: u64 = 60;
 const OF_A_PAIR: u64 = 300;
 
 /// Share of the radius of its skin that an edge keeps from corners of obstacles: one that lies right on a corner is slid over it.
@@ -114,7 +115,7 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (old, most): 
     let mut search = Search { lines: lines(state, common), known, least, most_pairs, near: Vec::new(), pairs };
     let (cells, starts, entries, long) = grid(state, &search.lines);
     state.counts.work += OF_AN_EDGE * (state.edges.len() + entries.len()) as u64;
-    let mut looked = 0;
+    let (mut looked, mut found) = (0, 0);
     for &(p, number) in &state.corners {
         let (x, body) = (state.now[p as usize], state.body_of[p as usize]);
         let around = radius(state, common, body) + state.promised[p as usize];
@@ -131,12 +132,13 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (old, most): 
             own.iter().take(most_looks).for_each(|&edge| see(edge as usize));
         }
         long.iter().for_each(|&edge| see(edge));
+        found += search.near.len() as u64;
         search.pair(state, common, (p, number), around);
         if search.pairs.len() > most {
             break;
         }
     }
-    state.counts.work += OF_A_LOOK * looked + OF_A_PAIR * search.pairs.len() as u64;
+    state.counts.work += OF_A_LOOK * looked + OF_A_FIND * found + OF_A_PAIR * search.pairs.len() as u64;
     if search.pairs.len() > most {
         state.pairs = search.pairs;
         state.pairs.clear();
@@ -186,7 +188,8 @@ impl<S: Real> Search<'_, S> {
         };
         if self.near.len() > self.most_pairs {
             let squares = |a: &Found<S>, b: &Found<S>| a.square.to_f64().total_cmp(&b.square.to_f64());
-            self.near.sort_unstable_by(|a, b| squares(a, b).then(a.edge.cmp(&b.edge)));
+            let order = |a: &Found<S>, b: &Found<S>| squares(a, b).then(a.edge.cmp(&b.edge));
+            self.near.select_nth_unstable_by(self.most_pairs, order);
             self.near.truncate(self.most_pairs);
         }
         self.near.sort_unstable_by_key(|found| state.edges[found.edge].number);

@@ -5,9 +5,10 @@ use super::areas::Thin;
 use super::bear;
 use super::bend::Bends;
 use super::body::Body;
-use super::cluster::{Cluster, Common, Counts, OBSTACLE, Side};
+use super::cluster::{Cluster, Common, Counts, OBSTACLE, Side, Swing};
 use super::given::Given;
 use super::tether::Tethers;
+use super::tree;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::kernels::links::Links;
@@ -175,6 +176,7 @@ impl<S: Real> Live<S> {
             goes: Vec::new(),
             least_promise: S::INFINITY,
             most_substeps: SUBSTEPS[1],
+            swings: bodies.iter().map(|&body| Swing { known: self.rests[body].swing, seen: 0.0 }).collect(),
             is_violent: false,
             is_uneven: false,
             share: 1.0,
@@ -325,7 +327,9 @@ impl<S: Real> Cluster<S> {
             asked(body.least_substeps, self.most_substeps, is_firm)
         };
         let least = moving.filter_map(|((body, _), _)| asked(body)).max().unwrap_or_default();
-        let is_enough = |count: &u32| f64::from(*count) >= wanted && *count >= least;
+        let trees = self.members(common).zip(&self.swings).filter(|((body, _), _)| body.tree > 0);
+        let swings = trees.map(|(_, swing)| tree::substeps(swing.known)).fold(0.0, f64::max);
+        let is_enough = |count: &u32| f64::from(*count) >= wanted.max(swings) && *count >= least;
         SUBSTEPS.into_iter().find(is_enough).unwrap_or(SUBSTEPS[3])
     }
 

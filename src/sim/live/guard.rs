@@ -63,10 +63,11 @@ pub(super) fn all<S: Real>(state: &mut Cluster<S>, common: &Common<S>, gravity: 
     sum
 }
 
-/// Whether all that holds its points together are rigid bonds that are swept.
+/// Whether all that holds its points together are rigid bonds that are swept, or solved along directions from before.
 fn is_swept<S: Real>(state: &Cluster<S>, common: &Common<S>) -> bool {
     let is_driven = !state.muscles.is_empty() || !state.turns.is_empty();
-    let has_sweeps = state.is_all_rigid || !state.holds.is_empty();
+    let has_trees = || state.members(common).any(|(body, _)| body.tree > 0);
+    let has_sweeps = state.is_all_rigid || !state.holds.is_empty() || has_trees();
     has_sweeps
         && !is_driven
         && state.by_forces.is_empty()

@@ -35,6 +35,7 @@ mod heir;
 mod impaled;
 mod layout;
 mod mend;
+mod pace;
 mod pair;
 mod part;
 mod planes;
@@ -78,6 +79,7 @@ use build::Bodies;
 use cluster::{Cluster, Common};
 use drives::Source;
 use fields::Field;
+use pace::Pace;
 use pair::Sides;
 use rest::Rest;
 use substep::Outside;
@@ -231,24 +233,29 @@ impl<S: Real> Live<S> {
     ) {
         let count = (h * FRAMES * f64::from(cluster.substeps(common, around, t))).ceil().max(1.0);
         let moving = cluster.now.iter().copied().zip(cluster.velocity.iter().copied()).take(cluster.own());
-        let count = count.max(f64::from(around.parts_near(moving, (t, h))));
-        let own = h / count;
+        let least = around.parts_near(moving, (t, h));
+        let mut pace = Pace::new((t, h), count.max(f64::from(least)) as u32, least);
         let outside = Outside { pull, around, settling: &self.settling };
         let moving = guard::energy(cluster, pull.gravity);
         calm::look(cluster, common);
         tangle::look(cluster, common, h);
-        cluster.span = S::from_f64(own);
+        cluster.span = S::from_f64(pace.length);
         detect::look(cluster, common);
         cluster.is_violent = cluster.is_struck();
         cluster.see_within(common);
         cluster.tether(common);
-        bonds::prepare(cluster, common, cluster.span);
-        bend::prepare(cluster, common, cluster.span);
-        drives::prepare(cluster, common, (t, around), cluster.span);
+        prepare(cluster, common, (t, around), pace.length);
         let before = moving + guard::elastic(cluster, common);
         let held = cluster.tally.is_some().then(|| guard::all(cluster, common, pull.gravity));
-        for substep in 0..count as u32 {
-            substep::advance(cluster, common, outside, (t + f64::from(substep) * own, own));
+        let mut next = pace.next();
+        while let Some(start) = next {
+            let done = cluster.counts.work;
+            substep::advance(cluster, common, outside, (start, pace.length));
+            let is_longer = pace.note(cluster.counts.work - done);
+            next = pace.next();
+            if let Some(start) = next.filter(|_| is_longer) {
+                prepare(cluster, common, (start, around), pace.length);
+            }
         }
         // What is no number any more is not to be shared out.
         if cluster.is_finite() {
@@ -260,6 +267,14 @@ impl<S: Real> Live<S> {
             }
         }
     }
+}
+
+/// What substeps of `h` from `t` on `[s]` go by.
+fn prepare<S: Real>(cluster: &mut Cluster<S>, common: &Common<S>, (t, around): (f64, &Environment<2>), h: f64) {
+    cluster.span = S::from_f64(h);
+    bonds::prepare(cluster, common, cluster.span);
+    bend::prepare(cluster, common, cluster.span);
+    drives::prepare(cluster, common, (t, around), cluster.span);
 }
 
 impl<S: Real> Mover<S, 2> for Live<S> {
@@ -300,7 +315,11 @@ impl<S: Real> Mover<S, 2> for Live<S> {
         self.tangle.note(&mut clusters, h);
         for cluster in &mut clusters {
             self.scatter(cluster, points);
-            cluster.bodies.iter().for_each(|&body| self.rests[body].is_asleep = false);
+            let count = cluster.counts.substeps.max(1) as f64;
+            for (&body, swing) in cluster.bodies.iter().zip(&cluster.swings) {
+                let rest = &mut self.rests[body];
+                (rest.is_asleep, rest.swing) = (false, swing.seen / count);
+            }
             self.settle(cluster, (around, t + h), h);
             cluster.count(counters);
             counters.settled += cluster.bodies.iter().filter(|&&body| self.settling[body] > S::ZERO).count() as u64;

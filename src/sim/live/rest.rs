@@ -48,6 +48,8 @@ pub(super) struct Rest {
     /// How it lies in others, and whether pins hold it there.
     pub(super) lies: Lies,
     pub(super) is_tethered: bool,
+    /// How fast what its tree of rigid bonds pulls at swings across it, in the mean of the last step `[rad/s]`; infinite where nobody looked.
+    pub(super) swing: f64,
 }
 
 /// How a body lies in obstacles, in others or in itself since it began.
@@ -65,7 +67,7 @@ pub(super) enum Lies {
 impl Rest {
     /// Of a body that nobody looked at yet.
     pub(super) fn fresh() -> Self {
-        Rest { lies: Lies::Anyhow, ..Rest::default() }
+        Rest { lies: Lies::Anyhow, swing: f64::INFINITY, ..Rest::default() }
     }
 
     /// It has been slow and touched something for a while: its springs are damped.
@@ -80,7 +82,7 @@ impl Rest {
 
     /// Nothing is known but how it lies in others, which does not end by itself.
     fn anew(self) -> Self {
-        Rest { lies: self.lies, is_tethered: self.is_tethered, ..Rest::default() }
+        Rest { lies: self.lies, is_tethered: self.is_tethered, swing: self.swing, ..Rest::default() }
     }
 }
 

@@ -93,6 +93,16 @@ impl<const D: usize> Model<D> {
 
     /// Energy of angles and areas `[J]`; `stops`: whether the joint at a point stops by a spring, not at once as in the live step.
     pub(crate) fn form_energy(&self, position: impl Fn(usize) -> [f64; D], stops: impl Fn(usize) -> bool) -> f64 {
+        self.form_energy_of(|_| true, position, stops)
+    }
+
+    /// The same of those alone whose three points `counts` names.
+    pub(crate) fn form_energy_of(
+        &self,
+        counts: impl Fn(&[PointId; 3]) -> bool,
+        position: impl Fn(usize) -> [f64; D],
+        stops: impl Fn(usize) -> bool,
+    ) -> f64 {
         use crate::sim::force::angle::Hinge;
         use crate::sim::force::area::Patch;
         let at = |points: [PointId; 3]| points.map(|point| position(point.index()));
@@ -104,8 +114,8 @@ impl<const D: usize> Model<D> {
         let stiffness = self.areas.map_or(0.0, |areas| areas.stiffness);
         let patch = |(corners, rest)| Patch { corners: [0, 1, 2], rest, stiffness }.energy(at(corners));
         let is_elastic = stiffness > 0.0 && stiffness.is_finite();
-        let areas = self.patches().filter(|_| is_elastic).map(patch).sum::<f64>();
-        self.angles.list.iter().map(hinge).sum::<f64>() + areas
+        let areas = self.patches().filter(|(corners, _)| is_elastic && counts(corners)).map(patch).sum::<f64>();
+        self.angles.list.iter().filter(|angle| counts(&angle.points)).map(hinge).sum::<f64>() + areas
     }
 
     /// Whether the areas of triangles at rest have to be known: where they resist, and where bodies meet, which are not to turn inside out.

@@ -34,6 +34,16 @@ pub(super) struct Log<'a> {
     pub(super) book: Option<&'a mut Book>,
     /// When something broke, from the start of the step on `[s]`: what follows is not of this step.
     pub(super) broke: Option<f64>,
+    /// Work beyond which the step ends early, and when it did, from its start on `[s]`: what is left of it is somebody else's.
+    pub(super) most_work: u64,
+    pub(super) gave_up: Option<f64>,
+}
+
+impl<'a> Log<'a> {
+    /// Of a step that may take what it takes.
+    pub(super) fn new(book: Option<&'a mut Book>) -> Self {
+        Log { hits: 0, work: 0, book, broke: None, most_work: u64::MAX, gave_up: None }
+    }
 }
 
 /// Why a part was too long.
@@ -143,6 +153,10 @@ pub(super) fn advance<A: Assembly>(
     let (mut done, mut hits, mut is_out) = (0.0, 0.0, false);
     let (mut halvings, mut grown) = (HALVINGS * frames, f64::INFINITY);
     while h - done > 1e-12 * h {
+        if log.work > log.most_work {
+            log.gave_up = Some(done);
+            break;
+        }
         let (now, left) = (t + done, h - done);
         let [in_flight, turned] = of.turned(&motion);
         let mut part = left.min(longest.max(SHORTEST)).min(in_flight).min(grown);

@@ -67,13 +67,16 @@ pub(crate) struct Rigid {
     lost: Vec<u32>,
     /// When springs broke in the step under way `[s]`, and which bonds of the world those are.
     broken: Option<(f64, Vec<u32>)>,
+    /// Work that the next step may take, and when the last one ended early for that `[s]`.
+    most_work: u64,
+    gave_up: Option<f64>,
 }
 
 impl Rigid {
     /// Of plans, each with the places of its points in the group and springs between its bodies, made of so many bonds.
     pub(crate) fn new(plans: Vec<(Arc<Blueprint>, Vec<u32>, Ties)>, bonds: usize) -> Self {
         let linkages = plans.into_iter().map(|(plan, slots, ties)| Linkage::new(&plan, &slots, ties)).collect();
-        Rigid { linkages, bonds, lost: Vec::new(), broken: None }
+        Rigid { linkages, bonds, lost: Vec::new(), broken: None, most_work: u64::MAX, gave_up: None }
     }
 
     fn bodies(&self) -> impl Iterator<Item = &Body> {
@@ -125,7 +128,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             let slots = || linkage.bodies.iter().flat_map(|body| &body.slots).map(|&slot| slot as usize);
             let moving = || slots().map(|i| (points.position[i], points.velocity[i]));
             let parts = if is_reached { around.parts_near(moving(), (t, h)) } else { 1 };
-            let mut log = Log { hits: 0, work: 0, book: book.as_deref_mut(), broke: None };
+            let mut log = Log::new(book.as_deref_mut());
             let most = h / f64::from(parts);
             let ends = match linkage.alone() {
                 Some(body) => {
@@ -137,6 +140,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
                     let locates = self.linkages.len() == 1;
                     let joined = Moving::new(linkage, &field, (&anchors, t), &motions, locates);
                     let span = (t, h, joined.longest(h).min(most));
+                    log.most_work = if locates { self.most_work } else { u64::MAX };
                     let ends = advance(&joined, motions, span, &mut log);
                     log.work += joined.take_spent();
                     if let Some(gone) = log.broke {
@@ -149,10 +153,11 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             if ends.iter().all(Motion::is_finite) {
                 linkage.bodies.iter().zip(&ends).for_each(|(body, end)| body.write(end, points));
                 linkage.stop(points);
-                linkage.lead(points, &anchors, log.broke.unwrap_or(h));
+                linkage.lead(points, &anchors, log.broke.or(log.gave_up).unwrap_or(h));
             } else {
                 self.lost.extend(linkage.bodies.iter().flat_map(|body| &body.slots));
             }
+            self.gave_up = log.gave_up.map(|gone| t + gone);
             counters.substeps += 1;
             counters.points_moved += count;
             counters.mouse_points += if is_reached { count } else { 0 };
@@ -199,6 +204,14 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
 
     fn take_broken(&mut self) -> Option<(f64, Vec<u32>)> {
         self.broken.take()
+    }
+
+    fn bound(&mut self, work: u64) {
+        self.most_work = work;
+    }
+
+    fn take_gave_up(&mut self) -> Option<f64> {
+        self.gave_up.take()
     }
 
     fn kernel(&self) -> Kernel {

@@ -5,6 +5,7 @@
 
 use super::World;
 use crate::sim::account::kinetic;
+use crate::sim::bond::PointId;
 use crate::sim::command::{Applied, Command, CommandError};
 use crate::sim::ledger::{Book, Totals};
 use crate::sim::measure;
@@ -36,6 +37,25 @@ impl<S: Real, const D: usize> World<S, D> {
             book.add(&account.book, 1.0);
         }
         book
+    }
+
+    /// Energy between pins of which some are led `[J]`, where a ledger is kept: no group has what joins pins alone.
+    pub(crate) fn energy_between_pins(&self) -> Option<f64> {
+        self.ledger.as_ref().filter(|_| !self.model.pin_motion.is_empty())?;
+        let is_pin = |point: &PointId| self.inverse_mass[point.index()] == 0.0;
+        let place = |i: usize| self.place(i);
+        let bonds = self.bonds.iter().filter(|bond| is_pin(&bond.a) && is_pin(&bond.b));
+        let springs: f64 = bonds.map(|bond| measure::spring_energy(&bond, place)).sum();
+        Some(
+            springs + self.model.form_energy_of(|points| points.iter().all(is_pin), place, |i| self.stops_by_spring(i)),
+        )
+    }
+
+    /// What changed between pins since `before`, as [`World::energy_between_pins`] said it, is work of those that are led.
+    pub(crate) fn book_between_pins(&mut self, before: Option<f64>) {
+        if let (Some(before), Some(now), Some(totals)) = (before, self.energy_between_pins(), &mut self.ledger) {
+            totals.book.pins += now - before;
+        }
     }
 
     /// After a step: the largest kinetic energy is known anew.

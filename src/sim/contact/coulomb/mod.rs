@@ -23,8 +23,10 @@ const NOTHING: f64 = 1e-15;
 const REPEATED: f64 = 1e-9;
 /// Operations of a contact that is gone through once, about.
 pub(crate) const OF_A_CONTACT: u64 = 40;
-/// Halvings in which the restitution is found that adds no energy.
+/// Halvings in which the restitution is found that adds no energy, and how often in them all contacts are gone through at most, in what a
+/// single one may take.
 const HALVINGS: u32 = 30;
+const HALVED: u32 = 4;
 
 /// Impulses of a contact, along its normal and across it `[kg m/s]`.
 pub(crate) type Impulse = [f64; 2];
@@ -127,9 +129,14 @@ pub(crate) fn strike<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub]) -> 
     let (mut low, mut high, mut found) = (0.0, 1.0, plastic);
     for _ in 0..HALVINGS {
         let share = 0.5 * (low + high);
-        match with(share) {
-            (next, true) => (low, found) = (share, next),
-            _ => high = share,
+        let (next, is_fine) = with(share);
+        let is_over = next.passes > HALVED * body.most_passes(rubs.len());
+        match is_fine {
+            true => (low, found) = (share, next),
+            false => high = share,
+        }
+        if is_over {
+            break;
         }
     }
     Pressed { passes, ..found }
