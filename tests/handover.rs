@@ -5,6 +5,7 @@ mod lost;
 mod meet;
 mod shift;
 mod wake;
+mod whip;
 mod wild;
 
 use std::path::Path;

@@ -20,6 +20,7 @@ mod thin;
 mod uneven;
 mod violence;
 mod wake;
+mod whirl;
 mod whole;
 mod words;
 

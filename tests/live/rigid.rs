@@ -59,7 +59,7 @@ fn ropes_thrown_at_a_wall_keep_their_lengths() {
 fn ropes_that_bounce_and_crumple_keep_their_lengths() {
     // Where it crumples at 50 m/s a bond may give for a moment.
     let worst = strains(&[("bouncy plane", plane(0.8))]);
-    assert!(worst.iter().all(|entry| entry.2 < 0.08 && entry.3 <= 2), "{worst:?}");
+    assert!(worst.iter().all(|entry| entry.2 < 0.1 && entry.3 <= 2), "{worst:?}");
 }
 
 #[test]

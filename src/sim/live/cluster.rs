@@ -101,7 +101,7 @@ pub(super) struct Cluster<S: Real> {
     pub(super) share: f64,
     /// Substeps of a frame that it is given at most so that springs can be forces.
     pub(super) most_substeps: u32,
-    /// How fast what trees pull at swings across them, body by body.
+    /// How fast what rigid bonds that are solved at once pull at swings across them, body by body.
     pub(super) swings: Vec<Swing>,
     /// Something is so fast that springs are projected, which bears more.
     pub(super) is_violent: bool,
@@ -162,7 +162,7 @@ pub(super) struct Counts {
     pub(super) work: u64,
 }
 
-/// How fast what a tree of rigid bonds pulls at swings across it `[rad/s]`: what is known from before the step, and the sum of its substeps.
+/// How fast what the rigid bonds of a body pull at swings across them `[rad/s]`: what is known from before the step, and the sum of its substeps.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Swing {
     pub(super) known: f64,

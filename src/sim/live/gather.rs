@@ -327,8 +327,9 @@ impl<S: Real> Cluster<S> {
             asked(body.least_substeps, self.most_substeps, is_firm)
         };
         let least = moving.filter_map(|((body, _), _)| asked(body)).max().unwrap_or_default();
-        let trees = self.members(common).zip(&self.swings).filter(|((body, _), _)| body.tree > 0);
-        let swings = trees.map(|(_, swing)| tree::substeps(swing.known)).fold(0.0, f64::max);
+        let pulling =
+            self.members(common).zip(&self.swings).filter(|((body, _), _)| body.tree > 0 || body.rig.is_some());
+        let swings = pulling.map(|(_, swing)| tree::substeps(swing.known)).fold(0.0, f64::max);
         let is_enough = |count: &u32| f64::from(*count) >= wanted.max(swings) && *count >= least;
         SUBSTEPS.into_iter().find(is_enough).unwrap_or(SUBSTEPS[3])
     }

@@ -48,7 +48,7 @@ pub(super) struct Rest {
     /// How it lies in others, and whether pins hold it there.
     pub(super) lies: Lies,
     pub(super) is_tethered: bool,
-    /// How fast what its tree of rigid bonds pulls at swings across it, in the mean of the last step `[rad/s]`; infinite where nobody looked.
+    /// How fast what its rigid bonds pull at swings across them, where they are solved at once, in the mean of the last step `[rad/s]`; infinite where nobody looked.
     pub(super) swing: f64,
 }
 

@@ -15,7 +15,7 @@ use crate::sim::real::Real;
 use crate::sim::rigid::blueprint::{Blueprint, BodyPlan};
 use crate::sim::rigid::inertia::Inertia;
 use crate::sim::rigid::joints::{Joints, Pull, Rows};
-use crate::sim::rigid::link::{Anchor, End, Stand};
+use crate::sim::rigid::link::{Anchor, End, Link, Stand};
 use crate::sim::rigid::motion::{Motion, Twist};
 use crate::sim::rigid::place::Place;
 use crate::sim::rigid::shape::Shape;
@@ -57,6 +57,19 @@ pub(super) enum Member {
 }
 
 impl Rig {
+    /// The square of the phase that a pull `[kg m]` at a link swings what it joins in the substep that it acts in `[1]`: T h^2 (r/I + (1/m + r^2/I)/l)
+    /// of an end at the arm r of a body, where a bar of length l joins it.
+    fn swings(&self, link: &Link, pull: [f64; 2]) -> f64 {
+        let of = |end: End| match end {
+            End::On { body, place } => {
+                let ([ease, swing], arm) = (self.inertias[body as usize].inverse, dot(place, place).sqrt());
+                swing * arm + link.rest.filter(|rest| *rest > 0.0).map_or(0.0, |rest| (ease + swing * arm * arm) / rest)
+            }
+            End::Fixed(_) => 0.0,
+        };
+        dot(pull, pull).sqrt() * of(link.ends[0]).max(of(link.ends[1]))
+    }
+
     /// `None` where rigid bonds make no body, contradict each other, or leave too much loose.
     pub(super) fn of(held: &Held<'_>, is_led: impl Fn(u32) -> bool) -> Option<Self> {
         let plan = Blueprint::of(held, &[], 0, is_led)?;
@@ -171,12 +184,19 @@ impl<S: Real> Cluster<S> {
         rig.fixed.iter().map(anchor).collect()
     }
 
-    /// The gaps of all joints are closed.
+    /// The gaps of all joints are closed for the first time in a substep: what their pulls swing is noted.
+    pub(super) fn close_rigs(&mut self) {
+        for k in 0..self.rigs.len() {
+            let phase = self.straighten(k);
+            let body = self.bases.partition_point(|&base| (base as usize) < self.rigs[k].base);
+            self.swings[body].seen += phase / self.span.to_f64();
+        }
+    }
+
+    /// The gaps of all joints are closed once more.
     pub(super) fn straighten_rigs(&mut self) {
         for k in 0..self.rigs.len() {
-            let (mut rows, rigged) = self.open(k);
-            self.straighten(&rigged, &mut rows);
-            (self.rigs[k].rows, self.rigs[k].is_there) = (rows, false);
+            self.straighten(k);
         }
     }
 
@@ -186,25 +206,31 @@ impl<S: Real> Cluster<S> {
         (rows, self.rigs[k].clone())
     }
 
-    fn straighten(&mut self, rigged: &Rigged, rows: &mut Option<Rows>) {
+    /// Closes the gaps of a rig. Returns the largest phase that what they pull at swings across that in the substep `[rad]`.
+    fn straighten(&mut self, k: usize) -> f64 {
+        let (mut rows, rigged) = self.open(k);
         let rig = &rigged.rig;
-        let (mut motions, anchors) = (self.still(rigged), self.anchors(rigged));
+        let (mut motions, anchors) = (self.still(&rigged), self.anchors(&rigged));
         let size = motions.iter().fold(1.0, |most: f64, motion| {
             let [x, y] = motion.place.middle;
             most.max(x.abs()).max(y.abs())
         });
         let closed = CLOSED.max(S::EPSILON.to_f64()) * size;
-        let kept = if rig.keeps_rows { Some(&mut *rows) } else { None };
+        let kept = if rig.keeps_rows { Some(&mut rows) } else { None };
         let closing = rig.joints.close(&rig.inertias, (&mut motions, &anchors, None), (ROUNDS, closed), kept);
         if !rig.keeps_rows {
-            *rows = None;
+            rows = None;
         }
         self.counts.work += u64::from(closing.factored) * rig.joints.work();
         self.counts.work += u64::from(closing.rounds + 1) * rig.joints.work_of_a_round();
         if closing.rounds > 0 {
-            self.put(rigged, &motions);
-            self.turn_back(rigged, &closing.pulls, &anchors);
+            self.put(&rigged, &motions);
+            self.turn_back(&rigged, &closing.pulls, &anchors);
         }
+        let pulls = rig.joints.links().iter().zip(&closing.pulls);
+        let square = pulls.map(|(link, pull)| rig.swings(link, pull.push)).fold(0.0, f64::max);
+        (self.rigs[k].rows, self.rigs[k].is_there) = (rows, false);
+        square.sqrt()
     }
 
     /// Notes what joints that pulled so would have changed of velocities by the arms, and bars by the directions, that they had as the substep

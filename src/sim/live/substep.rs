@@ -63,7 +63,7 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     drives::turn(state, outside.around, (t + h, time));
     bonds::hold(state, common);
     drives::hold(state, false);
-    state.straighten_rigs();
+    state.close_rigs();
     state.follow_rigs();
     mend::lead(state, time);
     areas::look(state, common);
