@@ -17,13 +17,6 @@ fn trees(bonds: usize, size: usize, changes: &Value) -> [Value; 2] {
 }
 
 #[test]
-fn a_tree_is_eliminated() {
-    let [below, above] = trees(2, sizes::LEAST_LIVE_TREE, &json!({}));
-    let fine = fine("velocity-verlet", 64);
-    Across { size: "LEAST_LIVE_TREE", below, above, fine, seconds: 0.4, points: 3 }.check();
-}
-
-#[test]
 fn a_large_tree_has_fewer_passes() {
     let [below, above] = trees(58, sizes::MOST_LIVE_TREE as usize + 1, &floor(-1.0));
     let fine = fine("velocity-verlet", 64);

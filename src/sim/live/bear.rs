@@ -18,7 +18,7 @@ use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
 /// How many times as heavy the one has to be.
-const HEAVIER: f64 = 16.0;
+pub(super) const HEAVIER: f64 = 16.0;
 /// Share of their distance by which two may be nearer.
 const SLACK: f64 = 0.1;
 /// How often light bodies are opened and what lies on them is stopped, and sweeps over that: its touches hang together where it is rigid.

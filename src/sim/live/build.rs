@@ -11,7 +11,7 @@ use super::rig::Rig;
 use super::rigid::{Held, Shape};
 use super::skins::Skin;
 use super::strap::{is_led_apart, straps};
-use super::{Draft, FRAMES, bonds, tree};
+use super::{Draft, FRAMES, bear, bonds, tree};
 use crate::sim::bond::{Bond, BondKind, Lengths, Limit, PointId};
 use crate::sim::colour::by_colour;
 use crate::sim::contact::hinged::Hinged;
@@ -21,7 +21,7 @@ use crate::sim::force::area;
 use crate::sim::measure::extent;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::sizes::LEAST_LIVE_PATH;
+use crate::sim::sizes::{LEAST_LIVE_PATH, MOST_LIVE_RING};
 use crate::sim::triangles;
 use crate::sim::vector::{length, sub, widen};
 
@@ -279,10 +279,24 @@ impl<S: Real> Own<S> {
         slowest * self.points.len() as f64 >= SEEN * long.powi(3)
     }
 
-    /// The rigid bodies in joints that rigid bonds make of it, if they make any.
+    /// The rigid bodies in joints that rigid bonds make of it, if they make any; or its points in a ring that bears a weight.
     fn rig(&self, (local, points): (&[u32], &Points<S, 2>), led: &[u32]) -> Option<Rig> {
         let is_led = |point: u32| led.binary_search(&self.points[point as usize]).is_ok();
-        Rig::of(&self.held((local, points), &[], Bond::holds), is_led)
+        let w = |i: u32| points.inverse_mass[i as usize];
+        let most_alone = if self.bears(w) { MOST_LIVE_RING } else { 0 };
+        Rig::of(&self.held((local, points), &[], Bond::holds), most_alone, is_led)
+    }
+
+    /// Whether some of its points are much heavier than others, and rigid bonds that are no tree hold it.
+    fn bears(&self, w: impl Fn(u32) -> S) -> bool {
+        let masses = || self.points.iter().map(|&i| w(i).to_f64()).filter(|&w| w > 0.0);
+        let (least, most) = (masses().fold(f64::INFINITY, f64::min), masses().fold(0.0, f64::max));
+        let rigid: Vec<Bond> = self.bonds.iter().copied().filter(Bond::holds).collect();
+        let are_few = self.points.len() <= MOST_LIVE_RING;
+        are_few
+            && most > bear::HEAVIER * least
+            && rigid.len() <= 2 * self.points.len()
+            && tree::forest(&rigid, |i| w(i) == S::ZERO).is_none()
     }
 
     /// Its points and the bonds that hold them: those that `holds` says.

@@ -70,9 +70,9 @@ impl Rig {
         dot(pull, pull).sqrt() * of(link.ends[0]).max(of(link.ends[1]))
     }
 
-    /// `None` where rigid bonds make no body, contradict each other, or leave too much loose.
-    pub(super) fn of(held: &Held<'_>, is_led: impl Fn(u32) -> bool) -> Option<Self> {
-        let plan = Blueprint::of(held, &[], 0, is_led)?;
+    /// `None` where rigid bonds make no body and are more than `most_alone`, contradict each other, or leave too much loose.
+    pub(super) fn of(held: &Held<'_>, most_alone: usize, is_led: impl Fn(u32) -> bool) -> Option<Self> {
+        let plan = Blueprint::of(held, &[], most_alone, is_led)?;
         let member = |body: &BodyPlan| match body.points[..] {
             [point] => Member::Point(point),
             _ => Member::Frame(body.shape.clone(), body.points.clone()),

@@ -11,7 +11,7 @@ use super::strap::stretch;
 use crate::sim::bond::Bond;
 use crate::sim::kernels::links::Turned;
 use crate::sim::real::Real;
-use crate::sim::sizes::{LEAST_LIVE_TREE, MOST_LIVE_TREE};
+use crate::sim::sizes::MOST_LIVE_TREE;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// Passes over contacts where bodies are rigid, whose touches hang together, and where each is followed by a round: a crumpled rope that
@@ -28,7 +28,8 @@ const MOST_SWING: f64 = 0.3;
 ///
 /// Nothing with branches that hangs between pins: where it is taut, it swings faster than substeps can follow, and sweeps bear that.
 pub(super) fn forest(rigid: &[Bond], is_pinned: impl Fn(u32) -> bool) -> Option<Vec<Bond>> {
-    if rigid.len() < LEAST_LIVE_TREE {
+    // A sweep over a bond alone is exact.
+    if rigid.len() < 2 {
         return None;
     }
     let mut at: Vec<(u32, u32)> = rigid.iter().zip(0..).flat_map(|(bond, k)| [(bond.a.0, k), (bond.b.0, k)]).collect();
