@@ -156,6 +156,7 @@ impl Session {
             drawn_color: body_color(&self.shown().view(), &self.look, &self.inspected.points),
             hidden: self.hidden_count(),
             keys: self.keys_to_hold(),
+            key_by_mouse: self.key_by_mouse(),
             look: self.look,
             palette: self.palette,
             showing: self.showing(),
@@ -334,6 +335,7 @@ impl Session {
         }
         if !self.is_covered() && !self.panels.hides_hud {
             marks.extend(labels(scope, self.shown().figures.relaxed));
+            marks.extend(self.stalls.marks(scope));
             marks.extend(self.labels());
         }
         marks.extend(probes);
