@@ -397,7 +397,7 @@ static GALLERY: [Entry; 53] = [
         30,
         "Rope on the cursor",
         "A rope of thirty points hangs on the cursor: its first point goes where the mouse is, and no link gets longer.",
-        "swing it; point at its pin and press T: it is let go without a fling, and falls 0.64 m in 0.3 s; the same again and it is back."
+        "swing it; press T: it is let go without a fling, and falls 0.64 m in 0.3 s; hold T and click its end, and it is back."
     ),
     entry!(
         "rope-as-printed",

@@ -32,7 +32,7 @@ const MASS: f64 = 3.0;
 const DROP: f64 = 0.3;
 const ROOM: f64 = 1.5;
 /// What stands on the floor begins so far above it: skins keep a distance `[heights of the picture]`.
-const GAP: f64 = 0.01;
+const GAP: f64 = 0.02;
 /// Substep and largest correction of relaxed bonds, as the source has them `[s]`, `[1]`.
 const RELAXED_SUBSTEP: f64 = 0.003;
 const RELAXED_CORRECTION: f64 = 0.8;
@@ -214,7 +214,7 @@ impl Scene {
         })
     }
 
-    /// The same of a picture that is in no file; `watch` sees how far it is.
+    /// The same of a picture that is in no file; `watch` sees how far it is. What is soft or rigid stands on the floor.
     ///
     /// Errors: as of [`Scene::of_picture`]; more points than `watch` wants; it was stopped.
     pub fn of_drawing(
@@ -227,7 +227,10 @@ impl Scene {
         let source = Source { watch: watch.clone(), ..Source::new(name, "") };
         let file = source.keep(picture);
         let scene = Scene::around(source, (name.to_owned(), file), keys, matter)?;
-        if matches!(matter, Matter::Soft | Matter::Rigid) { scene.with_meeting() } else { Ok(scene) }
+        match matter {
+            Matter::Soft | Matter::Rigid => scene.with_meeting().and_then(Scene::on_the_floor),
+            Matter::Relaxed | Matter::Fixed => Ok(scene),
+        }
     }
 
     /// The same scene, whose only body, of a picture, meets itself and what is added, where it is not too large for that.

@@ -26,7 +26,7 @@ struct Spread {
 /// From the widest to the narrowest.
 const SPREADS: [Spread; 4] = [
     Spread { has_words: true, has_names: true, gap: 8.0, name: 150.0 },
-    Spread { has_words: false, has_names: true, gap: 8.0, name: 150.0 },
+    Spread { has_words: false, has_names: true, gap: 4.0, name: 150.0 },
     Spread { has_words: false, has_names: true, gap: 4.0, name: 104.0 },
     Spread { has_words: false, has_names: false, gap: 4.0, name: 104.0 },
 ];
@@ -34,8 +34,9 @@ const SPREADS: [Spread; 4] = [
 /// From this width on there is room for all words `[points]`.
 const WORDS: f32 = 1500.0;
 
-/// Width of the widest name `[points]`.
+/// Width of the widest name, and what the figures take of the right edge `[points]`.
 const MOST_NAME: f32 = 240.0;
+const FIGURES: f32 = 180.0;
 
 /// What the row does not have of the width of a room, and the width of a line between buttons `[points]`.
 const BESIDE: f32 = 36.0;
@@ -48,9 +49,9 @@ impl Spread {
         let all = SPREADS.into_iter().filter(|spread| width >= WORDS || !spread.has_words);
         let width = width - BESIDE;
         let spread = all.min_by_key(|spread| spread.rows(ui, width).0).unwrap_or(SPREADS[3]);
-        // What one row leaves is the name's.
+        // What one row leaves beside the figures is the name's.
         let (rows, end) = spread.rows(ui, width);
-        let more = if rows == 1 { (width - end).clamp(0.0, MOST_NAME - spread.name) } else { 0.0 };
+        let more = if rows == 1 { (width - FIGURES - end).clamp(0.0, MOST_NAME - spread.name) } else { 0.0 };
         Spread { name: spread.name + more, ..spread }
     }
 
@@ -66,7 +67,7 @@ impl Spread {
             [of_words(&["New", "Draw", "Open", "Save"]), vec![LINE]].concat(),
             [signs(2), vec![LINE], of_words(&["Fit"])].concat(),
             [of_names(&names), of_names(&[COMPARE]), vec![LINE]].concat(),
-            [signs(4), of_names(&[PICTURE])].concat(),
+            [signs(4), of_words(&[PICTURE])].concat(),
         ];
         let (mut rows, mut end) = (1, 0.0);
         for wide in groups.into_iter().flatten() {
@@ -146,7 +147,7 @@ fn buttons(ui: &mut Ui, (width, recent): (f32, &[PathBuf]), facts: &Facts, wishe
     // It stays where it is where a scene has none.
     let said = described("cut the scene's first picture out anew", Action::Import);
     let why = "no body of this scene is cut out of a picture: Open takes one";
-    let button = |ui: &mut Ui| icons::worded(ui, Icon::Picture, PICTURE, (has_names, false));
+    let button = |ui: &mut Ui| icons::worded(ui, Icon::Picture, PICTURE, (has_words, false));
     if ui.add_enabled(facts.has_picture, button).on_hover_text(said).on_disabled_hover_text(why).clicked() {
         wishes.push(Wish::Act(Action::Import));
     }
