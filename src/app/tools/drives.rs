@@ -30,7 +30,7 @@ pub(in crate::app) struct MotorChoice {
     pub(in crate::app) is_on: Option<bool>,
     /// Anticlockwise `[rad/s]`.
     pub(in crate::app) speed: f64,
-    /// `[N m]`; `None`: what moves the body that it is on, see [`super::effort`].
+    /// `[N m]`; `None`: what moves the body that it is on, as `effort` works it out.
     pub(in crate::app) torque: Option<f64>,
     pub(in crate::app) key: Option<KeyName>,
     pub(in crate::app) back: Option<KeyName>,
