@@ -31,8 +31,8 @@ const MASS: f64 = 3.0;
 /// Height of the picture above the floor, and half the width of the box, in heights of the picture.
 const DROP: f64 = 0.3;
 const ROOM: f64 = 1.5;
-/// What stands on the floor begins so far above it: skins keep a distance `[heights of the picture]`.
-const GAP: f64 = 0.02;
+/// What stands on the floor begins so far above it `[heights of the picture]`: skins keep a distance, and soft feet give way to a fall.
+const GAP: f64 = 0.005;
 /// Substep and largest correction of relaxed bonds, as the source has them `[s]`, `[1]`.
 const RELAXED_SUBSTEP: f64 = 0.003;
 const RELAXED_CORRECTION: f64 = 0.8;
