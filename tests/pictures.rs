@@ -740,3 +740,26 @@ fn a_picture_opens_as_what_stands_out_from_its_ground_or_whole_where_it_has_none
     let out = wobble(&["mesh", path.to_str().unwrap(), "--whole", "--spacing", "6", "--stats"]);
     assert!(out.status.success() && String::from_utf8(out.stdout).unwrap().contains("\"components\": 1"));
 }
+
+/// What is opened stands as it was drawn: dropped from above, this one ended on its head.
+#[test]
+fn a_picture_that_is_opened_stands_on_the_floor_and_does_not_topple() {
+    for name in ["jellyfish", "jelly", "gear"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("assets/pictures/{name}.png"));
+        let scene = Scene::open_picture(&path, &Watch::default()).unwrap();
+        let floor = scene.bounds.as_ref().unwrap().min.embed()[1];
+        let mut world = scene.world(None).unwrap();
+        let now = |world: &dyn wobble::sim::Dynamics| world.sample(world.time()).position;
+        let start = now(&*world);
+        let end = |best: fn(f64, f64) -> f64| {
+            let place = |k: usize| start[k][1];
+            (1..start.len()).fold(0, |a, b| if best(place(a), place(b)) == place(b) { b } else { a })
+        };
+        let (top, foot) = (end(f64::max), end(f64::min));
+        assert!((0.0..0.06).contains(&(start[foot][1] - floor)), "{name}: {} over {floor}", start[foot][1]);
+        (0..240).for_each(|_| world.step());
+        let after = now(&*world);
+        let up = [0, 1].map(|axis| after[top][axis] - after[foot][axis]);
+        assert!(up[1] > up[0].abs(), "{name}: its top lies {up:?} m from its foot");
+    }
+}

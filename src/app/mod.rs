@@ -11,6 +11,7 @@ mod count;
 pub mod distances;
 mod fetch;
 mod framing;
+mod gone;
 mod import;
 pub mod keys;
 mod leftovers;
@@ -65,6 +66,9 @@ pub enum AppError {
         /// What the system said.
         reason: String,
     },
+    /// The window was destroyed by another program.
+    #[error("the window was taken away by another program: start again to go on where it was")]
+    WindowGone,
     /// The GPU.
     #[error(transparent)]
     Render(#[from] RenderError),

@@ -14,6 +14,7 @@ use winit::window::{Window, WindowId};
 
 use super::AppError;
 use super::action::{Action, Tool};
+use super::gone::unless_gone;
 use super::keys::{self, Held};
 use super::leftovers::{state_folder, title};
 use super::player::{Keeping, Player};
@@ -36,11 +37,18 @@ pub struct Statistics {
 
 /// Opens a window on a scene or a recording and runs until it is closed.
 ///
-/// Errors: no display, a scene that cannot be run, no GPU, a GPU that is lost and does not come back.
+/// Errors: no display, a scene that cannot be run, no GPU, a GPU that is lost and does not come back, a window that is taken away.
 pub(super) fn run(asked: Asked) -> Result<Statistics, AppError> {
     let event_loop = EventLoop::new().map_err(|error| no_display(&error))?;
     let mut shell = Shell::Waiting(Some(Box::new((asked, event_loop.create_proxy()))));
-    event_loop.run_app(&mut shell).map_err(|error| no_display(&error))?;
+    let Some(done) = unless_gone(|| event_loop.run_app(&mut shell)) else {
+        // What was done is kept as it is when the program is cut off.
+        if let Shell::Open { session, .. } = shell {
+            session.leave();
+        }
+        return Err(AppError::WindowGone);
+    };
+    done.map_err(|error| no_display(&error))?;
     match shell {
         Shell::Failed(error) => Err(error),
         Shell::Open { mut session, .. } => {

@@ -231,7 +231,9 @@ impl WorldBuffers {
     ) -> Result<(), RenderError> {
         (self.point_count, self.bond_count) = (0, 0);
         (self.selected, self.selection) = (None, Selection::default());
-        let mut bonds: Vec<GpuBond> = view.bonds.iter().map(GpuBond::from).collect();
+        // What is switched off is not drawn.
+        let drawn = view.bonds.iter().filter(|bond| !bond.is_off());
+        let mut bonds: Vec<GpuBond> = drawn.map(GpuBond::from).collect();
         let point_count = (view.current.len() / view.dimensions) as u32;
         // Points that were deleted have no place.
         let is_there = |point: &u32| {
@@ -257,7 +259,8 @@ impl WorldBuffers {
             is_scenery = scenery(&bonds, &is_pinned, &bears);
             bars(&mut bonds, &bears);
             points.retain(|point| !is_scenery[*point as usize]);
-            let is_in_row = ropes(view.bonds, cover.len());
+            let is_in_row = ropes(view.bonds, cover.len()).into_iter().zip(view.bonds);
+            let is_in_row = is_in_row.filter(|(_, bond)| !bond.is_off()).map(|(is, _)| is);
             let of_rows = bonds.iter_mut().zip(is_in_row).filter(|(bond, is)| *is && !is_rope(bond.form));
             of_rows.for_each(|(bond, _)| bond.form = in_a_row(bond.form));
             self.bare = bare_first(view, &cover, &mut bonds, &mut points);

@@ -116,7 +116,7 @@ static GALLERY: [Entry; 53] = [
         72,
         "Ragdoll",
         "A figure tumbles down a flight of stairs and comes to rest; another one hangs by a hand and swings.",
-        "unpin the hand with T: the figure falls 0.66 m in the first 0.4 s; throw the other one by a foot."
+        "point at the pinned hand and press T: the figure falls 0.66 m in the first 0.4 s; throw the other one by a foot."
     ),
     entry!(
         "ragdoll-as-printed",
@@ -397,14 +397,14 @@ static GALLERY: [Entry; 53] = [
         30,
         "Rope on the cursor",
         "A rope of thirty points hangs on the cursor: its first point goes where the mouse is, and no link gets longer.",
-        "swing it; hold T and click its end: it is let go without a fling, and falls 0.64 m in 0.3 s; the same again and it is back."
+        "swing it; press T: it is let go without a fling, and falls 0.64 m in 0.3 s; hold T and click its end, and it is back."
     ),
     entry!(
         "rope-as-printed",
         30,
         "Rope, as printed",
         "A tutorial's loop as printed (source 002): fifty sweeps a step, and the rope still hangs a hundredth too long.",
-        "R, and look at its strain when it hangs: 1.7 %. Lead the pinned end away and unpin it with T: it is flung; beside it the rope is let go at rest."
+        "R, and look at its strain when it hangs: 1.7 %. Lead the pinned end away and press T on it: it is flung; beside it the rope is let go at rest."
     ),
     entry!(
         "net",

@@ -31,6 +31,8 @@ const MASS: f64 = 3.0;
 /// Height of the picture above the floor, and half the width of the box, in heights of the picture.
 const DROP: f64 = 0.3;
 const ROOM: f64 = 1.5;
+/// What stands on the floor begins so far above it `[heights of the picture]`: skins keep a distance, and soft feet give way to a fall.
+const GAP: f64 = 0.005;
 /// Substep and largest correction of relaxed bonds, as the source has them `[s]`, `[1]`.
 const RELAXED_SUBSTEP: f64 = 0.003;
 const RELAXED_CORRECTION: f64 = 0.8;
@@ -193,8 +195,8 @@ impl Scene {
         Scene::around(source, (stem(path), file), keys, matter)
     }
 
-    /// The scene of a picture file as it opens: what stands out from the picture's ground, or all of it where it has none; `watch` sees how
-    /// far it is.
+    /// The scene of a picture file as it opens: what stands out from the picture's ground, or all of it where it has none, standing on the
+    /// floor at rest; `watch` sees how far it is.
     ///
     /// Errors: as of [`Scene::of_picture`]; more points than `watch` wants; it was stopped.
     pub fn open_picture(path: &Path, watch: &Watch) -> Result<Scene, SceneError> {
@@ -204,14 +206,15 @@ impl Scene {
         let picture = read.and_then(|()| source.picture(&file)).map_err(|fault| source.error(fault))?;
         let keys = BodyKeys { pattern: Some(PatternName::Braced), ..BodyKeys::standing_out(&picture) };
         // The scene is ours: what is wrong is how the picture is cut out, which nobody could say here.
-        let scene = Scene::around(source, (stem(path), file), keys, Matter::Soft).and_then(Scene::with_meeting);
+        let scene = Scene::around(source, (stem(path), file), keys, Matter::Soft);
+        let scene = scene.and_then(Scene::with_meeting).and_then(Scene::on_the_floor);
         scene.map_err(|error| {
             let message = format!("{}: `wobble mesh` has options for that", error.message);
             SceneError { message, key: String::new(), ..error }
         })
     }
 
-    /// The same of a picture that is in no file; `watch` sees how far it is.
+    /// The same of a picture that is in no file; `watch` sees how far it is. What is soft or rigid stands on the floor.
     ///
     /// Errors: as of [`Scene::of_picture`]; more points than `watch` wants; it was stopped.
     pub fn of_drawing(
@@ -224,7 +227,10 @@ impl Scene {
         let source = Source { watch: watch.clone(), ..Source::new(name, "") };
         let file = source.keep(picture);
         let scene = Scene::around(source, (name.to_owned(), file), keys, matter)?;
-        if matches!(matter, Matter::Soft | Matter::Rigid) { scene.with_meeting() } else { Ok(scene) }
+        match matter {
+            Matter::Soft | Matter::Rigid => scene.with_meeting().and_then(Scene::on_the_floor),
+            Matter::Relaxed | Matter::Fixed => Ok(scene),
+        }
     }
 
     /// The same scene, whose only body, of a picture, meets itself and what is added, where it is not too large for that.
@@ -236,6 +242,21 @@ impl Scene {
         // A brace for every side that two triangles share, which most sides are.
         let bonds = mesh.bonds.len() + if is_braced { mesh.mesh_bonds } else { 0 };
         self.contact = (bonds <= MOST_MEETING).then_some(Meeting::Is(true));
+        Ok(self)
+    }
+
+    /// The same scene, the floor of its box right below its only body, of a picture: what falls topples, and is not seen as it was drawn.
+    ///
+    /// Errors: those of [`Scene::picture_mesh`].
+    fn on_the_floor(mut self) -> Result<Scene, SceneError> {
+        let mesh = self.picture_mesh(0)?;
+        let height = self.bodies[0].height.unwrap_or(HEIGHT);
+        let lowest = mesh.points.iter().map(|point| point[1]).fold(0.0, f64::max) / f64::from(mesh.picture[1]);
+        if let Some(bounds) = &mut self.bounds
+            && let Vector::Plane([_, floor]) = &mut bounds.min
+        {
+            *floor = (0.5 - lowest - GAP) * height;
+        }
         Ok(self)
     }
 

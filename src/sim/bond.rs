@@ -108,6 +108,16 @@ impl Bond {
         self.kind == BondKind::Rigid && self.limit == Limit::Both && self.drive.is_none()
     }
 
+    /// Whether it does nothing: a spring without stiffness and damping, as springs are that were switched off.
+    pub(crate) fn is_off(&self) -> bool {
+        self.kind == BondKind::Spring { stiffness: 0.0, damping: 0.0 }
+    }
+
+    /// Its strain where it is so long `[1]`, of this length at rest, both `[m]`; 0 where it does not act, and without a length at rest.
+    pub(crate) fn strain(&self, length: f64, rest: f64) -> f64 {
+        if rest > 0.0 && self.limit.acts(length - rest, 0.0) { length / rest - 1.0 } else { 0.0 }
+    }
+
     /// Whether it holds its length for ever.
     pub(crate) fn holds(&self) -> bool {
         self.is_held() && !self.break_strain.is_finite() && self.rest_length > 0.0

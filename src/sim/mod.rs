@@ -71,7 +71,7 @@ pub use force::steady::Force;
 pub use force::wind::Wind;
 pub use kernels::level::InstructionSet;
 pub use ledger::{Book, Energies, Ledger, MOST_GAIN, MOST_LOSS, Verdict, judge};
-pub use model::{Driving, MOST_ITERATIONS, Method, Model, ModelError, NoDrive, angle_at};
+pub use model::{Driving, MOST_GRAVITY, MOST_ITERATIONS, Method, Model, ModelError, NoDrive, angle_at};
 pub use moved::{HandedOver, MovedBy, Why};
 pub use plan_part::PlanPart;
 pub use real::{Positions, Precision, Real};

@@ -87,6 +87,9 @@ pub struct Model<const D: usize> {
 /// Most sweeps over the bonds in a substep: a step has to end.
 pub const MOST_ITERATIONS: u32 = 100_000;
 
+/// Strongest gravity along an axis `[m/s^2]`: far beyond that of any star that shines, and its motions stay among the finite numbers.
+pub const MOST_GRAVITY: f64 = 1e9;
+
 /// Shortest substep `[s]`: a run of shorter ones would not end in a lifetime.
 const SHORTEST: f64 = 1e-12;
 
@@ -264,7 +267,8 @@ impl<const D: usize> Model<D> {
 
     /// The same of all but points and bonds.
     pub(crate) fn check_surroundings(&self) -> Result<(), ModelError> {
-        require(self.gravity.iter().all(|g| g.is_finite()), "gravity", self.gravity, "finite")?;
+        let is_borne = self.gravity.iter().all(|g| g.abs() <= MOST_GRAVITY);
+        require(is_borne, "gravity", self.gravity, "from -1e9 to 1e9 m/s^2")?;
         require(self.drag_rate >= 0.0 && self.drag_rate.is_finite(), "drag_rate", self.drag_rate, "finite and >= 0")?;
         if let Some(Wind { velocity, turbulence, .. }) = self.wind {
             require(velocity.iter().all(|u| u.is_finite()), "wind.velocity", velocity, "finite")?;

@@ -86,6 +86,7 @@ fn keys_and_types() {
                 "\"bonds\": [{ \"a\": 0, \"b\": 1, \"kind\": { \"rigid\": 1 } }]",
                 "bonds[0].kind: is an object: give the name of a kind of bond",
             ),
+            ("\"gravity\": [0,-1e308]", "gravity[1]: is -1e308: give a number from -1e9 to 1e9 m/s^2"),
             ("\"gravity\": [0]", "gravity: has length 1: give a vector: [x, y], in space [x, y, z]"),
             ("\"gravity\": [0,0,0,0]", "gravity: has length 4: give a vector: [x, y], in space [x, y, z]"),
             (

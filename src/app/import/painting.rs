@@ -3,6 +3,7 @@
 use egui::{Color32, ColorImage, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, Slider, Stroke};
 use egui::{TextureHandle, TextureId, TextureOptions};
 
+use crate::app::panels::ranged;
 use crate::picture::{Brush, Mask, Mirror, Picture, PictureError};
 
 /// Side of an empty canvas `[px]`.
@@ -147,7 +148,8 @@ impl Painting {
             }
         });
         ui.horizontal_wrapped(|ui| {
-            ui.add(Slider::new(&mut self.radius, 1.0..=128.0).logarithmic(true).suffix(" px").text("brush"));
+            let brush = Slider::new(&mut self.radius, 1.0..=128.0).logarithmic(true).suffix(" px").text("brush");
+            ranged::slider(ui, brush, 1.0..=128.0, " px");
             ui.separator();
             ui.label("mirror");
             let mirrors = [

@@ -49,7 +49,11 @@ pub static TABLE: &[Binding] = &[
         ],
     ),
     binding("W", "wind: drag an arrow through the air", &[(Writes("w"), Action::Wind)]),
-    binding("T", "held: a click pins points or lets them go", &[(Writes("t"), Action::PinWhileHeld)]),
+    binding(
+        "T",
+        "pressed on a pin it lets that go; held: a click pins points or lets them go",
+        &[(Writes("t"), Action::PinWhileHeld)],
+    ),
     binding(
         "Enter, Backspace",
         "build: end the outline or the chain, or take its last point back",

@@ -82,10 +82,17 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
     // What belongs to a tool moves no body.
     let of_tool: Option<Rect> = lies("matter").filter(|at| at.bottom() < lowest);
     let last = facts.neighbors.len().saturating_sub(1);
+    let mut shown: Vec<Rect> = Vec::new();
     for (place, neighbor) in facts.neighbors.iter().enumerate() {
         let [x, y] = neighbor.at;
         let top = if place >= neighbor.columns { (y + ROOM).max(below) } else { below };
         let x = x + ROOM;
+        // In narrow parts of a window, and in low ones below a caption, titles would lie on those before them.
+        let wide = legend::WIDTH.min(neighbor.width - 3.0 * ROOM).max(LEAST_WIDE) + MARGINS;
+        let top = shown.iter().fold(top, |top, at| {
+            let lies_on = at.left() < x + wide && at.right() > x && at.top() < top + TITLE && at.bottom() > top;
+            if lies_on { at.bottom() + ROOM } else { top }
+        });
         // What lies in the corner is not covered.
         let reach = x + legend::WIDTH.min(neighbor.width);
         let below_it = |high: f32| {
@@ -105,7 +112,7 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
         let most =
             legend::WIDTH.min(neighbor.width - 3.0 * ROOM).min(beside.map_or(f32::INFINITY, |room| room - MARGINS));
         let area = Area::new(Id::unique(("beside", place))).fixed_pos(pos2(x, top));
-        let shown = area.interactable(false).show(context, |ui| {
+        let title = area.interactable(false).show(context, |ui| {
             floating(ui).show(ui, |ui| {
                 ui.set_max_width(most.max(LEAST_WIDE));
                 ui.vertical(|ui| {
@@ -120,8 +127,9 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
             });
         });
         if place < neighbor.columns {
-            end = end.max(base + shown.response.rect.height());
+            end = end.max(base + title.response.rect.height());
         }
+        shown.push(title.response.rect);
     }
     end
 }
@@ -192,23 +200,35 @@ fn choice(ui: &mut Ui, facts: &Facts, solver: SolverName, words: &str) -> bool {
     pressed
 }
 
-/// The solvers that cannot run the scene, behind a line that says why most of them cannot.
+/// The solvers that cannot run the scene, folded away behind a line: those that lack the same thing are named together.
 fn others(ui: &mut Ui, facts: &Facts) {
     let others: Vec<(SolverName, String)> =
         solvers().filter_map(|solver| Some((solver, reason(why_not(facts, solver)?)))).collect();
-    let Some(((_, first), rest)) = others.split_first() else { return };
-    let count = if rest.is_empty() { "one method".to_owned() } else { format!("{} methods", others.len()) };
-    let alike = |why: &str| others.iter().filter(|(_, other)| other == why).count();
-    let most = others.iter().map(|(_, why)| why.as_str()).max_by_key(|why| alike(why)).unwrap_or(first);
-    let why = if alike(most) == others.len() { most.to_owned() } else { format!("most often because it {most}") };
+    if others.is_empty() {
+        return;
+    }
     ui.separator();
-    ui.set_max_width(WIDEST);
-    ui.menu_button(RichText::new(format!("{count} cannot run this scene: {why}")).color(colors(ui).weak), |ui| {
-        for (solver, why) in others {
-            ui.label(RichText::new(solver.words()).color(colors(ui).text));
+    ui.menu_button(RichText::new(format!("Not for this scene ({})", others.len())).color(colors(ui).weak), |ui| {
+        ui.set_max_width(WIDEST);
+        for (why, solvers) in by_reason(&others) {
+            let why = if solvers.len() > 1 { format!("each {why}") } else { why.to_owned() };
+            ui.label(RichText::new(solvers.join(", ")).color(colors(ui).text));
             ui.label(RichText::new(why).color(colors(ui).weak).size(12.0));
         }
     });
+}
+
+/// Solvers in words by why they cannot run the scene, the most common reason first.
+fn by_reason(others: &[(SolverName, String)]) -> Vec<(&str, Vec<&'static str>)> {
+    let mut groups: Vec<(&str, Vec<&'static str>)> = Vec::new();
+    for (solver, why) in others {
+        match groups.iter_mut().find(|(other, _)| other == why) {
+            Some((_, solvers)) => solvers.push(solver.words()),
+            None => groups.push((why, vec![solver.words()])),
+        }
+    }
+    groups.sort_by_key(|(_, solvers)| std::cmp::Reverse(solvers.len()));
+    groups
 }
 
 /// Of why a solver cannot run the scene what is no advice for its file, without its name: "knows no contact".

@@ -14,7 +14,9 @@ const WIDTH: f32 = 230.0;
 /// Between its rows `[points]`.
 const GAP: f32 = 4.0;
 /// Most of what the sliders reach: share of a length, period `[s]`, speed `[rad/s]`, torque `[N m]`.
-const MOST: [f64; 4] = [0.6, 4.0, 20.0, 300.0];
+const MOST: [f64; 4] = [0.6, 4.0, 20.0, 10_000.0];
+/// The torque that is begun with where one is said `[N m]`.
+const TORQUE: f64 = 30.0;
 /// Lengths of a wave that they reach, in lengths of the stroke.
 const LENGTHS: [f64; 2] = [0.2, 3.0];
 /// The shortest period that they reach `[s]`.
@@ -85,8 +87,22 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     }
     if motor.is_on != Some(false) {
         slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s");
-        slider(ui, "torque", &mut motor.torque, 1.0..=MOST[3], " N m");
+        torque(ui, &mut motor.torque);
         keys(ui, &mut motor.key, &mut motor.back);
+    }
+}
+
+/// How strong it is: as is said, or as what it is on needs.
+fn torque(ui: &mut Ui, torque: &mut Option<f64>) {
+    let mut fits = torque.is_none();
+    let said = "from the weight and the inertia of what is clicked: what it comes to is said beside the pointer";
+    if ticks::check(ui, &mut fits, "as strong as the body needs").on_hover_text(said).changed() {
+        *torque = if fits { None } else { Some(TORQUE) };
+    }
+    if let Some(torque) = torque {
+        let range = 1.0..=MOST[3];
+        let slider = Slider::new(torque, range.clone()).logarithmic(true).max_decimals(2).suffix(" N m").text("torque");
+        ranged::slider(ui, slider, range, " N m");
     }
 }
 

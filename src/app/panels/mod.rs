@@ -24,6 +24,7 @@ mod held;
 mod help;
 mod hud;
 mod icons;
+mod laying;
 #[cfg(test)]
 mod layout_tests;
 mod legend;
@@ -77,7 +78,7 @@ use super::plots::Plots;
 use super::tools::{Brush, Drives, Links, PushWay};
 use super::trailing::TrailSettings;
 use crate::history::Do;
-use crate::render::{Look, Overlay, Palette};
+use crate::render::{Look, Palette};
 use crate::scene::{BesideKeys, PrecisionName, SolverName};
 use crate::sim::Key;
 pub(super) use asking::{Question, show as ask};
@@ -86,6 +87,7 @@ pub(super) use complaint::Cover;
 pub(super) use finding::names as found_scenes;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
+pub(super) use laying::show;
 pub(super) use lessons::{At, Lessons, Met};
 pub(super) use material::MatterAt;
 pub(super) use material::lies as matter_lies;
@@ -94,7 +96,6 @@ pub(super) use open_from::{OpenFrom, meant};
 use opened::Seen;
 pub(super) use opened::{Opened, Room};
 pub(super) use parameters::all as parameters;
-use places::Places;
 pub(super) use places::{Laid, clear_about, covered, kept_in, read as read_at};
 pub(super) use plots::{PlotsAt, figure, lie as plots_lie};
 pub(super) use presses::listen;
@@ -110,9 +111,6 @@ pub(super) const TOOLS: f32 = 66.0;
 /// What a panel at the right edge takes there beside its width `[points]`.
 const GAP: f32 = 28.0;
 
-/// Rooms so high have place for the figures above a lesson with its plots `[points]`.
-const FIGURES: f32 = 800.0;
-
 /// What the panels ask for.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Wish {
@@ -124,6 +122,8 @@ pub(super) enum Wish {
     Learn(At),
     /// The tool for building makes this from now on.
     Build(Primitive),
+    /// The mouse holds this key of drives from now on, or none.
+    Hold(Option<Key>),
     /// The tools for muscles and motors make these from now on.
     Drives(Drives),
     /// The tool for forces makes these from now on.
@@ -316,8 +316,9 @@ pub(super) struct Facts {
     pub(super) drawn_color: Option<[u8; 3]>,
     /// How many bodies are hidden.
     pub(super) hidden: usize,
-    /// The keys that drives of the scene have, and which of them are held.
+    /// The keys that drives of the scene have, and which of them are held; the one that the mouse holds.
     pub(super) keys: Vec<(Key, bool)>,
+    pub(super) key_by_mouse: Option<Key>,
     /// How the world looks.
     pub(super) look: Look,
     /// In which colours.
@@ -352,154 +353,6 @@ pub(super) struct Facts {
     /// Why solvers cannot run the scene, of those that cannot.
     pub(super) misfits: Misfits,
     pub(super) settings: Settings,
-}
-
-/// Shows the panels; returns what was asked for, and what they leave to the world.
-pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, facts: &Facts) -> (Vec<Wish>, Laid) {
-    let mut wishes = Vec::new();
-    (state.has_selection, state.previews_stops) = (facts.matter.is_some(), false);
-    if facts.tool != state.tool && palette::has_panel(facts.tool) {
-        state.take(facts.tool);
-    }
-    state.keep_order();
-    if !state.hides_panels {
-        transport::show(ui, &mut state.lessons.left, facts, &mut wishes);
-    }
-    let room = ui.available_rect_before_wrap();
-    let context = ui.ctx().clone();
-    // What lies over the world has the room for itself.
-    let is_covered = state.sheet.is_some() || (facts.waits && !facts.asks);
-    let has_panels = !state.hides_panels && !is_covered;
-    let mut places = Places::new(room, is_covered);
-    places.has_numbers = facts.look.has_grid && facts.dimensions == 2;
-    // In a small window panels end above the keys that are to be held.
-    let keys_low =
-        (has_panels && Room::of(room, places.is_upright()) == Room::One && !facts.keys.is_empty()).then(|| {
-            let low = room.with_max_y(places.below);
-            places.below -= held::HEIGHT;
-            low
-        });
-    if has_panels {
-        places.bar = Some(top::show(&context, (room, &state.recent), facts, &mut wishes));
-    }
-    // What lies at the right edge, from there on: the settings, then the lessons. What has no room waits.
-    let stands_upright = places.is_upright();
-    state.room = Room::of(room, stands_upright);
-    let is_small = state.room == Room::One;
-    let Seen { has_settings, has_lessons, has_plots, has_tool } = state.seen(has_panels);
-    let takes = |is_shown: bool, width: f32| if is_shown && !stands_upright { width + GAP } else { 0.0 };
-    let edge = takes(has_settings, settings::WIDTH);
-    let column = lessons::width(room, edge);
-    let panels_edge = edge + takes(has_lessons, column);
-    // Beside worlds that lie side by side plots take room, as panels do: there is no place that none of them is in.
-    let is_dragged = state.plots_at.is_dragged();
-    // A lesson and its plots are one column: what is read and what is seen leave the world alone, wherever plots were dragged to elsewhere.
-    let is_read = has_lessons && (!is_dragged || state.lessons.open_at().is_some());
-    let are_stacked = has_plots && !stands_upright && is_read;
-    let stand_alone = has_plots && !stands_upright && !are_stacked;
-    let are_docked = stand_alone && !is_dragged && !is_small && !facts.neighbors.is_empty();
-    // In a small window they have a place of their own, whatever lies there.
-    let are_small = stand_alone && is_small;
-    // Along the lower edge, where that leaves more to each of them.
-    let (worlds, high) = (facts.neighbors.len(), plots::low_height(room));
-    let is_low = are_docked && places.are_larger_above(worlds, panels_edge, [plots::WIDTH, high]);
-    let own = if are_small { plots::small_width(room) } else { plots::WIDTH };
-    let takes_edge = are_docked && !is_low || are_small && !facts.neighbors.is_empty();
-    let all_edge = panels_edge + takes(takes_edge, own);
-    // A small window has no room for figures and legends beside a panel.
-    let has_own = has_tool && palette::has_panel(facts.tool);
-    places.is_crowded = is_small && (has_settings || has_lessons || has_plots || has_own);
-    let has_figures = room.width() > 560.0 && (!are_stacked || room.height() > FIGURES) && !places.is_crowded;
-    if !state.hides_hud && has_figures && !is_covered {
-        hud::show(&context, &mut places, facts);
-    }
-    if facts.look.overlay == Overlay::Strain && !is_covered && !places.is_crowded {
-        legend::show(&context, &mut places, &facts.look);
-    }
-    if has_lessons && stands_upright {
-        places.below = lessons::show_below(&context, places.below_buttons(), &mut state.lessons, &mut wishes);
-    } else if has_lessons {
-        let mut at = places.beside(column);
-        let all = at;
-        if let Some(plots) = state.plots.as_ref().filter(|_| are_stacked) {
-            at.min.y = (at.min.y + plots::least_above(plots) + places::APART).min(at.max.y);
-        }
-        let top = lessons::show(&context, (at, edge), &mut state.lessons, &mut wishes);
-        if let Some(plots) = state.plots.as_mut().filter(|_| are_stacked) {
-            let above = all.with_max_y((top - places::APART).max(all.top()));
-            plots::show_above(&context, (above, edge, column), plots, &mut wishes);
-        }
-    }
-    if has_settings && stands_upright {
-        places.below = settings::show_below(&context, places.below_buttons(), state, facts, &mut wishes);
-    } else if has_settings {
-        settings::show(&context, places.beside(settings::WIDTH), state, facts, &mut wishes);
-    }
-    let (mut plotted, mut strip, mut column, mut column_low) = (None, None, None, None);
-    if let Some(plots) = state.plots.as_mut().filter(|_| has_plots && !are_stacked) {
-        if stands_upright {
-            places.below = plots::show_below(&context, places.below_buttons(), plots, &mut wishes).top();
-        } else if are_small {
-            let rect = plots::show_small(&context, places.beside(own), plots, &mut wishes);
-            plotted = Some(rect).filter(|_| facts.neighbors.is_empty());
-        } else if is_low {
-            let rect = plots::show_below(&context, places.low_strip(panels_edge), plots, &mut wishes);
-            (plotted, strip) = (Some(rect), Some(rect.top()));
-        } else {
-            let points = (&facts.points[..], &mut state.plots_at, are_docked);
-            let high = places.right.max(places.bar_bottom());
-            let room = (places.low_beside(panels_edge), high);
-            let taken = palette::of_tool(&context, facts.tool).into_iter().chain(held::lie(&context)).collect();
-            let rect = plots::show(&context, room, (plots, points, taken), &mut wishes);
-            plotted = rect.filter(|_| !are_docked);
-        }
-    }
-    if has_panels {
-        let rooms = places.of_tools((plotted.filter(|_| strip.is_none() && !are_small), strip), all_edge);
-        column = palette::show(&context, &rooms, (state, has_tool), facts, &mut wishes);
-        column_low = rooms.half.filter(|_| column.is_some());
-        // The others have a place beside the tools, which they keep while they are there.
-        let of_tool = || palette::of_tool(&context, facts.tool).filter(|_| facts.tool != Tool::Select);
-        column = column.or_else(|| of_tool().map(|at| [at.left(), at.right()]));
-    }
-    let mut strip_of_keys = keys_low.unwrap_or_else(|| places.low_strip(all_edge));
-    // What belongs to a tool may reach down to them.
-    let of_tool =
-        palette::of_tool(&context, facts.tool).filter(|at| at.bottom() > strip_of_keys.bottom() - held::HEIGHT);
-    if let Some(at) = of_tool.filter(|at| at.left() < places.room.center().x) {
-        strip_of_keys.min.x = strip_of_keys.left().max(at.right());
-    }
-    held::show(&context, strip_of_keys, facts);
-    state.notes.lie_under(Cover::of(state.sheet, facts.waits && !facts.asks));
-    state.notes.show(&context, &places, facts, &mut wishes);
-    let mut titles_end = 0.0;
-    if !state.hides_hud && !is_covered {
-        titles_end = beside::titles(&context, facts, state.notes.has_caption && facts.caption.is_some());
-    }
-    if let Some(opening) = facts.opening.filter(|_| state.sheet.is_none()) {
-        waiting::show(&context, opening, &facts.title, &mut wishes);
-    }
-    match state.sheet {
-        Some(Sheet::Gallery) => gallery::show(&context, room, state, facts, &mut wishes),
-        Some(Sheet::Help) => help::show(&context, room, state),
-        Some(Sheet::SaveTo) => save_to::show(&context, state, &mut wishes),
-        Some(Sheet::OpenFrom) => open_from::show(&context, state, &mut wishes),
-        None => {}
-    }
-    // Where plots were dragged to on purpose they may lie over bodies.
-    let plotted = plotted.filter(|_| are_small || !state.plots_at.is_dragged());
-    let free = (!is_covered).then(|| match has_panels {
-        true => places.free(
-            (all_edge, beside::height(facts)),
-            ([state.notes.caption_end(places.room).unwrap_or(0.0), titles_end], plotted),
-        ),
-        false => room,
-    });
-    let is_shared = !facts.neighbors.is_empty() && has_panels;
-    let size = places.size(all_edge, is_shared, strip);
-    let has_plots_at_edge = has_plots && (stands_upright || are_stacked || are_docked || are_small);
-    let (corner, titles) = (places.corner(&context), beside::row(facts));
-    (wishes, Laid { size, corner, column, column_low, has_plots_at_edge, titles, free })
 }
 
 /// A time that something takes `[s]`, short: from a second on in seconds.

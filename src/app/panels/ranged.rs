@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use egui::{Area, DragValue, Id, Order, Response, RichText, Slider, Ui, vec2};
 
-use super::theme::{colors, floating};
+use super::theme::{button_height, colors, floating};
 
 /// It is said so long `[s]`.
 const MOMENT: f64 = 3.0;
@@ -34,7 +34,11 @@ pub(in crate::app) fn field(ui: &mut Ui, field: DragValue<'_>, range: RangeInclu
 pub(in crate::app) fn slider(ui: &mut Ui, slider: Slider<'_>, range: RangeInclusive<f64>, unit: &str) -> Response {
     // A slider is called by its number while that is written, and by itself else.
     let (own, (parser, is_beyond)) = (ui.next_auto_id(), listening(&range));
+    // Its knob stands in the middle of the row that its number makes.
+    let high = ui.spacing().interact_size.y;
+    ui.spacing_mut().interact_size.y = high.max(button_height(ui));
     let by = ui.add(slider.custom_parser(parser));
+    ui.spacing_mut().interact_size.y = high;
     say(ui, (own, &by), (&range, unit), is_beyond.get());
     by
 }

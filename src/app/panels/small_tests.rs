@@ -252,6 +252,29 @@ fn worlds_side_by_side_and_lessons_lie_below_no_panel_of_a_small_window() {
 }
 
 #[test]
+fn titles_of_a_comparison_lie_beside_or_below_each_other_in_small_windows() {
+    // Two in a row of a narrow part, and two above each other below a caption of three lines.
+    for (columns, places) in [(2, [[66.0, 0.0], [160.0, 0.0]]), (1, [[66.0, 0.0], [66.0, 110.0]])] {
+        for size in &SIZES[..4] {
+            let mut window = Window::new(*size, 1.0);
+            let world = |at: [f32; 2]| Neighbor {
+                title: "semi-implicit Euler".to_owned(),
+                words: "up to 3.4 cm apart".to_owned(),
+                at,
+                width: 94.0,
+                columns,
+                ..Neighbor::default()
+            };
+            window.facts.neighbors = places.map(world).to_vec();
+            window.open(LAST[1]);
+            let rect = |place: usize| window.context.memory(|memory| memory.area_rect(Id::unique(("beside", place))));
+            let [first, second] = [0, 1].map(|place| rect(place).unwrap());
+            assert!(!first.intersects(second), "{size:?}: {first:?} on {second:?}");
+        }
+    }
+}
+
+#[test]
 fn sheets_are_whole_in_a_window_of_any_size() {
     for size in SIZES {
         for (sheet, area) in [

@@ -102,9 +102,13 @@ pub(in crate::app) fn colors(context: &Context) -> &'static Colors {
 
 /// A row is as high as its buttons from the start: words before them stand in its middle.
 pub(in crate::app) fn as_high_as_buttons(ui: &mut Ui) {
-    let style = ui.style();
-    let high = ui.text_style_height(&TextStyle::Button) + 2.0 * style.spacing.button_padding.y;
+    let high = button_height(ui);
     ui.set_min_height(high);
+}
+
+/// How high a button with words is `[points]`.
+pub(super) fn button_height(ui: &Ui) -> f32 {
+    ui.text_style_height(&TextStyle::Button) + 2.0 * ui.spacing().button_padding.y
 }
 
 /// Gives a context the program's look.

@@ -15,7 +15,7 @@ impl Shown {
         let rigid = some.filter(|bond| bond.kind == BondKind::Rigid && bond.limit != Limit::Min);
         let strains = rigid.filter(|bond| bond.rest_length > 0.0).map(|bond| {
             let [a, b] = [bond.a, bond.b].map(|end| glam::DVec3::from(self.place(end.index())));
-            a.distance(b) / bond.rest_length - 1.0
+            bond.strain(a.distance(b), bond.rest_length)
         });
         strains.filter(|strain| strain.is_finite()).reduce(f64::max)
     }

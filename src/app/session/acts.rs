@@ -1,5 +1,7 @@
 //! What actions do.
 
+use std::time::{Duration, Instant};
+
 use winit::window::Fullscreen;
 
 use super::asking::points_of;
@@ -9,13 +11,17 @@ use crate::app::count::counted;
 use crate::app::panels::{Cover, Opened, Setting, Sheet, Wish, at_end, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
-use crate::app::tools::{Deed, PushWay, is_of_space, lack_of, strength};
+use crate::app::tools::{Deed, PushWay, is_of_space, lack_of, strength, unpin};
 use crate::history::Do;
 use crate::scene::{EMPTY, Entry, gallery};
 use crate::sim::{MouseChange, PointId};
 
 /// The least and the greatest pace, in seconds of the scene itself.
 const PACES: [f64; 2] = [0.125, 4.0];
+/// A key that is let go so soon was pressed for a moment.
+const TAP: Duration = Duration::from_millis(400);
+/// Said as the panels go.
+const HIDDEN: &str = "the panels are hidden: Tab brings them back";
 /// What one press of a key makes the hover force larger by.
 const LARGER: f64 = 1.15;
 
@@ -62,7 +68,10 @@ impl Session {
                 self.take(Tool::Push);
                 self.hand.set_push_way(PushWay::Wind);
             }
-            Action::PinWhileHeld => self.hand.hold_pins(true),
+            Action::PinWhileHeld => {
+                self.hand.hold_pins(true);
+                self.pins_since = Some(Instant::now());
+            }
             Action::Delete => self.delete(),
             Action::Duplicate => self.duplicate(),
             Action::Copy => self.copy(),
@@ -106,7 +115,7 @@ impl Session {
             }
             Action::Plots => self.toggle_plots(),
             Action::Lessons => self.panels.toggle_lessons(),
-            Action::TogglePanels => self.panels.hides_panels = !self.panels.hides_panels,
+            Action::TogglePanels => self.toggle_panels(),
             Action::ToggleHud => self.panels.hides_hud = !self.panels.hides_hud,
             Action::FullScreen => self.toggle_full_screen(),
             Action::Cancel => self.cancel(),
@@ -115,11 +124,30 @@ impl Session {
         self.touch();
     }
 
+    /// Hides the panels and says how they come back, or brings them back.
+    fn toggle_panels(&mut self) {
+        self.panels.hides_panels = !self.panels.hides_panels;
+        match self.panels.hides_panels {
+            true => self.say(HIDDEN.to_owned()),
+            false => self.panels.notes.take_back(|line| line == HIDDEN),
+        }
+    }
+
+    /// The key that takes the tool for pins was let go: pressed for a moment without a click it lets the pin under the pointer go.
+    fn end_pins(&mut self) {
+        let is_tap = self.pins_since.take().is_some_and(|since| since.elapsed() < TAP);
+        let is_used = self.hand.hold_pins(false);
+        if let Some(at) = self.pixel().filter(|_| is_tap && !is_used && !self.is_over_panels()) {
+            let deed = self.with_scope(|_, scope| unpin(scope, at));
+            self.do_deed(deed);
+        }
+    }
+
     /// A key that is held was let go.
     pub(in crate::app) fn let_go_of(&mut self, action: Action) {
         match action {
             Action::Rewind => (self.rewinds, self.gone_by) = (false, Some(self.player.serial())),
-            Action::PinWhileHeld => self.hand.hold_pins(false),
+            Action::PinWhileHeld => self.end_pins(),
             _ => return,
         }
         self.touch();
@@ -150,6 +178,7 @@ impl Session {
             }
             Wish::Push(way) => self.hand.set_push_way(way),
             Wish::Links(links) => self.hand.set_links(links),
+            Wish::Hold(key) => self.hold_by_mouse(key),
             Wish::Drives(drives) => self.hand.set_drives(drives),
             Wish::Set(setting) => self.set(setting),
             Wish::Matter(change, goes_on) => self.change_matter(change, goes_on),

@@ -14,7 +14,7 @@ use crate::app::panels::{PanelState, listen, theme};
 use crate::app::player::{Figures, Player};
 use crate::app::pointer::Pointer;
 use crate::app::recent::Recent;
-use crate::app::tools::{Chosen, Hand};
+use crate::app::tools::{Chosen, Hand, Stalls};
 use crate::app::trailing::{TrailSettings, Trailing};
 use crate::app::whereabouts::Whereabouts;
 use crate::render::{Camera, Look, Palette, RenderError, Tiles, Trails};
@@ -73,6 +73,8 @@ impl Session {
             held: Held::default(),
             down: Down::default(),
             driving: Vec::new(),
+            stalls: Stalls::default(),
+            pins_since: None,
             follows: false,
             followed: Followed::default(),
             rewinds: false,

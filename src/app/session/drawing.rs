@@ -156,6 +156,7 @@ impl Session {
             drawn_color: body_color(&self.shown().view(), &self.look, &self.inspected.points),
             hidden: self.hidden_count(),
             keys: self.keys_to_hold(),
+            key_by_mouse: self.key_by_mouse(),
             look: self.look,
             palette: self.palette,
             showing: self.showing(),
@@ -266,13 +267,15 @@ impl Session {
     /// Draws the world and the panels.
     pub(super) fn draw(&mut self) -> Result<(), RenderError> {
         self.look_for_the_lost();
-        let (marks, words) = self.marks();
-        self.paint.marks = marks;
-        // What is written for the first time has its signs on the GPU after the panels were shown.
+        let (mut marks, words) = self.marks();
+        // What is written for the first time has its signs on the GPU with the panels: they are shown once more, so that none is missing.
         if self.marked_words != words {
-            (self.panels_dirty, self.dirty) = (true, true);
             self.marked_words = words;
+            self.show_panels();
+            marks = self.marks().0;
+            self.dirty = true;
         }
+        self.paint.marks = marks;
         self.note_trails();
         let region = self.region();
         let empty = crate::app::player::Shown { dimensions: self.canvas.dimensions(), ..Default::default() };
@@ -334,6 +337,7 @@ impl Session {
         }
         if !self.is_covered() && !self.panels.hides_hud {
             marks.extend(labels(scope, self.shown().figures.relaxed));
+            marks.extend(self.stalls.marks(scope));
             marks.extend(self.labels());
         }
         marks.extend(probes);

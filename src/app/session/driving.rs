@@ -1,12 +1,21 @@
 //! The keys that drives of the scene have, and the camera that follows what they drive.
 
 use winit::event::{ElementState, KeyEvent};
-use winit::keyboard::{Key as Pressed, NamedKey};
+use winit::keyboard::{Key as Pressed, NamedKey, PhysicalKey};
 
 use super::{Framing, Session};
 use crate::app::keys::taken;
 use crate::history::Do;
 use crate::sim::Key;
+
+/// What holds a key of drives down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Holder {
+    /// A key of the keyboard.
+    Keyboard(PhysicalKey),
+    /// The mouse, on its cap at the lower edge.
+    Mouse,
+}
 
 /// The key of drives that a key of the keyboard is.
 fn meant(key: &Pressed) -> Option<Key> {
@@ -25,25 +34,48 @@ fn meant(key: &Pressed) -> Option<Key> {
 impl Session {
     /// A key of the keyboard went down or up. Returns whether it is one of drives: then it means nothing else.
     pub(in crate::app) fn drive(&mut self, event: &KeyEvent) -> bool {
-        let held = self.driving.iter().position(|(key, _)| *key == event.physical_key);
+        let holder = Holder::Keyboard(event.physical_key);
+        let is_held = self.driving.iter().any(|(by, _)| *by == holder);
         if event.state == ElementState::Released {
-            let Some(place) = held else { return false };
-            let (_, key) = self.driving.swap_remove(place);
-            self.give_key(key, false);
-            return true;
+            self.release_key(holder);
+            return is_held;
         }
         let drives = |key: &Key| self.shown().scenery.keys.binary_search(key).is_ok();
         let Some(key) = meant(&event.logical_key).filter(drives) else { return false };
         if self.held.command || self.is_writing() || self.is_covered() {
             return false;
         }
-        if held.is_none() && !event.repeat {
-            self.driving.push((event.physical_key, key));
-            self.follows = true;
-            self.panels.notes.has_caption = false;
-            self.give_key(key, true);
+        if !is_held && !event.repeat {
+            self.hold_key(holder, key);
         }
         true
+    }
+
+    /// The mouse holds this key from now on, or none.
+    pub(super) fn hold_by_mouse(&mut self, key: Option<Key>) {
+        self.release_key(Holder::Mouse);
+        if let Some(key) = key {
+            self.hold_key(Holder::Mouse, key);
+        }
+    }
+
+    fn hold_key(&mut self, holder: Holder, key: Key) {
+        let is_new = self.driving.iter().all(|(_, held)| *held != key);
+        self.driving.push((holder, key));
+        self.follows = true;
+        self.panels.notes.has_caption = false;
+        if is_new {
+            self.give_key(key, true);
+        }
+    }
+
+    /// What held a key lets it go: it comes up where nothing else holds it.
+    fn release_key(&mut self, holder: Holder) {
+        let Some(place) = self.driving.iter().position(|(by, _)| *by == holder) else { return };
+        let (_, key) = self.driving.swap_remove(place);
+        if self.driving.iter().all(|(_, held)| *held != key) {
+            self.give_key(key, false);
+        }
     }
 
     /// Which keys of the window mean something else here, because drives of the scene have them.
@@ -57,9 +89,10 @@ impl Session {
 
     /// All keys that are held are let go.
     pub(super) fn stop_driving(&mut self) {
-        for (_, key) in std::mem::take(&mut self.driving) {
-            self.give_key(key, false);
-        }
+        let mut keys: Vec<Key> = std::mem::take(&mut self.driving).into_iter().map(|(_, key)| key).collect();
+        keys.sort_unstable();
+        keys.dedup();
+        keys.into_iter().for_each(|key| self.give_key(key, false));
     }
 
     pub(super) fn give_key(&mut self, key: Key, down: bool) {
@@ -71,6 +104,17 @@ impl Session {
     pub(super) fn keys_to_hold(&self) -> Vec<(Key, bool)> {
         let is_held = |key: &Key| self.driving.iter().any(|(_, held)| held == key);
         self.shown().scenery.keys.iter().map(|key| (*key, is_held(key))).collect()
+    }
+
+    /// The key that the mouse holds.
+    pub(super) fn key_by_mouse(&self) -> Option<Key> {
+        self.driving.iter().find(|(by, _)| *by == Holder::Mouse).map(|(_, key)| *key)
+    }
+
+    /// Looks which motors stall, which is said beside them.
+    pub(super) fn look_for_stalls(&mut self) {
+        let held: Vec<Key> = self.driving.iter().map(|(_, key)| *key).collect();
+        self.dirty |= self.stalls.look(self.player.shown(), &held);
     }
 
     /// The camera goes along with what the scene says, or with what keys drive once one was pressed, as long as nobody leads it elsewhere.

@@ -76,6 +76,7 @@ impl Session {
         let news = self.player.poll_patiently();
         self.hear(news);
         self.follow_driven();
+        self.look_for_stalls();
         // What was heard is drawn now; what moves on is drawn in the next frame anyway.
         self.dirty &= self.panels_dirty;
         self.draw()?;

@@ -128,7 +128,7 @@ impl Session {
 }
 
 /// Said of a press on what pins hold.
-const HELD_HERE: &str = "held by pins: hold T and click a pin (a red ring) to let it go, or drag the pin itself";
+const HELD_HERE: &str = "held by pins: point at a pin (a red ring) and press T to let it go, or drag the pin itself";
 
 /// How far time went, as one says it; below 0 back `[s]`.
 fn far(seconds: f64) -> String {

@@ -33,7 +33,6 @@ use std::sync::mpsc::Receiver;
 use std::time::{Duration, Instant};
 
 use winit::event_loop::{EventLoopProxy, OwnedDisplayHandle};
-use winit::keyboard::PhysicalKey;
 use winit::window::{CursorIcon, Window};
 
 use super::AppError;
@@ -55,7 +54,7 @@ use super::recent::Recent;
 use super::resting::Resting;
 use super::saving::Saving;
 use super::thumbnails::Thumbnails;
-use super::tools::{Chosen, Hand};
+use super::tools::{Chosen, Hand, Stalls};
 use super::trailing::Trailing;
 use super::whereabouts::Whereabouts;
 use crate::history::HistoryError;
@@ -65,6 +64,7 @@ use crate::scene::{Parameter, Scene};
 use crate::sim::{Cursor, Key, MouseForce, PointId, SceneChange};
 use asking::Asked;
 use copies::{Copied, Row};
+use driving::Holder;
 use leaving::Leaving;
 use lost::Lost;
 use shelf::Shelf;
@@ -132,8 +132,12 @@ pub(super) struct Session {
     pub(super) held: Held,
     /// Which keys were pressed, and for what.
     pub(super) down: Down,
-    /// Keys of drives that are held in this history, with the keys of the keyboard.
-    driving: Vec<(PhysicalKey, Key)>,
+    /// Keys of drives that are held in this history, and by what.
+    driving: Vec<(Holder, Key)>,
+    /// Which motors stall.
+    stalls: Stalls,
+    /// When the key went down that takes the tool for pins.
+    pins_since: Option<Instant>,
     /// The camera goes along with what they drive.
     follows: bool,
     /// What the view goes along with as the scene opens.

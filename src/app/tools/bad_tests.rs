@@ -50,7 +50,7 @@ fn motors_of_any_strength_leave_wheels_whole() {
         let mut hand = Hand::default();
         hand.take(Tool::Motor);
         let drives = hand.drives();
-        let motor = MotorChoice { is_on: Some(true), speed: 1e4, torque: 1e9, ..drives.motor };
+        let motor = MotorChoice { is_on: Some(true), speed: 1e4, torque: Some(1e9), ..drives.motor };
         hand.set_drives(Drives { motor, ..drives });
         let deed = hand.press(scope(&seen), at(&seen, x, 0.0));
         assert_eq!(give(&mut stage, deed), None);

@@ -28,9 +28,10 @@ impl Hand {
         self.cuts
     }
 
-    /// The key that takes the tool for pins is held, or let go.
-    pub(in crate::app) fn hold_pins(&mut self, is_held: bool) {
+    /// The key that takes the tool for pins is held, or let go; returns whether there was a click since it was held before.
+    pub(in crate::app) fn hold_pins(&mut self, is_held: bool) -> bool {
         self.pins = is_held;
+        std::mem::take(&mut self.has_clicked_pins)
     }
 
     /// What the tool for building makes.

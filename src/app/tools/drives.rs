@@ -30,8 +30,8 @@ pub(in crate::app) struct MotorChoice {
     pub(in crate::app) is_on: Option<bool>,
     /// Anticlockwise `[rad/s]`.
     pub(in crate::app) speed: f64,
-    /// `[N m]`
-    pub(in crate::app) torque: f64,
+    /// `[N m]`; `None`: what moves the body that it is on, as `effort` works it out.
+    pub(in crate::app) torque: Option<f64>,
     pub(in crate::app) key: Option<KeyName>,
     pub(in crate::app) back: Option<KeyName>,
 }
@@ -47,16 +47,17 @@ impl Default for Drives {
     fn default() -> Self {
         Drives {
             muscle: MuscleChoice::default(),
-            motor: MotorChoice { is_on: None, speed: -6.0, torque: 30.0, key: None, back: None },
+            motor: MotorChoice { is_on: None, speed: -6.0, torque: None, key: None, back: None },
         }
     }
 }
 
 impl MotorChoice {
-    pub(super) fn keys(&self, share: f64) -> DriveKeys {
+    /// Those of a motor that gives this torque `[N m]`.
+    pub(super) fn keys(&self, torque: f64) -> DriveKeys {
         DriveKeys {
             speed: Some(self.speed),
-            torque: Some(share * self.torque),
+            torque: Some(torque),
             key: self.key,
             back: self.key.and(self.back).filter(|back| Some(*back) != self.key),
             ..DriveKeys::default()
@@ -76,7 +77,7 @@ impl Drives {
                     return Deed::words(why);
                 }
                 let name = if hinge.has_motor { "motor" } else { "hinge" };
-                Deed::edit(name, Do::Add(Box::new(hinge.keys(scope, &self.motor))))
+                Deed { commands: hinge.commands(scope, &self.motor), edit: Some(name), ..Deed::default() }
             }
         }
     }
@@ -133,11 +134,11 @@ impl Drives {
     fn is_set(&self, scope: Scope<'_>, hub: &Hub, hinge: &Hinge) -> bool {
         let is_same = |angle: &Angle| {
             let Some(AngleDrive::Motor { torque, .. }) = angle.drive else { return false };
-            let keys = DriveKeys { torque: Some(torque), ..self.motor.keys(1.0) };
-            keys.told_angle().ok() == angle.drive
+            self.motor.keys(torque).told_angle().ok() == angle.drive
         };
         // A soft body bears less than is wished, and by its shape of now: whatever it bears is the same wish.
-        let (there, would, wished) = (hub.torque(), hinge.torque(scope, &self.motor), self.motor.torque);
+        let (there, would) = (hub.torque(), hinge.torque(scope, &self.motor));
+        let wished = hinge.wished(scope, &self.motor);
         let is_bounded = |torque: f64| torque < (1.0 - SAME_TORQUE) * wished;
         let is_as_strong = (there - would).abs() <= SAME_TORQUE * would || (is_bounded(there) && is_bounded(would));
         hub.motors.iter().all(is_same) && is_as_strong
@@ -164,16 +165,25 @@ impl Drives {
         let what = if hinge.has_motor { "a motor" } else { "a hinge" };
         let on = match hinge.struts.is_empty() {
             false => "between both bodies",
-            true if hinge.has_motor && hinge.rests(scope) => "on the ground: its axle is pinned here",
+            true if hinge.has_motor && hinge.rests(scope) => {
+                "on the ground: its axle is pinned here, and it turns just above"
+            }
             true => "pinned to the background here",
         };
-        let torque = hinge.torque(scope, &self.motor);
-        let why = match hinge.has_motor && torque < self.motor.torque {
-            true => format!(", {torque:.1} N m: more would tear it"),
-            false => String::new(),
-        };
-        marks.push(Mark::Words(beside(scope, at), format!("{what} {on}{why}")));
+        let strength = if hinge.has_motor { self.strength(scope, &hinge) } else { String::new() };
+        marks.push(Mark::Words(beside(scope, at), format!("{what} {on}{strength}")));
         marks
+    }
+
+    /// How strong the motor of a hinge is going to be, as it ends a line; nothing of one that is as strong as was asked for and turns it.
+    fn strength(&self, scope: Scope<'_>, hinge: &Hinge) -> String {
+        let (torque, needed) = (hinge.torque(scope, &self.motor), hinge.needed(scope, self.motor.speed));
+        let needs = if torque < needed { format!(", it needs about {needed:.0}") } else { String::new() };
+        match torque < hinge.wished(scope, &self.motor) {
+            true => format!(", {torque:.1} N m: more would tear it{needs}"),
+            false if self.motor.torque.is_none() || torque < needed => format!(", {torque:.0} N m{needs}"),
+            false => String::new(),
+        }
     }
 }
 

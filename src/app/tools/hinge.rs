@@ -3,10 +3,12 @@
 use glam::{DVec2, DVec3};
 
 use super::drives::MotorChoice;
+use super::effort;
 use super::hub::{Hub, Hubs};
 use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_sides};
 use super::skin;
+use crate::history::{Do, MoveKeys};
 use crate::scene::{AddKeys, AngleKeys, BondKeys, KindName, MassKeys, PointKeys, Row, Vector};
 use crate::sim::{Bond, BondKind, PointId};
 
@@ -37,12 +39,16 @@ const HINGED_AT: f64 = 0.5;
 const SQUASHED: f64 = 0.5;
 /// What lies so near is meant by a click `[logical px]`.
 const SNAP: f64 = 12.0;
+/// What is lifted off a floor to be turned stands so far above it, and is lifted no further, in its radius `[1]`.
+const CLEAR: f64 = 0.02;
+const MOST_LIFT: f64 = 0.25;
 /// Said in space.
 pub(super) const IN_SPACE: &str = "in the plane only: this scene is in space";
 /// Said where something holds the body already.
-const PINNED: &str = "a pin is here already: hold T and click it to let it go";
+const PINNED: &str = "a pin is here already: press T on it to let it go";
 const JOINT: &str = "a joint is here already: its limbs turn about it";
 /// A hinge that is to come: its hub, what turns about it, and what holds it, if the ground does not.
+#[derive(Clone)]
 pub(super) struct Hinge {
     at: DVec2,
     spokes: Vec<PointId>,
@@ -187,8 +193,30 @@ impl Hinge {
         body.into_iter().any(|point| gap(scope, place(scope, point)) <= near)
     }
 
+    /// What it turns, and how far that goes up before its axle is pinned, so that it turns freely `[m]`: a rigid wheel has corners, which the
+    /// floor that it lies on would hold.
+    fn lift(&self, scope: Scope<'_>) -> Option<(Vec<PointId>, DVec2)> {
+        if !(self.struts.is_empty() && self.has_motor && self.rests(scope)) {
+            return None;
+        }
+        let up = -scope.shown.settings.gravity.map(|[x, y, _]| DVec2::new(x, y))?.try_normalize()?;
+        let body = Hubs::of(scope, *self.spokes.first()?).piece(self.spokes[0]);
+        let radius = body.iter().map(|&point| place(scope, point).distance(self.at)).fold(0.0, f64::max);
+        let far = (1.0 + CLEAR) * radius - gap(scope, self.at);
+        (far > 0.0 && far < MOST_LIFT * radius).then_some((body, far * up))
+    }
+
+    /// What brings it into the world.
+    pub(super) fn commands(&self, scope: Scope<'_>, motor: &MotorChoice) -> Vec<Do> {
+        let Some((body, by)) = self.lift(scope) else { return vec![Do::Add(Box::new(self.keys(scope, motor)))] };
+        let lifted = Hinge { at: self.at + by, ..self.clone() };
+        let points = body.into_iter().map(|point| point.0).collect();
+        let lift = MoveKeys { points, by: Some(Vector::Plane(by.to_array())), ..MoveKeys::default() };
+        vec![Do::Move(Box::new(lift)), Do::Add(Box::new(lifted.keys(scope, motor)))]
+    }
+
     /// The keys that bring it into the world.
-    pub(super) fn keys(&self, scope: Scope<'_>, motor: &MotorChoice) -> AddKeys {
+    fn keys(&self, scope: Scope<'_>, motor: &MotorChoice) -> AddKeys {
         let hub = scope.shown.point_count() as u32;
         let is_grounded = self.struts.is_empty();
         let mut position = vec![self.at];
@@ -212,7 +240,7 @@ impl Hinge {
     /// Its motors, which turn its spokes about a hub against what is there already.
     pub(super) fn motors(&self, scope: Scope<'_>, motor: &MotorChoice, [reference, hub]: [u32; 2]) -> Vec<AngleKeys> {
         let turned = self.turned(scope);
-        let share = self.torque(scope, motor) / motor.torque / turned.len().max(1) as f64;
+        let each = self.torque(scope, motor) / turned.len().max(1) as f64;
         let angle = |rim: PointId| AngleKeys {
             points: Row([reference, hub, rim.0]),
             rest: Some(std::f64::consts::PI),
@@ -220,16 +248,29 @@ impl Hinge {
             damping: None,
             min: None,
             max: None,
-            drive: Some(motor.keys(share)),
+            drive: Some(motor.keys(each)),
         };
         turned.into_iter().map(angle).collect()
     }
 
     /// The torque of its motor `[N m]`: of a soft body as much as shears what it turns by half.
     pub(super) fn torque(&self, scope: Scope<'_>, motor: &MotorChoice) -> f64 {
-        let BondKind::Spring { stiffness, .. } = stuff(scope, &self.spokes) else { return motor.torque };
+        let wished = self.wished(scope, motor);
+        let BondKind::Spring { stiffness, .. } = stuff(scope, &self.spokes) else { return wished };
         let arms = self.turned(scope).into_iter().map(|spoke| place(scope, spoke).distance_squared(self.at));
-        motor.torque.min(SHEAR * stiffness * arms.sum::<f64>())
+        wished.min(SHEAR * stiffness * arms.sum::<f64>())
+    }
+
+    /// The torque that is asked for `[N m]`: where none is said, what moves the body.
+    pub(super) fn wished(&self, scope: Scope<'_>, motor: &MotorChoice) -> f64 {
+        motor.torque.unwrap_or_else(|| effort::proposed(self.needed(scope, motor.speed)))
+    }
+
+    /// The torque that turns it at a speed `[rad/s]`, about `[N m]`.
+    pub(super) fn needed(&self, scope: Scope<'_>, speed: f64) -> f64 {
+        let body = |points: &[PointId]| points.first().map(|&point| Hubs::of(scope, point).piece(point));
+        let (turning, holder) = (body(&self.spokes).unwrap_or_default(), body(&self.struts).unwrap_or_default());
+        effort::needed(scope, self.at, [&turning, &holder], speed)
     }
 
     /// What its hub weighs, as the points do that it is bonded to `[kg]`: a heavier one would press soft wheels flat.
@@ -276,7 +317,7 @@ fn gap(scope: Scope<'_>, at: DVec2) -> f64 {
     walls.chain(planes).chain(sides).fold(f64::INFINITY, f64::min)
 }
 
-fn place(scope: Scope<'_>, point: PointId) -> DVec2 {
+pub(super) fn place(scope: Scope<'_>, point: PointId) -> DVec2 {
     DVec3::from(scope.shown.place(point.index())).truncate()
 }
 

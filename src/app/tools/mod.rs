@@ -15,6 +15,7 @@ mod drawing;
 mod drives;
 #[cfg(test)]
 mod drives_tests;
+mod effort;
 mod enclosed;
 mod erase;
 mod facing;
@@ -63,6 +64,9 @@ mod selection;
 mod skin;
 #[cfg(test)]
 mod space_tests;
+mod stall;
+#[cfg(test)]
+mod stall_tests;
 mod stops;
 #[cfg(test)]
 mod tests;
@@ -100,12 +104,14 @@ pub(super) use matrix_tests::{SCENES, scene_of};
 use muscles::Swipe;
 pub(super) use muscles::no_muscles;
 pub(super) use pick::Scope;
+pub(super) use press::unpin;
 pub(super) use push::PushWay;
 use region::Region;
 pub(super) use rings::Ring;
 use rings::RingGrip;
 pub(super) use room::Walls;
 use selection::Selection;
+pub(super) use stall::Stalls;
 pub(super) use stops::would_be as would_stop;
 use throw::Throw;
 use wind::Blow;
@@ -166,6 +172,8 @@ pub(super) struct Hand {
     tool: Tool,
     /// The tool for pins is held by its key.
     pins: bool,
+    /// There was a click meanwhile.
+    has_clicked_pins: bool,
     /// The tool for cuts is held by a button.
     cuts: bool,
     /// What the tool for building makes.

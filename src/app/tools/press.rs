@@ -20,6 +20,8 @@ use crate::sim::{PointId, Reach};
 const NO_SPRINGS: &str = "no body of springs lies here whose numbers the brush could take";
 /// Said where nothing is pinned.
 const NO_POINT: &str = "no point lies here that could be pinned; a rope that is built (5) begins with a pin of its own";
+/// Said where no pin is to be let go.
+const NO_PIN: &str = "point at a pin (a red ring) and press T to let it go; hold T and click a point to pin it";
 /// Said of a point that is pinned.
 const PINNED: &str = "pinned";
 
@@ -30,6 +32,7 @@ impl Hand {
         let is_there = !self.is_dragged && !is_drag(scope, [self.pressed, at]);
         let is_second = std::mem::take(&mut self.is_quick) && is_there;
         (self.pressed, self.is_dragged) = (at, false);
+        self.has_clicked_pins |= self.pins;
         match self.tool() {
             Tool::Hand => self.take_hold(scope, at),
             Tool::Pin => pin(scope, at),
@@ -168,13 +171,22 @@ impl Hand {
 /// Holds the point under a pixel, or lets it go.
 fn pin(scope: Scope<'_>, at: DVec2) -> Deed {
     match scope.nearest(at).map(|hit| hit.point) {
-        Some(point) if scope.is_pinned(point) => {
-            let words = Some(let_go(scope, point).to_owned());
-            Deed { words, ..Deed::edit("unpin", Do::Unpin(vec![point])) }
-        }
+        Some(point) if scope.is_pinned(point) => unpin(scope, at),
         Some(point) => Deed { words: Some(PINNED.to_owned()), ..Deed::edit("pin", Do::Pin(vec![point])) },
         None => Deed::words(NO_POINT.to_owned()),
     }
+}
+
+/// Lets the pin go that lies at a pixel.
+pub(in crate::app) fn unpin(scope: Scope<'_>, at: DVec2) -> Deed {
+    let pin = scope.nearest(at).map(|hit| hit.point).filter(|&point| scope.is_pinned(point));
+    pin.map_or_else(
+        || Deed::words(NO_PIN.to_owned()),
+        |pin| {
+            let words = Some(let_go(scope, pin).to_owned());
+            Deed { words, ..Deed::edit("unpin", Do::Unpin(vec![pin])) }
+        },
+    )
 }
 
 /// What becomes of a pin that is let go: its body falls where nothing else holds that.

@@ -121,7 +121,7 @@ fn a_second_press_while_it_is_calm_does_not_forget_the_strength() {
 fn the_tool_for_pins_holds_and_lets_go() {
     let opened = opened("rope");
     let mut hand = Hand::default();
-    hand.hold_pins(true);
+    assert!(!hand.hold_pins(true));
     assert_eq!(hand.tool(), Tool::Pin);
     let deed = hand.press(scope(&opened), pixel(&opened, 0));
     assert_eq!((deed.commands, deed.edit), (vec![Do::Unpin(vec![PointId(0)])], Some("unpin")));
@@ -129,8 +129,15 @@ fn the_tool_for_pins_holds_and_lets_go() {
     let deed = hand.press(scope(&opened), pixel(&opened, 999));
     assert_eq!((deed.commands, deed.edit), (vec![Do::Pin(vec![PointId(999)])], Some("pin")));
     assert_eq!(deed.words.as_deref(), Some("pinned"));
-    hand.hold_pins(false);
+    assert!(hand.hold_pins(false), "there were clicks");
     assert_eq!(hand.tool(), Tool::Hand);
+    hand.hold_pins(true);
+    assert!(!hand.hold_pins(false), "the key alone was pressed");
+    // Then it lets the pin under the pointer go, and pins nothing.
+    let deed = super::unpin(scope(&opened), pixel(&opened, 0));
+    assert_eq!((deed.commands, deed.edit), (vec![Do::Unpin(vec![PointId(0)])], Some("unpin")));
+    let deed = super::unpin(scope(&opened), pixel(&opened, 999));
+    assert!(deed.commands.is_empty() && deed.words.is_some_and(|words| words.contains("press T")));
 }
 
 #[test]

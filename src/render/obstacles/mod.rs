@@ -100,6 +100,7 @@ impl Obstacles {
     /// Nothing that was uploaded is of the next world.
     pub(super) fn forget(&mut self) {
         self.topology = None;
+        self.patches.clear();
     }
 
     /// Planes as they are drawn in space.
@@ -179,10 +180,16 @@ impl Obstacles {
         if self.polygons != view.polygons || self.planes != view.planes {
             self.fillings = view.polygons.iter().map(|polygon| fill_outline(&polygon.loops)).collect();
             self.polygons = view.polygons.to_vec();
+            if self.planes != view.planes {
+                self.patches.clear();
+            }
             self.planes.clone_from(&view.planes);
             self.cut = None;
         }
-        self.patches = if view.dimensions == 3 { patch::patches(view) } else { Vec::new() };
+        self.patches = match view.dimensions {
+            3 => patch::patches(view, std::mem::take(&mut self.patches)),
+            _ => Vec::new(),
+        };
     }
 
     /// Binds the world's buffers anew, where they or the obstacles' own are others than before.

@@ -6,7 +6,20 @@ use crate::scene::keys::{
     BoxKeys, ForceKeys, MouseKeys, ObstacleKeys, PictureKeys, PinMotionKeys, RegionName, Scene, Vector, WindKeys,
 };
 use crate::scene::{nearest, obstacle};
+use crate::sim::MOST_GRAVITY;
 use crate::sim::vector::{cross, sub, truncate};
+
+/// Errors: it is stronger than is moved.
+fn check_gravity(gravity: &Vector) -> Result<(), Fault> {
+    let is_beyond = |g: &f64| g.abs() > MOST_GRAVITY;
+    match gravity.components().iter().enumerate().find(|(_, g)| is_beyond(g)) {
+        Some((k, g)) => {
+            Err(Fault::invalid(format!("is {g:?}: give a number from -{MOST_GRAVITY:e} to {MOST_GRAVITY:e} m/s^2")))
+                .item(k)
+        }
+        None => Ok(()),
+    }
+}
 
 /// Errors: the first fault. `is_pinned` says whether a point of the scene is pinned.
 pub(super) fn check(
@@ -16,7 +29,7 @@ pub(super) fn check(
 ) -> Result<(), Fault> {
     check_forces(&scene.forces, count, dimensions)?;
     if let Some(gravity) = &scene.gravity {
-        number::vector(gravity, dimensions).at("gravity")?;
+        number::vector(gravity, dimensions).and_then(|()| check_gravity(gravity)).at("gravity")?;
     }
     Range::NotNegative.maybe(scene.drag_rate).at("drag_rate")?;
     if let Some(wind) = &scene.wind {
