@@ -5,6 +5,7 @@ mod between;
 mod breaks;
 mod digits;
 mod odd;
+mod swings;
 
 use std::f64::consts::PI;
 
