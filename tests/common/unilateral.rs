@@ -135,7 +135,7 @@ impl Bodies {
         let size = lacks.iter().fold(1e-9, |most: f64, lack| most.max(lack.abs()));
         let sets: Range<u32> = 0..1 << strings.len();
         for set in sets {
-            let pulling = (0..strings.len()).filter(|k| set >> k & 1 == 1).map(|k| strings[k]);
+            let pulling = (0..strings.len()).filter(|k| (set >> k) & 1 == 1).map(|k| strings[k]);
             let ties: Vec<usize> = rods.iter().copied().chain(pulling).collect();
             let asked: Vec<f64> = ties.iter().map(|&tie| lacks[tie]).collect();
             let Some((pulls, way)) = self.solved(&ties, &asked) else { continue };
