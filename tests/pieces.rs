@@ -3,6 +3,7 @@
 
 mod between;
 mod breaks;
+mod corner;
 mod digits;
 mod odd;
 mod swings;

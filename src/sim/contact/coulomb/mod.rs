@@ -192,7 +192,9 @@ fn press<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub], guess: &[Impuls
         *impulse = *guess;
     }
     let speeds = rubs.iter().enumerate().flat_map(|(contact, rub)| [body.speeds(contact, before), rub.target]);
-    let fastest = speeds.flatten().fold(0.0, |most: f64, speed| most.max(speed.abs()));
+    // What lies still on a body that turns is no more exact than the body is fast.
+    let own = (2.0 * body.energy(before) / body.heaviest()).sqrt();
+    let fastest = speeds.flatten().fold(own, |most: f64, speed| most.max(speed.abs()));
     let (mut passes, mut has_converged) = (0, false);
     while passes < body.most_passes(rubs.len()) && !has_converged {
         let mut largest: f64 = 0.0;
