@@ -3,8 +3,10 @@
 
 mod between;
 mod breaks;
+mod corner;
 mod digits;
 mod odd;
+mod swings;
 
 use std::f64::consts::PI;
 

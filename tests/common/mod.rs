@@ -9,6 +9,7 @@ pub mod panels;
 pub mod physics;
 pub mod picture;
 pub mod session;
+pub mod unilateral;
 
 use std::io::Write;
 use std::path::PathBuf;

@@ -1,7 +1,7 @@
 //! Rigid bodies whose rest lengths are written with few digits.
 
 use serde_json::{Value, json};
-use wobble::sim::{Dynamics, Solver};
+use wobble::sim::{Addition, Bond, Command, Dynamics, PointId, Solver};
 
 use super::world;
 
@@ -72,4 +72,34 @@ fn what_agrees_stays_to_the_bit() {
     let said: Vec<f64> = scene["bonds"].as_array().unwrap().iter().map(|bond| bond["rest"].as_f64().unwrap()).collect();
     let now: Vec<f64> = world.bonds().iter().map(|bond| bond.rest_length).collect();
     assert_eq!(said, now);
+}
+
+#[test]
+fn lengths_of_a_body_that_comes_later_are_fitted_too() {
+    let scene = lattice(16, 4);
+    let mut empty = scene.clone();
+    (empty["points"], empty["bonds"]) = (json!({"position": [[5, 1]]}), json!([]));
+    let mut world = world(&empty);
+    world.step();
+    let list = |of: &Value| of.as_array().unwrap().clone();
+    let number = |of: &Value| of.as_f64().unwrap();
+    let position: Vec<[f64; 3]> =
+        list(&scene["points"]["position"]).iter().map(|x| [number(&x[0]), number(&x[1]), 0.0]).collect();
+    let point = |of: &Value| PointId(1 + of.as_u64().unwrap() as u32);
+    let bond = |of: &Value| Bond::new(point(&of["a"]), point(&of["b"]), number(&of["rest"]));
+    let addition = Addition {
+        velocity: vec![[0.0; 3]; position.len()],
+        mass: vec![1.0; position.len()],
+        position,
+        bonds: list(&scene["bonds"]).iter().map(bond).collect(),
+        ..Addition::default()
+    };
+    world.apply(&Command::Add(Box::new(addition))).unwrap();
+    assert_eq!(told(&*world).len(), 1, "{:?}", world.warnings());
+    while world.time() < 1.0 {
+        world.step();
+    }
+    assert!(world.moved_by().iter().any(|moved| moved.method == Solver::Rigid), "{:?}", world.moved_by());
+    let strain = world.sample(world.time()).max_strain;
+    assert!(strain < 1e-9, "{strain}");
 }

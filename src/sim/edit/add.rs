@@ -22,6 +22,8 @@ impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn add(&mut self, addition: &Addition) -> Result<Applied, CommandError> {
         let (first, count) = (self.count() as u32, addition.position.len() as u32);
         self.check_addition(addition)?;
+        let (addition, fitted) = self.fitted(addition);
+        let addition = &*addition;
         let mut model = Model::clone(&self.model);
         self.add_obstacles(&mut model, &addition.obstacles)?;
         self.add_points(&mut model, addition);
@@ -81,6 +83,7 @@ impl<S: Real, const D: usize> World<S, D> {
         self.weigh((first..first + count).chain(touched));
         let cleared = self.clear_new(first, addition);
         self.warn_of_overlap(&cleared, first);
+        self.warn_of_fit(&fitted);
         for (k, (x, v)) in addition.position.iter().zip(&addition.velocity).enumerate() {
             let is_pinned = self.inverse_mass[first as usize + k] == 0.0;
             detached.points.push(first + k as u32);

@@ -11,6 +11,7 @@ mod crowd;
 mod cut;
 mod delete;
 mod drives;
+mod fit;
 mod forces;
 mod freeze;
 mod grab;

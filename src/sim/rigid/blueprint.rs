@@ -101,8 +101,8 @@ impl Blueprint {
         (is_small && is_even && !is_mesh && plan.follows()).then_some(plan)
     }
 
-    /// Whether nothing else joins the ends of a string or of a driven rod: what is joined in a ring may not get as far as a drive leads it, and
-    /// strings in one may be taut at once and say the same.
+    /// Whether nothing else joins the ends of a driven rod: what is joined in a ring may not get as far as a drive leads it. And whether no
+    /// more strings close rings than bodies have coordinates: such a net is better moved bond by bond.
     fn follows(&self) -> bool {
         let ground = self.bodies.len() as u32;
         let body = |end: End| match end {
@@ -111,15 +111,18 @@ impl Blueprint {
         };
         let is_driven = |link: &&Link| link.drive.is_some();
         let mut together = Sets::new(self.bodies.len() + 1);
-        for link in self.links.iter().filter(|link| !is_driven(link)) {
-            together.join(body(link.ends[0]), body(link.ends[1]));
-        }
-        let driven = self.links.iter().filter(is_driven).map(|link| link.ends);
-        driven.chain(self.strings.iter().map(|string| string.ends)).all(|[a, b]| {
-            let is_bridge = together.find(body(a)) != together.find(body(b));
-            together.join(body(a), body(b));
+        let mut is_bridge = |ends: [End; 2]| {
+            let [a, b] = ends.map(body);
+            let is_bridge = together.find(a) != together.find(b);
+            together.join(a, b);
             is_bridge
-        })
+        };
+        self.links.iter().filter(|link| !is_driven(link)).for_each(|link| {
+            is_bridge(link.ends);
+        });
+        let closing = self.strings.iter().filter(|string| !is_bridge(string.ends)).count();
+        let turning = self.bodies.iter().filter(|body| body.shape.inertia.is_finite()).count();
+        closing <= 3 * turning && self.links.iter().filter(is_driven).all(|link| is_bridge(link.ends))
     }
 
     /// The links between its bodies, and the seats of all points.

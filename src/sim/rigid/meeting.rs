@@ -15,17 +15,23 @@ pub(super) struct Meeting {
     legs: Vec<(u32, Contact)>,
     /// How fast a led pin at its other end goes away across `[m/s]`.
     lead: f64,
+    is_string: bool,
 }
 
 impl Meeting {
     /// A point of a body on a surface.
     pub(super) fn surface(body: u32, contact: Contact) -> Self {
-        Meeting { rub: contact.rub, legs: vec![(body, contact)], lead: 0.0 }
+        Meeting { rub: contact.rub, legs: vec![(body, contact)], lead: 0.0, is_string: false }
     }
 
     /// Ends of a string on bodies, with normals in which it pulls them; `lead`: how fast that of no body goes away `[m/s]`.
     pub(super) fn string(legs: Vec<(u32, Contact)>, lead: f64) -> Self {
-        Meeting { rub: SMOOTH, legs, lead }
+        Meeting { rub: SMOOTH, legs, lead, is_string: true }
+    }
+
+    /// Whether it is a string: without friction, and one of several that may be taut at once.
+    pub(super) fn is_string(&self) -> bool {
+        self.is_string
     }
 
     /// How fast it opens and goes along by the motion of its bodies `[m/s]`.

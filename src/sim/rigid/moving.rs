@@ -188,6 +188,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         (lying, mut rubs): (&[Spot], Vec<Rub>),
     ) -> (Vec<Motion>, Pressed<Speeds>, u32) {
         let from: Vec<[f64; 2]> = lying.iter().map(|spot| self.at(motions, *spot)).collect();
+        let over: Vec<f64> = lying.iter().map(|spot| self.over((motions, t), *spot)).collect();
         let mut targets = together.joints.leads.clone();
         let (mut guess, mut passes, mut last) = (Vec::new(), 0, f64::INFINITY);
         let touch = self.touch();
@@ -204,7 +205,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
             let mut largest: f64 = 0.0;
             for (k, spot) in lying.iter().enumerate() {
                 let way = sub(self.at(&half, *spot), from[k]);
-                let off = [self.gap((&half, t + h), *spot), dot(way, together.tangent(k))];
+                let off = [self.gap((&half, t + h), *spot) + over[k], dot(way, together.tangent(k))];
                 let gap = if pressed.impulses[k][0] > 0.0 { off[0].abs() } else { -off[0] };
                 largest = largest.max(gap);
                 if !pressed.has_converged {
@@ -293,6 +294,12 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         }
     }
 
+    /// By how much a string is beyond its length that could not be put right, for pins are too far apart `[m]`: it gets no longer.
+    fn over(&self, at: (&[Motion], f64), spot: Spot) -> f64 {
+        let gap = if matches!(spot, Spot::Taut(_)) { self.gap(at, spot) } else { 0.0 };
+        if gap < -self.touch() { -gap } else { 0.0 }
+    }
+
     /// A gap that counts as none where something touches `[m]`.
     pub(super) fn touch(&self) -> f64 {
         self.among.iter().fold(f64::INFINITY, |least, among| least.min(among.touch))
@@ -330,15 +337,23 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         behind: impl Fn(&[Motion]) -> Vec<Spot>,
     ) -> Option<Vec<Motion>> {
         let mut motions = motions.to_vec();
+        let mut strings: Vec<Spot> = Vec::new();
         for _ in 0..ROUNDS {
-            let spots = behind(&motions);
+            let mut spots = behind(&motions);
             if spots.is_empty() {
                 return Some(motions);
             }
+            // A string that was too long is no longer than it may be while others are shortened.
+            let again: Vec<Spot> = strings.iter().copied().filter(|spot| !spots.contains(spot)).collect();
+            let is_new = |spot: &&Spot| matches!(spot, Spot::Taut(_)) && !strings.contains(spot);
+            let new: Vec<Spot> = spots.iter().filter(is_new).copied().collect();
+            strings.extend(new);
+            spots.extend(again);
             let mut contacts = self.contacts((&motions, t), &spots);
             for (contact, &spot) in contacts.iter_mut().zip(&spots) {
                 contact.rub.friction = 0.0;
-                contact.rub.target[0] = -self.gap((&motions, t), spot).min(0.0);
+                let gap = self.gap((&motions, t), spot);
+                contact.rub.target[0] = if contact.is_string() { -gap } else { -gap.min(0.0) };
             }
             let targets: Vec<f64> = self.linkage.joints.gaps(self.stand(&motions, t)).iter().map(|gap| -gap).collect();
             let rest = vec![Twist::STILL; motions.len()];

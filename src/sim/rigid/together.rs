@@ -45,7 +45,8 @@ impl<'a> Together<'a> {
         }
         let inverses = joints.inertias.iter().flat_map(|of| of.inverse);
         let mass = inverses.filter(|inverse| *inverse > 0.0).map(|inverse| 1.0 / inverse).sum();
-        Together { joints, contacts, columns, coupled: Coupled { gives, mass, rounding: ROUNDING } }
+        let smooth = (0..contacts.len()).filter(|&k| contacts[k].is_string()).collect();
+        Together { joints, contacts, columns, coupled: Coupled { gives, mass, rounding: ROUNDING, smooth } }
     }
 
     /// What the law asks of each contact.

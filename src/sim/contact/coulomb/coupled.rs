@@ -15,6 +15,8 @@ pub(crate) struct Coupled {
     pub(crate) mass: f64,
     /// Share of an energy that is rounding: it is summed up push by push.
     pub(crate) rounding: f64,
+    /// Those without friction whose impulses are found together, by their numbers.
+    pub(crate) smooth: Vec<usize>,
 }
 
 /// Velocities of all contacts, across and along `[m/s]`, and the energy of the motion that they belong to `[J]`.
@@ -81,5 +83,13 @@ impl Answers for Coupled {
 
     fn heaviest(&self) -> f64 {
         self.mass
+    }
+
+    fn smooth(&self) -> &[usize] {
+        &self.smooth
+    }
+
+    fn crosses(&self, contact: usize, other: usize) -> f64 {
+        self.gives[2 * contact][other][0]
     }
 }

@@ -7,9 +7,11 @@
 //!
 //! What slides on when the moment begins is rubbed against its way; what does not is held, as far as friction goes. The tangential impulse
 //! is limited by the normal impulse of the same moment. Gone through contact by contact (Gauss and Seidel's method) until nothing
-//! changes: of a line of touching points the two ends are enough, so there are few.
+//! changes: of a line of touching points the two ends are enough, so there are few. Those without friction that answer strongly to each other are
+//! gone through as one (`smooth.rs`).
 
 pub(crate) mod coupled;
+mod smooth;
 
 use crate::sim::vector::sub;
 
@@ -73,6 +75,16 @@ pub(crate) trait Answers: Sized {
     /// Most times that so many contacts are gone through.
     fn most_passes(&self, _contacts: usize) -> u32 {
         MOST_PASSES
+    }
+
+    /// Contacts without friction whose impulses are found together, by their numbers.
+    fn smooth(&self) -> &[usize] {
+        &[]
+    }
+
+    /// What an impulse of 1 across one of those changes of the velocity across another `[1/kg]`.
+    fn crosses(&self, _contact: usize, _other: usize) -> f64 {
+        0.0
     }
 
     /// Share of an energy that is rounding.
@@ -187,11 +199,27 @@ fn press<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub], guess: &[Impuls
         *impulse = *guess;
     }
     let speeds = rubs.iter().enumerate().flat_map(|(contact, rub)| [body.speeds(contact, before), rub.target]);
-    let fastest = speeds.flatten().fold(0.0, |most: f64, speed| most.max(speed.abs()));
+    // What lies still on a body that turns is no more exact than the body is fast.
+    let own = (2.0 * body.energy(before) / body.heaviest()).sqrt();
+    let fastest = speeds.flatten().fold(own, |most: f64, speed| most.max(speed.abs()));
     let (mut passes, mut has_converged) = (0, false);
     while passes < body.most_passes(rubs.len()) && !has_converged {
         let mut largest: f64 = 0.0;
+        let together = pressed_together(body, (rubs, NOTHING * fastest), &impulses, &motion);
+        for (&contact, new) in body.smooth().iter().zip(together) {
+            let change = new - impulses[contact][0];
+            if change != 0.0 {
+                motion = body.pushed(contact, [change, 0.0], motion);
+                impulses[contact][0] = new;
+                largest = largest.max((change * body.gives(contact)[0]).abs());
+            }
+        }
+        // By themselves they are found at once.
+        largest = if body.smooth().len() < rubs.len() { largest } else { 0.0 };
         for (contact, (rub, impulse)) in rubs.iter().zip(&mut impulses).enumerate() {
+            if body.smooth().contains(&contact) {
+                continue;
+            }
             let new = solve(body, (contact, rub), *impulse, &motion);
             let change = sub(new, *impulse);
             motion = body.pushed(contact, change, motion);
@@ -210,6 +238,28 @@ fn press<A: Answers>(body: &A, before: &A::Motion, rubs: &[Rub], guess: &[Impuls
         }
     }
     Pressed { motion, impulses, taken, passes, has_converged, is_stopped: false, share: 1.0 }
+}
+
+/// The impulses across of contacts without friction, the others as they are; those that there are, where nothing is off by more than `nothing`
+/// `[m/s]`.
+fn pressed_together<A: Answers>(
+    body: &A,
+    (rubs, nothing): (&[Rub], f64),
+    impulses: &[Impulse],
+    motion: &A::Motion,
+) -> Vec<f64> {
+    let list = body.smooth();
+    let old: Vec<f64> = list.iter().map(|&of| impulses[of][0]).collect();
+    let off: Vec<f64> = list.iter().map(|&of| rubs[of].target[0] - body.speeds(of, motion)[0]).collect();
+    let holds = |(old, off): (&f64, &f64)| *off <= nothing && (*old == 0.0 || *off >= -nothing);
+    if old.iter().zip(&off).all(holds) {
+        return old;
+    }
+    let gives: Vec<Vec<f64>> =
+        list.iter().map(|&of| list.iter().map(|&other| body.crosses(of, other)).collect()).collect();
+    let answer = |row: &Vec<f64>| row.iter().zip(&old).map(|(gives, push)| gives * push).sum::<f64>();
+    let lacks: Vec<f64> = off.iter().zip(&gives).map(|(off, row)| off + answer(row)).collect();
+    smooth::pressed(&gives, &lacks, nothing)
 }
 
 /// One contact, the others as they are: it is free, held or slides.

@@ -195,5 +195,5 @@ fn coupled<S: Real, const D: usize>(
         }
     }
     let mass = points.inverse_mass.iter().filter(|w| **w > S::ZERO).map(|w| 1.0 / w.to_f64()).sum();
-    Coupled { gives, mass, rounding: rounded::<S>(ROUNDING) }
+    Coupled { gives, mass, rounding: rounded::<S>(ROUNDING), smooth: Vec::new() }
 }
