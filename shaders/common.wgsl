@@ -7,7 +7,7 @@ override DIMENSIONS: u32 = 2u;
 override MAPS: bool = true;
 // Whether any bond may be seen as what it is: where none is, likewise.
 override FORMS: bool = true;
-// Which primitives of fills are drawn: 0 any of them, 1 triangles of bodies alone, 2 cells of nets alone. What others take is left out likewise.
+// Which primitives of fills are drawn: 0 any of them, 1 triangles of bodies alone, 2 cells of nets alone, 3 triangles of bodies and outlines. What others take is left out likewise.
 override KINDS: u32 = 0u;
 
 struct Frame {

@@ -61,10 +61,11 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     let primitive = primitives[index / 6u];
     let corner = index % 6u;
     let kind = select((primitive.ink >> 24u) & ~PAINTED, CELL, KINDS == 2u);
+    let has_all = KINDS == 0u;
     var out: Fill;
     out.color = vec4(color_of(primitive.ink), 1.0);
     out.size.z = f32(kind);
-    if KINDS != 0u || kind == FILL || kind == UNDER || kind == CELL {
+    if KINDS == 1u || KINDS == 2u || kind == FILL || kind == UNDER || (has_all && kind == CELL) {
         let marked = primitives[index / 6u].points[corner];
         let point = select(marked, marked & ~FRAYED, kind == CELL);
         let place = position_of(point);
@@ -84,18 +85,18 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         }
         return out;
     }
-    if kind == THREAD {
+    if has_all && kind == THREAD {
         return thread(out, corner, primitive);
     }
-    if kind == FLESH || kind == SKIN {
+    if has_all && (kind == FLESH || kind == SKIN) {
         return limb(out, corner, primitive, kind);
     }
     let a = position_of(primitive.points[1]);
     let b = position_of(primitive.points[2]);
-    if kind == OUTLINE || kind == INNER {
+    if KINDS == 3u || kind == OUTLINE || kind == INNER {
         let end = primitive.points[select(1u, 2u, corner_of(corner).x > 0.0)];
         out.color = vec4(color_at(primitive.ink, end), 1.0);
-        let width = select(frame.fill_outline, INNER_WIDTH, kind == INNER);
+        let width = select(frame.fill_outline, INNER_WIDTH, has_all && kind == INNER);
         var high = 0.0;
         if DIMENSIONS == 2u && kind == OUTLINE && primitive.points[4] == 1u {
             high = bulge(a, b, position_of(primitive.points[0]), position_of(primitive.points[3]));
@@ -323,7 +324,8 @@ fn flesh_color(in: Fill) -> vec3<f32> {
 
 // What is no triangle: each way to draw is taken once, for a driver without a GPU takes all of them for every pixel.
 fn line_color(in: Fill, kind: u32) -> vec4<f32> {
-    if kind == SHADOW {
+    let has_all = KINDS == 0u;
+    if has_all && kind == SHADOW {
         return vec4(0.0, 0.0, 0.0, DARKEST * in.share.x * in.share.x * frame.fill_opacity);
     }
     // Beside colours of strain a body's own would mean nothing.
@@ -331,7 +333,7 @@ fn line_color(in: Fill, kind: u32) -> vec4<f32> {
     let lift = mix(LIFT.x, LIFT.y, smoothstep(0.1, 0.4, bright));
     let is_map = (frame.strain_scale > 0.0) | (frame.difference_scale > 0.0);
     let own = select(mix(in.color.rgb, vec3(1.0), lift), vec3(0.88), is_map);
-    if kind == SKIN || kind == FLESH {
+    if has_all && (kind == SKIN || kind == FLESH) {
         // Limbs lie on each other: on a bright ground a dark rim parts them.
         let is_bright = dot(frame.ground.rgb, vec3(0.3, 0.6, 0.1)) > 0.5;
         let rim = select(own, SHADE * in.color.rgb, is_bright && !is_map);
@@ -341,9 +343,9 @@ fn line_color(in: Fill, kind: u32) -> vec4<f32> {
         }
         return round_color(in, select(rim, flesh, kind == FLESH));
     }
-    let is_inner = kind == INNER;
+    let is_inner = has_all && kind == INNER;
     let room = select(1.0, smoothstep(ROOM.x, ROOM.y, INNER_ROOM * in.size.x) * frame.fill_opacity, is_inner);
-    let outline = select(vec4(own, 1.0), in.color, kind == THREAD);
+    let outline = select(vec4(own, 1.0), in.color, has_all && kind == THREAD);
     let color = select(outline, vec4(0.0, 0.0, 0.0, LINES), is_inner);
     if DIMENSIONS == 2u && kind == OUTLINE && in.share.x > 0.0 {
         return arc_color(in, own);
@@ -383,11 +385,11 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
     let steps = max(fwidth(in.share), vec3(1e-6));
     let kind = select(u32(in.size.z + 0.5), CELL, KINDS == 2u);
     // In space triangles are drawn by themselves: they alone write their depth.
-    if KINDS == 0u && PART != 1u && kind != FILL && kind != UNDER && kind != CELL {
+    if (KINDS == 0u || KINDS == 3u) && PART != 1u && kind != FILL && kind != UNDER && kind != CELL {
         return line_color(in, kind);
     }
     var color = flesh_color(in);
-    if DIMENSIONS == 2u && KINDS != 1u && kind == CELL {
+    if DIMENSIONS == 2u && (KINDS == 0u || KINDS == 2u) && kind == CELL {
         let is_map = (frame.strain_scale > 0.0) | (frame.difference_scale > 0.0);
         return vec4(color, frame.fill_opacity * in.shade.x * select(CELL_OPACITY.x, CELL_OPACITY.y, is_map));
     }

@@ -50,7 +50,7 @@ fn drawn(picture: Picture, settings: &Settings, tints: &[Tint], look: &Look) -> 
     let (world, skins) = (scene.world(None).unwrap(), scene.skins().unwrap());
     let camera = Camera::fit([[-1.2, -1.0, 0.0], [1.2, 1.0, 0.0]], 2, [240, 200]);
     let view = View { skins: &skins, tints, mouse: None, ..View::of(&*world) };
-    Capture::new([240, 200], 2).unwrap().picture(&view, &camera, look).unwrap()
+    common::picture::drawn(&view, &camera, look)
 }
 
 fn on(ground: [f32; 4]) -> Look {

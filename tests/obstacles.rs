@@ -5,7 +5,7 @@ use crate::common;
 
 use std::f64::consts::TAU;
 
-use common::picture::{NO_BONDS, SIDE, assert_coverage, pixels, plain, view};
+use common::picture::{NO_BONDS, SIDE, assert_coverage, drawn, pixels, plain, view};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
 use wobble::render::{Camera, Capture, Look, Pose, View};
@@ -41,7 +41,7 @@ fn bare() -> Look {
 
 fn picture_of(polygons: &[Polygon], planes: &[[[f64; 3]; 2]], camera: &Camera, look: &Look) -> RgbaImage {
     let seen = View { polygons, planes: planes.to_vec(), ..view(&[], NO_BONDS, 2) };
-    Capture::new([SIDE, SIDE], 2).unwrap().picture(&seen, camera, look).unwrap()
+    drawn(&seen, camera, look)
 }
 
 /// The area that a loop has in the square metre above and to the right of `corner`, positive where it turns left.
@@ -278,7 +278,7 @@ fn a_plane_in_space_is_a_patch_below_the_scene() {
     let seen = View { planes: vec![[[0.0; 3], [0.0, 1.0, 0.0]]], ..view(&positions, NO_BONDS, 3) };
     let camera = Camera::fit([[-1.5, 0.0, -1.5], [1.5; 3]], 3, [SIDE, SIDE]);
     let look = Look { point: [0.0; 4], pin: [0.0; 4], wall: [1.0; 4], axis: [1.0, 1.0, 1.0, 0.4], ..plain() };
-    let picture = Capture::new([SIDE, SIDE], 3).unwrap().picture(&seen, &camera, &look).unwrap();
+    let picture = drawn(&seen, &camera, &look);
     let lit = |rows: std::ops::Range<u32>| {
         rows.flat_map(|y| (0..SIDE).map(move |x| (x, y))).filter(|&(x, y)| picture.get_pixel(x, y)[0] > 40).count()
     };
@@ -300,7 +300,7 @@ fn balls_and_boxes_in_space_are_seen_where_rays_meet_them_and_hide_what_lies_beh
         let pose = Pose::Orbit { target: DVec3::new(0.3, 0.0, 0.0), distance: 5.0, yaw, pitch: 0.0 };
         let camera = Camera::new(pose, [SIDE, SIDE]);
         let seen = View { convex: &convex, ..view(&positions, NO_BONDS, 3) };
-        let picture = Capture::new([SIDE, SIDE], 3).unwrap().picture(&seen, &camera, &look).unwrap();
+        let picture = drawn(&seen, &camera, &look);
         let middle = camera.screen_from_world(DVec3::ZERO).unwrap().map(|x| x as u32);
         let points = [1.5, -1.5].map(|z| camera.screen_from_world(DVec3::new(0.0, 0.0, z)).unwrap());
         let mut inside = 0;

@@ -417,7 +417,7 @@ fn shown(scene: &Scene) -> image::RgbaImage {
     let (world, skins) = (scene.world(None).unwrap(), scene.skins().unwrap());
     let camera = Camera::fit([[-1.2, -1.0, 0.0], [1.2, 1.0, 0.0]], 2, [240, 200]);
     let view = View { skins: &skins, mouse: None, ..View::of(&*world) };
-    Capture::new([240, 200], 2).unwrap().picture(&view, &camera, &skins_alone()).unwrap()
+    common::picture::drawn(&view, &camera, &skins_alone())
 }
 
 /// Relative luminance of a colour in sRGB [1].
@@ -442,7 +442,7 @@ fn dark_ink_is_seen_on_the_dark_ground_and_light_ink_has_no_rim() {
         let camera = Camera::fit([[-1.2, -1.0, 0.0], [1.2, 1.0, 0.0]], 2, [240, 200]);
         let view = View { skins: &skins, mouse: None, ..View::of(&*world) };
         let look = Look { has_grid: false, wall: [0.0; 4], ..Look::default() };
-        Capture::new([240, 200], 2).unwrap().picture(&view, &camera, &look).unwrap()
+        common::picture::drawn(&view, &camera, &look)
     };
     // From the middle outwards the lightest pixel, all around.
     let edges = |drawn: &image::RgbaImage| -> Vec<f64> {

@@ -10,7 +10,7 @@ use crate::common;
 
 use serde::Deserialize;
 use serde_json::Value;
-use wobble::scene::gallery;
+use wobble::scene::{ViewKeys, gallery};
 use wobble::sim::Sample;
 
 /// What is done in a scene, and what comes of it.
@@ -22,9 +22,11 @@ struct Play {
     end: f64,
     commands: Vec<Value>,
     measures: Vec<Measure>,
-    /// Left out where bodies tumble over each other: a heap is another one after any change to the laws.
+    /// Left out where another play of the same scene has one.
     #[serde(default = "yes")]
     picture: bool,
+    /// What its picture shows, where that is seen from nearer than the scene opens.
+    view: Option<ViewKeys>,
     /// What is done afterwards: hands let go, and it is played with again.
     #[serde(default)]
     then: Vec<Value>,

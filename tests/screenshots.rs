@@ -6,7 +6,7 @@ use crate::common;
 use std::path::Path;
 use std::process::Command;
 
-use common::picture::{NO_BONDS, SIDE, assert_coverage, between, bond, pixels, plain, sampled, view};
+use common::picture::{NO_BONDS, SIDE, assert_coverage, between, bond, drawn, pixels, plain, sampled, view};
 use glam::{DVec2, DVec3};
 use image::RgbaImage;
 use wobble::app::opening;
@@ -120,7 +120,7 @@ fn worlds_side_by_side_are_each_drawn_as_they_are_alone() {
     };
     let both = draw(None, Overlay::None);
     for (k, places) in places.iter().enumerate() {
-        let alone = Capture::new([SIDE, SIDE], 2).unwrap().picture(&view(places, &bonds, 2), &pixels(), &look).unwrap();
+        let alone = drawn(&view(places, &bonds, 2), &pixels(), &look);
         let part = image::imageops::crop_imm(&both, k as u32 * SIDE, 0, SIDE, SIDE).to_image();
         let off = part.iter().zip(alone.iter()).map(|(a, b)| a.abs_diff(*b)).max();
         assert!(off <= Some(2), "world {k}: {off:?}");
@@ -216,7 +216,7 @@ fn far_from_the_origin_a_world_looks_the_same() {
             ..view(&[], NO_BONDS, 2)
         };
         let pose = Pose::Plane { center: DVec2::splat(offset), height: f64::from(SIDE) };
-        Capture::new([SIDE, SIDE], 2).unwrap().picture(&seen, &Camera::new(pose, [SIDE, SIDE]), &plain()).unwrap()
+        drawn(&seen, &Camera::new(pose, [SIDE, SIDE]), &plain())
     };
     assert!(picture(0.0) == picture(1e6));
 }
@@ -248,7 +248,7 @@ fn region_picture(region: Region, radius: f64, at: DVec2) -> RgbaImage {
     let force = MouseForce { strength: 1.0, radius, region, profile: Profile::Smooth, track: Track::default() };
     let seen = View { mouse: Some((&force, Cursor::at([at.x, at.y]))), ..view(&[], NO_BONDS, 2) };
     let look = Look { region: [1.0; 4], outline_width: 2.0, ..plain() };
-    Capture::new([SIDE, SIDE], 2).unwrap().picture(&seen, &pixels(), &look).unwrap()
+    drawn(&seen, &pixels(), &look)
 }
 
 #[test]
@@ -291,7 +291,7 @@ fn in_space_small_things_look_as_large_ones_do() {
         let positions: Vec<f32> = positions.into_iter().chain(past).collect();
         let bonds = [bond(0, 1), bond(2, 3)].map(|bond| Bond { rest_length: f64::from(size), ..bond }).into();
         let camera = from_afar(4.0 * f64::from(size));
-        Capture::new([SIDE, SIDE], 3).unwrap().picture(&view(&positions, &bonds, 3), &camera, &plain()).unwrap()
+        drawn(&view(&positions, &bonds, 3), &camera, &plain())
     };
     let large = picture(1.0);
     assert!(large.pixels().filter(|pixel| pixel[0] > 128).count() > 100, "it is in the picture");
@@ -366,7 +366,7 @@ fn what_is_drawn_lies_between_two_states() {
             let bonds = [bond(0, 1)].into();
             let seen = View { previous: Positions::F32(&previous), mix, ..view(&current, &bonds, dimensions) };
             let camera = if dimensions == 2 { pixels() } else { from_afar(80.0) };
-            Capture::new([SIDE, SIDE], dimensions).unwrap().picture(&seen, &camera, &plain()).unwrap()
+            drawn(&seen, &camera, &plain())
         };
         for mix in [0.0, 0.25, 1.0] {
             let between: Vec<f32> = before.iter().zip(now).map(|(a, b)| a + mix * (b - a)).collect();
@@ -388,7 +388,7 @@ fn pinned_points_are_larger_and_of_another_colour() {
     let look = Look { point: BLUE, pin: RED, point_radius: 2.0, ..plain() };
     let pinned = [PointId(0), PointId(31), PointId(33)];
     let seen = View { pinned: &pinned, ..view(&flat, NO_BONDS, 2) };
-    let picture = Capture::new([SIDE, SIDE], 2).unwrap().picture(&seen, &pixels(), &look).unwrap();
+    let picture = drawn(&seen, &pixels(), &look);
     for i in 0..40 {
         let is_pinned = pinned.contains(&PointId(i));
         let beside = pixel_at(&picture, at(i) + DVec2::new(2.0, 0.0));
@@ -408,8 +408,7 @@ fn strain_is_shown_by_colour() {
     let color = |overlay, strain: f64| {
         let bonds = [Bond { rest_length: 40.0 / (1.0 + strain), ..bond(0, 1) }].into();
         let look = Look { overlay, strain_scale: 0.005, strain_full: 0.3, ..look };
-        let picture = Capture::new([SIDE, SIDE], 2).unwrap().picture(&view(&flat, &bonds, 2), &pixels(), &look);
-        pixel_at(&picture.unwrap(), DVec2::new(0.5, 0.5))
+        pixel_at(&drawn(&view(&flat, &bonds, 2), &pixels(), &look), DVec2::new(0.5, 0.5))
     };
     let close = |a: [u8; 3], b: [u8; 3]| a.iter().zip(b).all(|(a, b)| a.abs_diff(b) <= 2);
     for strain in [0.0_f64, 0.002, 0.01, -0.01, 0.07, -0.2, 0.3, -0.5, 4.0] {
@@ -422,8 +421,8 @@ fn strain_is_shown_by_colour() {
     }
     let unsized_bond = [Bond { rest_length: 0.0, ..bond(0, 1) }].into();
     let look = Look { overlay: Overlay::Strain, ..look };
-    let picture = Capture::new([SIDE, SIDE], 2).unwrap().picture(&view(&flat, &unsized_bond, 2), &pixels(), &look);
-    assert_eq!(pixel_at(&picture.unwrap(), DVec2::new(0.5, 0.5)), [0, 255, 0], "a rest length of 0 has no strain");
+    let picture = drawn(&view(&flat, &unsized_bond, 2), &pixels(), &look);
+    assert_eq!(pixel_at(&picture, DVec2::new(0.5, 0.5)), [0, 255, 0], "a rest length of 0 has no strain");
 }
 
 /// Two bonds that cross in front of the middle, the second one nearer to the camera by `gap` [px].
@@ -433,7 +432,7 @@ fn crossing(gap: f32) -> Vec<f32> {
 }
 
 fn in_space(flat: &[f32], bonds: &Bonds, look: &Look) -> RgbaImage {
-    Capture::new([SIDE, SIDE], 3).unwrap().picture(&view(flat, bonds, 3), &from_afar(75.0), look).unwrap()
+    drawn(&view(flat, bonds, 3), &from_afar(75.0), look)
 }
 
 #[test]
@@ -454,8 +453,8 @@ fn in_space_what_is_nearer_lies_on_top_in_whatever_order_it_comes() {
         [SIDE, SIDE],
     );
     for bonds in [[far, near], [near, far]].map(Bonds::from) {
-        let picture = Capture::new([SIDE, SIDE], 3).unwrap().picture(&view(&flat, &bonds, 3), &camera, &look);
-        let [r, _, b] = pixel_at(&picture.unwrap(), DVec2::new(-1.4, 0.5));
+        let picture = drawn(&view(&flat, &bonds, 3), &camera, &look);
+        let [r, _, b] = pixel_at(&picture, DVec2::new(-1.4, 0.5));
         assert!(b > r, "from behind, the squeezed one is: {r} {b}");
     }
 }

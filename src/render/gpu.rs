@@ -65,6 +65,9 @@ impl Gpu {
         let adapter = pollster::block_on(instance.request_adapter(&wanted))
             .map_err(|error| RenderError::NoAdapter { reason: one_line(&error) })?;
         let info = adapter.get_info();
+        if info.device_type == wgpu::DeviceType::Cpu {
+            keep_freed_memory();
+        }
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("wobble"),
             // Points and bonds are read from storage buffers as large as the adapter has them.
@@ -123,6 +126,16 @@ impl Gpu {
     ) -> Option<wgpu::SurfaceConfiguration> {
         surface.get_default_config(&self.adapter, width, height)
     }
+}
+
+/// Largest block after which the allocator of Linux (glibc) raises its thresholds `[bytes]`: 32 MiB on machines of 64 bits, less what goes with a block.
+const LARGEST_RAISED: usize = (32 << 20) - (64 << 10);
+
+/// Makes the allocator keep what a picture frees for the next one. A driver in software allocates some ten megabytes for each; by itself glibc
+/// gives them back to the system after it, and a tenth of a picture's time goes for pages that come anew. A block that is freed raises what is kept
+/// to twice its size. Other allocators take no notice, and memory that is never written to costs nothing.
+fn keep_freed_memory() {
+    drop(std::hint::black_box(Vec::<u8>::with_capacity(LARGEST_RAISED)));
 }
 
 fn one_line(error: &dyn std::fmt::Display) -> String {

@@ -1,8 +1,10 @@
 //! Scenes of a few lines for tests of pictures.
 
+use std::cell::RefCell;
+
 use glam::DVec2;
 use image::RgbaImage;
-use wobble::render::{Camera, Look, Overlay, Pose, View};
+use wobble::render::{Camera, Capture, Look, Overlay, Pose, View};
 use wobble::sim::{Bond, Bonds, PointId, Positions};
 
 /// White on black, nothing but points and bonds.
@@ -73,6 +75,25 @@ pub const SIDE: u32 = 64;
 /// A camera under which a metre is a pixel and the origin is the middle of the picture.
 pub fn pixels() -> Camera {
     Camera::new(Pose::Plane { center: DVec2::ZERO, height: f64::from(SIDE) }, [SIDE, SIDE])
+}
+
+/// A picture of the camera's size, of a world that nothing is known of. What draws is set up once a test for each size and dimension: that takes
+/// longer than a picture.
+pub fn drawn(view: &View<'_>, camera: &Camera, look: &Look) -> RgbaImage {
+    thread_local! {
+        static CAPTURES: RefCell<Vec<([u32; 2], usize, Capture)>> = const { RefCell::new(Vec::new()) };
+    }
+    let (size, dimensions) = (camera.viewport().map(|side| side as u32), view.dimensions);
+    CAPTURES.with_borrow_mut(|captures| {
+        let known = captures.iter().position(|(of, space, _)| (*of, *space) == (size, dimensions));
+        let place = known.unwrap_or_else(|| {
+            captures.push((size, dimensions, Capture::new(size, dimensions).unwrap()));
+            captures.len() - 1
+        });
+        let capture = &mut captures[place].2;
+        capture.forget_world();
+        capture.picture(view, camera, look).unwrap()
+    })
 }
 
 /// The share of a pixel, by its lower left corner [m], that lies within a shape, by 16 x 16 samples.

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use wobble::scene::{Entry, gallery};
-use wobble::sim::{Command, Cursor, Dynamics, PointId, Reach, frame_of};
+use wobble::sim::{Command, Counters, Cursor, Dynamics, PointId, Reach, frame_of};
 
 use super::FRAME;
 use crate::common::{asked, is_asked};
@@ -42,6 +42,8 @@ fn extent(world: &dyn Dynamics) -> [[f64; 2]; 2] {
 struct Frames {
     /// The dearest one without a hand-over in it [ms of counted work].
     dearest: f64,
+    /// What it did, in words.
+    did: String,
     /// Each of them.
     works: Vec<f64>,
     /// How long the triangle was inside out that was so longest [s].
@@ -89,10 +91,28 @@ fn fling(world: &mut dyn Dynamics, frame: u64, state: &mut u64) {
     }
 }
 
+/// What was done between two moments, in the order of a substep.
+fn did(before: &Counters, after: &Counters, time: f64) -> String {
+    let counts: [(&str, fn(&Counters) -> u64); 10] = [
+        ("substeps", |counters| counters.substeps),
+        ("splits", |counters| counters.guard_splits),
+        ("sweeps and rounds", |counters| counters.iterations),
+        ("bonds", |counters| counters.bonds_solved),
+        ("points", |counters| counters.points_moved),
+        ("events", |counters| counters.events),
+        ("searches", |counters| counters.detections),
+        ("contacts", |counters| counters.contacts),
+        ("cut motions", |counters| counters.truncations),
+        ("looks", |counters| counters.looks),
+    ];
+    let words = counts.map(|(word, of)| format!("{} {word}", of(after) - of(before)));
+    format!("at {time:.2} s {}", words.join(", "))
+}
+
 /// The frames of a run.
 fn run(world: &mut dyn Dynamics) -> Frames {
     let ([low, high], mut state) = (extent(world), 5);
-    let (mut frame, mut work, mut hand_overs) = (0, world.counters().work_ms(), 0);
+    let (mut frame, mut before) = (0, *world.counters());
     let mut frames = Frames::default();
     let (mut start, mut torn) = (areas(world), world.counters().bonds_torn);
     let mut since = vec![f64::INFINITY; start.len()];
@@ -110,12 +130,12 @@ fn run(world: &mut dyn Dynamics) -> Frames {
         world.step();
         if frame_of(world.time() + world.substep()) != frame_of(world.time()) {
             let counters = *world.counters();
-            let own = counters.work_ms() - work;
-            if counters.hand_overs == hand_overs {
-                frames.dearest = frames.dearest.max(own);
+            let own = counters.work_ms() - before.work_ms();
+            if counters.hand_overs == before.hand_overs && own > frames.dearest {
+                (frames.dearest, frames.did) = (own, did(&before, &counters, world.time()));
             }
             frames.works.push(own);
-            (work, hand_overs) = (counters.work_ms(), counters.hand_overs);
+            before = counters;
             let now = areas(world);
             if counters.bonds_torn != torn || now.len() != start.len() {
                 // Triangles went with bonds that broke: which is which is not known any more.
@@ -136,12 +156,13 @@ fn fault(entry: &Entry) -> Option<String> {
     let clock = std::time::Instant::now();
     let mut world = entry.scene().unwrap().world(None).unwrap();
     let frames = run(&mut *world);
-    let Frames { dearest, inverted, .. } = frames;
+    let Frames { dearest, inverted, ref did, .. } = frames;
+    let did = did.clone();
     let median = frames.median();
     let is_untouched = world.counters().mouse_points == 0 && entry.json.contains("\"mouse\"");
     let is_beyond = dearest > FRAME || median > MEDIAN || inverted > INVERTED;
     let figures = format!("at most {dearest:.2} ms, half below {median:.2} ms, inside out for {inverted:.2} s");
-    eprintln!("{}: {figures}, {:.1} s", entry.name, clock.elapsed().as_secs_f64());
+    eprintln!("{}: {figures}, {:.1} s; the dearest: {did}", entry.name, clock.elapsed().as_secs_f64());
     (is_beyond || !world.is_finite() || is_untouched)
         .then(|| format!("{}: {figures}, {:?}", entry.name, world.counters()))
 }

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 use wobble::app::opening;
 use wobble::history::{Entry, Log, Recording, Replay};
 use wobble::render::{Camera, Capture, Look, View};
+use wobble::scene::Scene;
 use wobble::sim::Sample;
 
 use super::laws::{Law, Past};
@@ -157,7 +158,7 @@ impl Play {
     fn played(&self, draw: Option<&Mutex<[Capture; 2]>>) -> Outcome {
         let (head, commands) = self.recording();
         let mut run = Replay::new(&head, &self.scene).unwrap();
-        let draw = draw.filter(|_| self.picture).map(|captures| (captures, camera(&run, &head)));
+        let draw = draw.filter(|_| self.picture).map(|captures| (captures, self.camera(&run, &head)));
         let mut past = Past::of(run.world());
         let (asked, mut before) = (self.asked(), 0.0);
         let (mut most, mut states, mut picture) = (vec![(0.0, 0.0); self.laws.len()], Vec::new(), None);
@@ -179,13 +180,20 @@ impl Play {
             }
             past.leave(&sample);
             if time == self.end {
-                picture = draw.as_ref().map(|(captures, camera)| drawn(captures, &run, camera));
+                picture = draw.as_ref().map(|(captures, opened)| drawn(captures, &run, (*opened, &head.scene)));
             }
             if asked.contains(&time) {
                 states.push(State { time, sample, torn: world.counters().bonds_torn });
             }
         }
         Outcome { wrong: self.faults(&most, &states), picture }
+    }
+
+    /// That of the scene as it opens, or of its picture's own.
+    fn camera(&self, run: &Replay, head: &Recording) -> Camera {
+        let (skins, mut scene) = (run.skins(), head.scene.clone());
+        scene.view = self.view.clone().or(scene.view);
+        opening::camera(&scene, &View { skins: &skins, ..View::of(run.world()) }, SIZE)
     }
 
     /// What of a caption, of laws and formulas was missed.
@@ -220,19 +228,19 @@ impl Play {
     }
 }
 
-/// That of the scene as it opens.
-fn camera(run: &Replay, head: &Recording) -> Camera {
-    let skins = run.skins();
-    opening::camera(&head.scene, &View { skins: &skins, ..View::of(run.world()) }, SIZE)
-}
-
-fn drawn(captures: &Mutex<[Capture; 2]>, run: &Replay, camera: &Camera) -> RgbaImage {
+/// A picture of a scene, whose camera went along with the points that it names.
+fn drawn(captures: &Mutex<[Capture; 2]>, run: &Replay, (mut camera, scene): (Camera, &Scene)) -> RgbaImage {
+    let followed = opening::followed(scene, &View::of(run.world()), SIZE);
+    if followed.is_said() {
+        let places = run.world().sample(run.world().time()).position;
+        followed.lead(&mut camera, followed.points.iter().map(|point| places[*point as usize].into()));
+    }
     let mut captures = captures.lock().unwrap();
     let capture = &mut captures[run.world().dimensions() - 2];
     capture.forget_world();
     let skins = run.skins();
     let view = View { skins: &skins, tints: run.tints(), ..View::of(run.world()) };
-    capture.picture(&view, camera, &Look::default()).unwrap()
+    capture.picture(&view, &camera, &Look::default()).unwrap()
 }
 
 /// What comes of plays, played side by side, and what is wrong with them.
@@ -272,7 +280,7 @@ fn what_a_caption_tells_to_do_comes_out_as_it_says_and_goes_on_by_its_laws() {
 }
 
 #[test]
-#[ignore = "takes a minute, with a million points half an hour: the test before plays the beginning"]
+#[ignore = "takes three minutes of the processor: the test before plays the beginning"]
 fn what_is_cut_short_goes_on_for_a_minute_by_its_laws() {
     let is_short = |play: &Play| play.until() < MINUTE && common::is_asked("WOBBLE_SCENE", &play.scene);
     let plays: Vec<Play> =

@@ -58,7 +58,7 @@ use keep::Keeper;
 use thread::Desk;
 
 /// The window waits so long for a frame's steps before it draws what there was: most are done by then, and the picture is of
-/// this frame instead of the last one.
+/// this frame instead of the last one. Those that take longer are taken while the picture is drawn.
 const PATIENCE: Duration = Duration::from_millis(5);
 /// An order that is not done by then: a step takes long.
 const LONG: Duration = Duration::from_millis(100);
@@ -168,7 +168,8 @@ impl Player {
     /// The same, after a little patience with what was asked last.
     pub fn poll_patiently(&mut self) -> News {
         let desk = Arc::clone(&self.desk);
-        let mut papers = desk.wait_for(self.serial, PATIENCE);
+        let asked = self.waiting_since.map_or(Duration::ZERO, |since| since.elapsed());
+        let mut papers = desk.wait_if_soon(self.serial, asked, PATIENCE);
         self.take(&mut papers)
     }
 

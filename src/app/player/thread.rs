@@ -39,6 +39,8 @@ pub(super) struct Papers {
     pub(super) failure: Option<HistoryError>,
     /// The last order that was done.
     pub(super) done: u64,
+    /// How long it took, with what was asked beside it.
+    pub(super) took: Duration,
     /// Orders that were refused, until the window knows.
     pub(super) refused: Vec<u64>,
 }
@@ -67,6 +69,16 @@ impl Desk {
         waited.unwrap_or_else(PoisonError::into_inner).0
     }
 
+    /// The same, but not at all for one that was asked for so long ago and would take longer, as the last one did.
+    pub(super) fn wait_if_soon(&self, serial: u64, asked: Duration, most: Duration) -> MutexGuard<'_, Papers> {
+        let papers = self.lock();
+        if papers.took > asked + most {
+            return papers;
+        }
+        drop(papers);
+        self.wait_for(serial, most)
+    }
+
     /// Tells of a history that is there now, or of why there is none.
     fn open(&self, stage: Result<Stage, HistoryError>) -> Option<Stage> {
         let mut papers = self.lock();
@@ -84,9 +96,9 @@ impl Desk {
         }
     }
 
-    /// Lays a state down, if there is one. Returns whether the one before had been taken: else the window knows already that there is
+    /// Lays a state down, if there is one, of orders that were begun then. Returns whether the one before had been taken: else the window knows already that there is
     /// something.
-    fn lay(&self, seat: &mut Seat, (done, notes): (u64, Vec<Note>)) -> bool {
+    fn lay(&self, seat: &mut Seat, (done, notes): (u64, Vec<Note>), begun: Option<Instant>) -> bool {
         let shown = match seat {
             Seat::Played(stage) => {
                 let mut shown = self.lock().spare.take().unwrap_or_default();
@@ -98,6 +110,7 @@ impl Desk {
         };
         let mut papers = self.lock();
         papers.done = done;
+        papers.took = begun.map_or(papers.took, |begun| begun.elapsed());
         let is_news = shown.is_some() && papers.fresh.is_none() || !notes.is_empty();
         papers.notes.extend(notes);
         papers.spare = if shown.is_some() { std::mem::replace(&mut papers.fresh, shown) } else { None };
@@ -112,12 +125,12 @@ pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wa
     let Some(stage) = desk.open(Stage::new(start)) else { return wake() };
     let mut seat = Seat::Played(Box::new(stage));
     let mut done = 0;
-    desk.lay(&mut seat, (done, Vec::new()));
+    desk.lay(&mut seat, (done, Vec::new()), None);
     wake();
     loop {
         if let Seat::Played(stage) = &mut seat {
             let note = desk.keeper().keep(stage.history());
-            if note.is_some() && desk.lay(&mut seat, (done, note.into_iter().collect())) {
+            if note.is_some() && desk.lay(&mut seat, (done, note.into_iter().collect()), None) {
                 wake();
             }
         }
@@ -130,14 +143,14 @@ pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wa
                     Seat::Played(stage) => stage.idle(Instant::now()),
                     Seat::Folded(_) => false,
                 };
-                if is_news && desk.lay(&mut seat, (done, Vec::new())) {
+                if is_news && desk.lay(&mut seat, (done, Vec::new()), None) {
                     wake();
                 }
                 continue;
             }
             Next::Nobody => break,
         };
-        let mut notes = Vec::new();
+        let (mut notes, begun) = (Vec::new(), Instant::now());
         for (serial, order) in list {
             desk.keeper().hear(&order);
             let told = notes.len();
@@ -148,7 +161,7 @@ pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wa
             seat = next;
             done = serial;
         }
-        if desk.lay(&mut seat, (done, notes)) {
+        if desk.lay(&mut seat, (done, notes), Some(begun)) {
             wake();
         }
     }
@@ -255,6 +268,23 @@ mod tests {
 
     fn frame(serial: u64, wall: f64, back: bool) -> (u64, Order) {
         (serial, Order::Advance { wall, cursor: None, back })
+    }
+
+    #[test]
+    fn an_order_is_waited_for_unless_the_last_one_took_longer() {
+        let (most, asked, start) = (Duration::from_secs(20), Duration::from_secs(1), Instant::now());
+        let desk = Desk::default();
+        desk.lock().took = most + 2 * asked;
+        assert_eq!(desk.wait_if_soon(1, asked, most).done, 0);
+        assert!(start.elapsed() < most, "nobody waits for it");
+        desk.lock().took = most;
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                desk.lock().done = 1;
+                desk.answered.notify_all();
+            });
+            assert_eq!(desk.wait_if_soon(1, asked, most).done, 1);
+        });
     }
 
     #[test]
