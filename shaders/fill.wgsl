@@ -72,7 +72,9 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         out.color = vec4(color_at(primitive.ink, point), 1.0);
         let is_hidden = kind == UNDER && !(frame.fill_opacity < 1.0);
         out.position = select(frame.clip_from_world * vec4(place, 1.0), nowhere(), is_hidden);
-        out.share = select(vec3(0.0), vec3(1.0), vec3<bool>(corner % 3u == 0u, corner % 3u == 1u, corner % 3u == 2u));
+        // The second triangle is of corners 3, 4 and 5, or shares 0 and 2 with the first.
+        let second = vec2<bool>(corner == 1u || corner == 5u, corner == 2u || corner == 4u);
+        out.share = select(vec3(0.0), vec3(1.0), vec3<bool>(corner % 3u == 0u, second.x, second.y));
         if DIMENSIONS == 3u || (MAPS && is_set(frame.strain_scale, place.x)) {
             out.shade = shades[point];
         }

@@ -93,19 +93,19 @@ fn fling(world: &mut dyn Dynamics, frame: u64, state: &mut u64) {
 
 /// What was done between two moments, in the order of a substep.
 fn did(before: &Counters, after: &Counters, time: f64) -> String {
-    let counts: [(&str, fn(&Counters) -> u64); 10] = [
-        ("substeps", |counters| counters.substeps),
-        ("splits", |counters| counters.guard_splits),
-        ("sweeps and rounds", |counters| counters.iterations),
-        ("bonds", |counters| counters.bonds_solved),
-        ("points", |counters| counters.points_moved),
-        ("events", |counters| counters.events),
-        ("searches", |counters| counters.detections),
-        ("contacts", |counters| counters.contacts),
-        ("cut motions", |counters| counters.truncations),
-        ("looks", |counters| counters.looks),
+    let counts = [
+        ("substeps", after.substeps - before.substeps),
+        ("splits", after.guard_splits - before.guard_splits),
+        ("sweeps and rounds", after.iterations - before.iterations),
+        ("bonds", after.bonds_solved - before.bonds_solved),
+        ("points", after.points_moved - before.points_moved),
+        ("events", after.events - before.events),
+        ("searches", after.detections - before.detections),
+        ("contacts", after.contacts - before.contacts),
+        ("cut motions", after.truncations - before.truncations),
+        ("looks", after.looks - before.looks),
     ];
-    let words = counts.map(|(word, of)| format!("{} {word}", of(after) - of(before)));
+    let words = counts.map(|(word, count)| format!("{count} {word}"));
     format!("at {time:.2} s {}", words.join(", "))
 }
 

@@ -99,14 +99,16 @@ fn frame_time(mut world: Box<dyn Dynamics>) -> f64 {
     times[times.len() / 2]
 }
 
-/// The scene as its bodies land: on the floor, as fast as the fall to it makes them. `None` where there is no floor.
+/// The scene as its bodies land: on the floor, as fast as the fall to it makes them, or one from their own height. `None` where there is no floor.
 fn landing(scene: &Scene, start: &dyn Dynamics) -> Option<Scene> {
     let floor = scene.bounds.as_ref()?.min.embed()[1];
     let positions = start.positions();
-    let lowest = (0..start.point_count()).map(|i| positions.get(2 * i + 1)).fold(f64::INFINITY, f64::min);
+    let heights = || (0..start.point_count()).map(|i| positions.get(2 * i + 1));
+    let (lowest, highest) = (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
     let drop = lowest - floor;
     let gravity = scene.gravity.map_or(0.0, |gravity| -gravity.embed()[1]);
-    let speed = (2.0 * gravity * drop).max(0.0).sqrt();
+    // It will be lifted and let go.
+    let speed = (2.0 * gravity * drop.max(highest - lowest)).max(0.0).sqrt();
     let mut landing = scene.clone();
     for body in &mut landing.bodies {
         let [x, y, _] = body.origin.map_or([0.0; 3], |origin| origin.embed());
@@ -182,7 +184,8 @@ mod tests {
         assert_eq!(again.ok(), Some(forecast.frames[0]), "however busy the machine is");
         let lands = forecast.scene.world(None).ok().and_then(|start| landing(&forecast.scene, &*start));
         let Some(landing) = lands.and_then(|scene| scene.world(None).ok()) else { panic!("no landing") };
-        let (start, floor) = (landing.sample(0.0), -0.8);
+        let floor = forecast.scene.bounds.as_ref().map_or(f64::NAN, |bounds| bounds.min.embed()[1]);
+        let start = landing.sample(0.0);
         let lowest = start.position.iter().map(|x| x[1]).fold(f64::INFINITY, f64::min);
         assert!((lowest - floor).abs() < 1e-9 && start.velocity[0][1] < -1.0, "{lowest}, {:?}", start.velocity[0]);
         worker.ask(&picture, wish(0.1));

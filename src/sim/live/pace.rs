@@ -46,7 +46,7 @@ impl Pace {
         self.taken += 1;
         self.left -= 1;
         self.spent += work;
-        if self.taken % LOOK != 0 {
+        if !self.taken.is_multiple_of(LOOK) {
             return false;
         }
         let (each, rest) = (self.spent / u64::from(self.taken), f64::from(self.left) * self.length);
