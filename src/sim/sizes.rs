@@ -202,10 +202,11 @@ pub const MOST_HANDED_OVER_SOFT: usize = 40_000;
 /// quickly.
 pub const LEAST_LIVE_PATH: usize = 4;
 
-/// Bonds up to which the live step solves a ring of rigid bonds at once that bears a weight, in the plane: larger ones are swept.
+/// Points up to which the live step solves a ring of rigid bonds at once that bears a weight and meets nothing, in the plane: larger ones are
+/// swept.
 ///
 /// Trades lengths for work. Measured: by no pair of scenes. Beyond: what light points bear stretches its bonds and loses its energy.
-pub const MOST_LIVE_RING: usize = 64;
+pub const MOST_LIVE_RING: usize = 32;
 
 /// Bonds of the largest tree whose contacts the live step passes over eight times, each pass followed by a round over the tree; for larger
 /// ones there are three passes, and a round before the last.

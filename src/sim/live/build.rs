@@ -150,7 +150,11 @@ impl<S: Real> Bodies<S> {
         let straps = straps(&own.bonds, (&own.points, local), &draft.led, |i| w(i) == S::ZERO);
         // Joints that pins contradict have no solution: bonds are stretched there.
         let is_apart = is_led_apart(&straps, (&own.points, place), draft);
-        let rig = if rigid.is_none() && !is_apart { own.rig((local, points), &draft.led) } else { None };
+        let rig = if rigid.is_none() && !is_apart {
+            own.rig((local, points), &draft.led, draft.contact.is_some())
+        } else {
+            None
+        };
         if rigid.is_some() {
             // What it is made of within says nothing any more.
             own.let_go();
@@ -279,11 +283,12 @@ impl<S: Real> Own<S> {
         slowest * self.points.len() as f64 >= SEEN * long.powi(3)
     }
 
-    /// The rigid bodies in joints that rigid bonds make of it, if they make any; or its points in a ring that bears a weight.
-    fn rig(&self, (local, points): (&[u32], &Points<S, 2>), led: &[u32]) -> Option<Rig> {
+    /// The rigid bodies in joints that rigid bonds make of it, if they make any; or its points in a ring that bears a weight, where it meets no
+    /// bodies: a crumpled one has no joints that could be closed.
+    fn rig(&self, (local, points): (&[u32], &Points<S, 2>), led: &[u32], meets: bool) -> Option<Rig> {
         let is_led = |point: u32| led.binary_search(&self.points[point as usize]).is_ok();
         let w = |i: u32| points.inverse_mass[i as usize];
-        let most_alone = if self.bears(w) { MOST_LIVE_RING } else { 0 };
+        let most_alone = if !meets && self.bears(w) { MOST_LIVE_RING } else { 0 };
         Rig::of(&self.held((local, points), &[], Bond::holds), most_alone, is_led)
     }
 

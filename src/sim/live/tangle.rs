@@ -138,11 +138,12 @@ impl<S: Real> Tangle<S> {
         self.sort();
     }
 
-    /// Whether a body, by its number in the group, is inside out and may still be led back.
+    /// Whether a body, by its number in the group, is inside out or led back to its shape, and may still be: what is led may stand as it could not
+    /// by itself.
     pub(super) fn is_opened(&self, body: usize) -> bool {
         let knot =
             self.knots.binary_search_by_key(&(body as u32), |knot| knot.body).ok().map(|place| &self.knots[place]);
-        knot.is_some_and(|knot| knot.is_folded && knot.time < MOST_AWAKE)
+        knot.is_some_and(|knot| (knot.is_folded || knot.is_mended()) && knot.time < MOST_AWAKE)
     }
 
     fn sort(&mut self) {

@@ -359,7 +359,10 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
             let rest = vec![Twist::STILL; motions.len()];
             let joints = self.factored(&motions, t);
             let together = Together::new(&joints, &contacts);
-            let (ways, _) = together.press((&rest, &targets), &together.rubs(), &[]);
+            let (ways, pressed) = together.press((&rest, &targets), &together.rubs(), &[]);
+            let count = spots.len() as u64;
+            let of_contacts = OF_A_CONTACT * u64::from(pressed.passes) * count * count;
+            self.spent.set(self.spent.get() + of_contacts + (count + 1) * self.linkage.joints.work());
             for (motion, way) in motions.iter_mut().zip(ways) {
                 motion.place = motion.place.moved(way.velocity, way.spin);
             }

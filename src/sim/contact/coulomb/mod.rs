@@ -172,7 +172,8 @@ pub(crate) fn press_or_stop<A: Answers>(
         return pressed;
     }
     let held: Vec<Rub> = rubs.iter().map(|rub| Rub { slides: 0.0, ..*rub }).collect();
-    let other = press(body, before, &held, &[]);
+    let mut other = press(body, before, &held, &[]);
+    other.passes += pressed.passes;
     if is_fine(&other) { other } else { body.give_up(before, other) }
 }
 
