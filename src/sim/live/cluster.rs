@@ -120,6 +120,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) tethers: Tethers<S>,
     /// Something pressed something in this step.
     pub(super) has_pressed: bool,
+    /// Obstacles pressed it in some substep of the step: they may have given it any momentum.
+    pub(super) has_leaned: bool,
     /// Work that mouse and other forces did in this step `[J]`.
     pub(super) work: S,
     /// What was made from nowhere and could not be taken back yet `[J]`: springs that something led loaded.

@@ -187,6 +187,7 @@ impl<S: Real> Live<S> {
             sunk: vec![false; bodies.len()],
             tethers: Tethers::none(),
             has_pressed: false,
+            has_leaned: false,
             work: S::ZERO,
             debt: S::from_f64(bodies.iter().map(|&body| self.rests[body].debt).sum()),
             lifted: S::ZERO,

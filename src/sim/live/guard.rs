@@ -100,7 +100,7 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
         state.debt = S::ZERO;
         return;
     }
-    let is_held = state.leans() || (0..state.own()).any(|i| state.w[i] == S::ZERO);
+    let is_held = state.has_leaned || (0..state.own()).any(|i| state.w[i] == S::ZERO);
     let (mut momentum, mut mass) = (zero::<S, 2>(), S::ZERO);
     for i in (0..state.own()).filter(|&i| state.w[i] != S::ZERO && !is_held) {
         momentum = add(momentum, scale(state.velocity[i], S::ONE / state.w[i]));

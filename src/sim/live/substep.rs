@@ -281,10 +281,12 @@ impl<S: Real> Cluster<S> {
         });
         let pressed = numbers.iter().filter(|&&number| pairs[number as usize].pressed > S::ZERO).count();
         self.counts.contacts += pressed as u64;
-        self.has_pressed |= pressed > 0 || on_planes.iter().any(|on| on.pressed > S::ZERO);
+        let lies = on_planes.iter().any(|on| on.pressed > S::ZERO);
+        self.has_pressed |= pressed > 0 || lies;
         self.counts.work += 45 * numbers.len() as u64 + 4 * pairs.len() as u64;
         self.counts.work += 20 * on_planes.len() as u64 + OF_A_POINT * self.own() as u64;
         (self.pairs, self.chosen, self.on_planes) = (pairs, numbers, on_planes);
+        self.has_leaned |= (pressed > 0 || lies) && self.leans();
     }
 
     /// Gives what restitution asks for, by `give`, which goes through rigid bonds at once: again and again, until no more is lacking.
