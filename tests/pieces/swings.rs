@@ -159,7 +159,7 @@ fn ran(what: &str, swing: &Swing, (time, most): (f64, f64)) -> Box<dyn Dynamics>
 #[test]
 fn bodies_on_many_strings_are_where_another_way_has_them() {
     let mut far = Vec::new();
-    for seed in 0..60 {
+    for seed in 0..24 {
         let mut swing = Swing::random(seed);
         let world = ran(&format!("swing {seed}"), &swing, (1.2, 1e-6));
         swing.bodies.run(world.time());
@@ -169,7 +169,7 @@ fn bodies_on_many_strings_are_where_another_way_has_them() {
         }
     }
     // Where strings get taut in quick turns a little more or less is another motion.
-    assert!(far.len() <= 3, "{far:?}");
+    assert!(far.len() <= 1, "{far:?}");
 }
 
 #[test]
