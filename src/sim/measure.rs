@@ -1,6 +1,6 @@
 //! What can be measured of a state: extent, energy, strain, momentum.
 
-use super::bond::{Bond, BondKind, Limit};
+use super::bond::{Bond, BondKind};
 use super::bonds::Bonds;
 use super::drive::Keys;
 use super::ledger::Energies;
@@ -77,11 +77,7 @@ pub(crate) fn spring_energy<const D: usize>(bond: &Bond, position: impl Fn(usize
     let BondKind::Spring { stiffness, .. } = bond.kind else { return 0.0 };
     let d = sub(position(bond.a.index()), position(bond.b.index()));
     let stretch = dot(d, d).sqrt() - bond.rest_length;
-    match bond.limit {
-        Limit::Max if stretch < 0.0 => 0.0,
-        Limit::Min if stretch > 0.0 => 0.0,
-        _ => 0.5 * stiffness * stretch * stretch,
-    }
+    if bond.limit.acts(stretch, 0.0) { 0.5 * stiffness * stretch * stretch } else { 0.0 }
 }
 
 /// Largest |length/rest - 1| over the bonds that act `[1]`: slack strings and struts that are parted have no strain, nor have welds.

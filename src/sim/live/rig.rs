@@ -187,7 +187,10 @@ impl<S: Real> Cluster<S> {
     /// The gaps of all joints are closed for the first time in a substep: what their pulls swing is noted.
     pub(super) fn close_rigs(&mut self) {
         for k in 0..self.rigs.len() {
-            let phase = self.straighten(k);
+            let pulls = self.straighten(k);
+            let rig = &self.rigs[k].rig;
+            let square = rig.joints.links().iter().zip(&pulls).map(|(link, pull)| rig.swings(link, pull.push));
+            let phase = square.fold(0.0, f64::max).sqrt();
             let body = self.bases.partition_point(|&base| (base as usize) < self.rigs[k].base);
             self.swings[body].seen += phase / self.span.to_f64();
         }
@@ -206,8 +209,8 @@ impl<S: Real> Cluster<S> {
         (rows, self.rigs[k].clone())
     }
 
-    /// Closes the gaps of a rig. Returns the largest phase that what they pull at swings across that in the substep `[rad]`.
-    fn straighten(&mut self, k: usize) -> f64 {
+    /// Closes the gaps of a rig. Returns what its links did.
+    fn straighten(&mut self, k: usize) -> Vec<Pull> {
         let (mut rows, rigged) = self.open(k);
         let rig = &rigged.rig;
         let (mut motions, anchors) = (self.still(&rigged), self.anchors(&rigged));
@@ -227,10 +230,8 @@ impl<S: Real> Cluster<S> {
             self.put(&rigged, &motions);
             self.turn_back(&rigged, &closing.pulls, &anchors);
         }
-        let pulls = rig.joints.links().iter().zip(&closing.pulls);
-        let square = pulls.map(|(link, pull)| rig.swings(link, pull.push)).fold(0.0, f64::max);
         (self.rigs[k].rows, self.rigs[k].is_there) = (rows, false);
-        square.sqrt()
+        closing.pulls
     }
 
     /// Notes what joints that pulled so would have changed of velocities by the arms, and bars by the directions, that they had as the substep

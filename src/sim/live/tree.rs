@@ -102,9 +102,9 @@ impl<S: Real> Loose<S> {
 
 /// Solves the forest of a body before contacts are. Returns the largest phase that what it pulls at swings across it in the substep `[rad]`.
 pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], body: (&Body<S>, usize)) -> S {
-    let square = round(state, links, body);
+    let square = round::<S, true>(state, links, body);
     (1..ROUNDS).for_each(|_| {
-        round(state, links, body);
+        round::<S, false>(state, links, body);
     });
     square.sqrt()
 }
@@ -137,13 +137,13 @@ pub(super) fn straighten<S: Real>(state: &mut Cluster<S>, common: &Common<S>, is
     if state.is_pressed() {
         let is_due = |tree: u32| tree > 0 && (is_last || tree <= MOST_LIVE_TREE);
         for (body, base) in state.members(common).filter(|(body, _)| is_due(body.tree)) {
-            round(state, &common.holds(body)[..body.tree as usize], (body, base));
+            round::<S, false>(state, &common.holds(body)[..body.tree as usize], (body, base));
         }
     }
 }
 
-/// One round over a forest of a body whose points begin at `base`. Returns the largest h^2 T/(m l) of what it pulls at `[1]`.
-fn round<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (body, base): (&Body<S>, usize)) -> S {
+/// One round over a forest of a body whose points begin at `base`. Returns the largest h^2 T/(m l) of what it pulls at `[1]` where that is asked for.
+fn round<S: Real, const LOOKS: bool>(state: &mut Cluster<S>, links: &[Link<S>], (body, base): (&Body<S>, usize)) -> S {
     let (count, stretched) = (body.points.len(), stretch(&body.straps, &state.now[base..]));
     let own = |w: S| Loose { w: [w, S::ZERO, w], d: zero() };
     let mut loose: Vec<Loose<S>> = state.w[base..base + count].iter().map(|&w| own(w)).collect();
@@ -177,7 +177,7 @@ fn round<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], (body, base): (&Bod
             loose[b].d = sub(loose[b].d, scale(loose[b].by(n), force));
             let ends = [base + a, base + b];
             // A pull of `force` shortens the bond: it is T h^2.
-            if link.rest > S::ZERO {
+            if LOOKS && link.rest > S::ZERO {
                 swings = swings.max(force * w[ends[0]].max(w[ends[1]]) / link.rest);
             }
             Turned { start, turned }.note(ends, ends.map(|end| w[end]), scale(n, -force));
