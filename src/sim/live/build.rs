@@ -6,7 +6,7 @@ use super::bend::Bends;
 use super::body::{Area, Body, Edge, Link, Relaxed, Span};
 use super::cluster::{Cluster, Side};
 use super::drives::{Muscle, Turn};
-use super::gather::SUBSTEPS;
+use super::gather::MOST_SUBSTEPS;
 use super::rig::Rig;
 use super::rigid::{Held, Shape};
 use super::skins::Skin;
@@ -220,7 +220,7 @@ impl<S: Real> Bodies<S> {
             tree: tree.len() as u32,
             edge_length,
             radius,
-            least_substeps: bounds.substeps([bonds::MOST_BY_FORCES, 1.0], SUBSTEPS[3]),
+            least_substeps: bounds.substeps([bonds::MOST_BY_FORCES, 1.0], MOST_SUBSTEPS),
             straps,
             rigid: rigid.map(Arc::new),
             rig: rig.map(Arc::new),

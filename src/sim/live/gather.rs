@@ -23,8 +23,11 @@ use crate::sim::vector::zero;
 pub(super) const PROMISE: f64 = 0.25;
 /// Share of it that the fastest point may go in a substep.
 pub(super) const WAY: f64 = 0.5;
-/// Substeps of a frame: one of these numbers.
-pub(super) const SUBSTEPS: [u32; 4] = [16, 32, 64, 128];
+/// Substeps of a frame: one of these numbers; and the most that speeds ask for. More are for what swings faster than those resolve, in bodies
+/// that are small enough.
+pub(super) const SUBSTEPS: [u32; 7] = [16, 32, 64, 128, 256, 512, 1024];
+pub(super) const MOST_BY_SPEED: u32 = 128;
+pub(super) const MOST_SUBSTEPS: u32 = SUBSTEPS[SUBSTEPS.len() - 1];
 
 /// Substeps that speed alone asks for from which on a blow is too hard for springs that are forces.
 const VIOLENT: f64 = 32.0;
@@ -36,7 +39,13 @@ const OF_A_PAIR: f64 = 120.0;
 /// Substeps of a frame at a speed `[m/s]`, with skins whose edges have this mean length `[m]`.
 pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
     let wanted = speed / super::FRAMES / (WAY * if edge > 0.0 { edge } else { 0.1 });
-    SUBSTEPS.into_iter().find(|&count| f64::from(count) >= wanted).unwrap_or(SUBSTEPS[3])
+    SUBSTEPS.into_iter().find(|&count| f64::from(count) >= wanted).map_or(MOST_BY_SPEED, |count| count.min(MOST_BY_SPEED))
+}
+
+/// One of the numbers of substeps of a frame, which is enough for speeds that want so many, and not less than springs ask for.
+pub(super) fn enough(wanted: f64, least: u32) -> u32 {
+    let is_enough = |count: &u32| f64::from(*count) >= wanted.min(f64::from(MOST_BY_SPEED)) && *count >= least;
+    SUBSTEPS.into_iter().find(is_enough).unwrap_or(MOST_BY_SPEED.max(least))
 }
 
 /// Substeps of a frame that bodies are given so that their springs can be forces, whose substep takes this counted work: few bodies, many.
@@ -88,7 +97,9 @@ impl<S: Real> Live<S> {
     fn affordable<'a>(&self, bodies: impl Iterator<Item = &'a usize>) -> u32 {
         let of = |&body: &usize| {
             let body = &self.bodies.list[body];
-            super::work_of_a_substep([body.points.len(), body.springs.len() + body.holds.len(), body.areas.len()])
+            let free = body.springs.len() + body.holds.len() - body.tree as usize;
+            let joined = tree::work(body.tree) + body.rig.as_ref().map_or(0, |rig| rig.work());
+            super::work_of_a_substep([body.points.len(), free, body.areas.len()]) + joined as f64
         };
         affordable(bodies.map(of).sum())
     }
@@ -330,9 +341,16 @@ impl<S: Real> Cluster<S> {
         let least = moving.filter_map(|((body, _), _)| asked(body)).max().unwrap_or_default();
         let pulling =
             self.members(common).zip(&self.swings).filter(|((body, _), _)| body.tree > 0 || body.rig.is_some());
-        let swings = pulling.map(|(_, swing)| tree::substeps(swing.known)).fold(0.0, f64::max);
-        let is_enough = |count: &u32| f64::from(*count) >= wanted.max(swings) && *count >= least;
-        SUBSTEPS.into_iter().find(is_enough).unwrap_or(SUBSTEPS[3])
+        let swing = pulling.map(|(_, swing)| swing.known).fold(0.0, f64::max);
+        enough(wanted, least.max(self.for_swings(swing)))
+    }
+
+    /// Substeps of a frame that what swings so fast across taut trees is given `[rad/s]`: not known yet in the first step of all.
+    fn for_swings(&self, swing: f64) -> u32 {
+        let [few, fine] = tree::substeps(swing);
+        let affordable = if swing.is_finite() { f64::from(self.most_substeps) } else { 0.0 };
+        let most = affordable.max(f64::from(MOST_BY_SPEED));
+        fine.min(affordable).max(few.min(most)).ceil() as u32
     }
 
     /// Whether something that is near something is so fast that springs are projected.

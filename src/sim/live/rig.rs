@@ -93,6 +93,11 @@ impl Rig {
         })
     }
 
+    /// Counted work of a substep, about, that nothing presses.
+    pub(super) fn work(&self) -> u64 {
+        2 * self.joints.work() + 3 * self.joints.work_of_a_round()
+    }
+
     /// Whether all of some points go with one frame.
     pub(super) fn holds(&self, points: &[u32]) -> bool {
         self.frames().any(|(_, list)| points.iter().all(|point| list.binary_search(point).is_ok()))

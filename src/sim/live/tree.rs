@@ -20,9 +20,13 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 const PASSES: u32 = 8;
 /// Rounds of it before contacts, and one after each pass over them.
 const ROUNDS: u32 = 2;
+/// Counted work of a round for each bond.
+const OF_A_BOND: u64 = 80;
 /// Phase that the tension T of a bond of length l swings a point of mass m across in a substep h at most, h sqrt(T/(m l)) `[rad]`: a weight that
-/// whirls on a rope of light points loses a tenth of its energy in 2 s from 0.4 on, and gains without end from 1.5 on.
+/// whirls on a rope of light points loses a tenth of its energy in 2 s from 0.4 on, and gains without end from 1.5 on. And the same where there is
+/// work for that many substeps: what wobbles on a rope shakes it, and what is shaken so is lost.
 const MOST_SWING: f64 = 0.3;
+const FINE_SWING: f64 = 0.1;
 
 /// Of these bonds the forest that they make, every bond from parent to child and parents first, if they make one: what is held is a root.
 ///
@@ -109,9 +113,14 @@ pub(super) fn solve<S: Real>(state: &mut Cluster<S>, links: &[Link<S>], body: (&
     square.sqrt()
 }
 
-/// Substeps of a frame that this frequency of what swings across a taut tree asks for `[rad/s]`.
-pub(super) fn substeps(swing: f64) -> f64 {
-    swing / super::FRAMES / MOST_SWING
+/// Counted work of a substep, about, of trees of so many bonds that nothing presses.
+pub(super) fn work(bonds: u32) -> u64 {
+    OF_A_BOND * u64::from(ROUNDS * bonds)
+}
+
+/// Substeps of a frame that this frequency of what swings across a taut tree asks for, and would have where they are affordable `[rad/s]`.
+pub(super) fn substeps(swing: f64) -> [f64; 2] {
+    [MOST_SWING, FINE_SWING].map(|most| swing / super::FRAMES / most)
 }
 
 /// Passes over areas and contacts, more where something near has trees, whose bonds each of them pulls at; and how far a pass may push
@@ -190,6 +199,6 @@ fn round<S: Real, const LOOKS: bool>(state: &mut Cluster<S>, links: &[Link<S>], 
         }
     }
     state.counts.bonds += links.len() as u64;
-    state.counts.work += 80 * links.len() as u64;
+    state.counts.work += OF_A_BOND * links.len() as u64;
     swings
 }

@@ -1,7 +1,7 @@
 //! Velocities that bodies may take.
 
 use crate::sim::real::Real;
-use crate::sim::vector::{add, length, scale, sub};
+use crate::sim::vector::{add, dot, length, scale, sub};
 
 /// How many times as far from the middle of the velocities of what strikes each other one of them may get, beside what it gets faster by itself:
 /// what is light comes back from what is heavy as fast as it came.
@@ -17,7 +17,8 @@ pub(super) struct Velocities<S, const D: usize> {
 impl<S: Real, const D: usize> Velocities<S, D> {
     /// Whether all others are among these.
     pub(super) fn contain(self, other: Self) -> bool {
-        length(sub(other.middle, self.middle)) + other.around <= self.around
+        let (room, way) = (self.around - other.around, sub(other.middle, self.middle));
+        room >= S::ZERO && dot(way, way) <= room * room
     }
 
     /// The least that both are among.

@@ -5,7 +5,7 @@ use crate::sim::contact::skin::RADIUS;
 use crate::sim::live::Draft;
 use crate::sim::live::body::{Link, Span};
 use crate::sim::live::build::{Bounds, in_turn, is_spring, link, path_of};
-use crate::sim::live::gather::SUBSTEPS;
+use crate::sim::live::gather::MOST_SUBSTEPS;
 use crate::sim::live::strap::{Strap, straps};
 use crate::sim::points::Points;
 use crate::sim::real::Real;
@@ -146,7 +146,7 @@ impl<S: Real> Bodies<S> {
             own_distance: (radius + radius).min(most),
             straps,
             swing: bounds.most().map(S::from_f64),
-            least_substeps: bounds.substeps([1.0, 1.0], SUBSTEPS[3]),
+            least_substeps: bounds.substeps([1.0, 1.0], MOST_SUBSTEPS),
         });
     }
 

@@ -8,7 +8,7 @@ use super::patches::Patches;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
 use crate::sim::live::FRAMES;
-use crate::sim::live::gather::{PROMISE, SUBSTEPS, WAY, affordable, asked};
+use crate::sim::live::gather::{PROMISE, WAY, affordable, asked, enough};
 use crate::sim::live::given::Given;
 use crate::sim::live::work_of_a_substep;
 use crate::sim::points::Points;
@@ -166,8 +166,7 @@ impl<S: Real> Cluster<S> {
         let flying = self.members(common).zip(&self.touched).filter(|(_, touched)| !**touched);
         let asked = |body: &Body<S>| asked(body.least_substeps, self.most_substeps, body.springs.len() > 0);
         let least = flying.filter_map(|((body, _), _)| asked(body)).max().unwrap_or_default();
-        let is_enough = |count: &u32| f64::from(*count) >= wanted && *count >= least;
-        SUBSTEPS.into_iter().find(is_enough).unwrap_or(SUBSTEPS[3])
+        enough(wanted, least)
     }
 
     /// Adds what it did.
