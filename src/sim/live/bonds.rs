@@ -11,10 +11,10 @@ use crate::sim::kernels::links::{self, Entry, Links, Moved, Turned};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
-/// Most of (w h)^2 at which springs are forces, and of that and twice the decay in a substep: 4 would be the edge of stability. And most of
-/// the decay where there is work for that many substeps.
+/// Most of (w h)^2 at which springs are forces, and of that and twice the decay in a substep, as bodies are made: 4 would be the edge of stability,
+/// and what is squeezed to half swings half as much again. And most of the decay where there is work for that many substeps.
 const MOST_PHASE: f64 = 2.0;
-const MOST_OF_BOTH: f64 = 3.5;
+const MOST_OF_BOTH: f64 = 2.7;
 const FINE_DECAY: f64 = 0.5;
 /// Share of the points of a body that is to swing by forces: where some are so light that they would need many more substeps, the springs at
 /// these are projected.

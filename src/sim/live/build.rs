@@ -23,7 +23,7 @@ use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::sizes::{LEAST_LIVE_PATH, MOST_LIVE_RING};
 use crate::sim::triangles;
-use crate::sim::vector::{length, sub, widen};
+use crate::sim::vector::{length, scale, sub, widen};
 
 /// Stiffness over mass from which on springs that make trees are taken for rigid, times the square of the longest substep, of 1/16 frame `[1]`.
 const STIFF: f64 = 100.0;
@@ -170,7 +170,7 @@ impl<S: Real> Bodies<S> {
         self.holds.extend(tree.iter().map(link));
         let (springs, holds): (Vec<&Bond>, Vec<&Bond>) = others.iter().partition(|bond| is_spring(bond));
         let [springs, holds] = [springs, holds].map(|list| in_turn(list, local, own.points.len()));
-        let bounds = Bounds::new(&springs.iter().copied().chain(&driven).collect::<Vec<&Bond>>(), w);
+        let bounds = Bounds::new(&springs.iter().copied().chain(&driven).collect::<Vec<&Bond>>(), (place, w));
         self.muscles.extend(driven.iter().filter_map(|bond| {
             Muscle::of(bond, [bond.a, bond.b].map(|end| local[end.index()]), bounds.at_ends(bond).map(S::from_f64))
         }));
@@ -460,23 +460,32 @@ fn skin<S>(own: &Own<S>) -> Vec<Edge> {
     skin.closed.into_iter().map(edge(true)).chain(skin.open.into_iter().map(edge(false))).collect()
 }
 
-/// Gershgorin's bounds on the square of the fastest oscillation `[1/s^2]` and on the fastest decay `[1/s]` of springs, a row a point.
+/// Bounds on the square of the fastest oscillation `[1/s^2]` and on the fastest decay `[1/s]` of springs, a row a point.
+///
+/// Of a spring k along n between a and b k (n . (u_a - u_b))^2 <= 2 k ((n . u_a)^2 + (n . u_b)^2): so the square is at most 2 w times the largest
+/// eigenvalue of the sum of k n n^T at a point, over all points. As springs turn against each other it grows, to the trace at most: half of that is
+/// the least that counts, so that it never doubles.
 pub(super) struct Bounds(Vec<(u32, [f64; 2])>);
 
 impl Bounds {
-    pub(super) fn new<S: Real>(springs: &[&Bond], w: impl Fn(u32) -> S) -> Self {
-        let mut sums: Vec<(u32, [f64; 2])> = Vec::with_capacity(2 * springs.len());
+    pub(super) fn new<S: Real, const D: usize>(
+        springs: &[&Bond],
+        (place, w): (impl Fn(u32) -> [S; D], impl Fn(u32) -> S),
+    ) -> Self {
+        let mut stars: Vec<(u32, [f64; 2], [f64; D])> = Vec::with_capacity(2 * springs.len());
         for bond in springs {
             if let BondKind::Spring { stiffness, damping } = bond.kind {
-                sums.extend([bond.a.0, bond.b.0].map(|end| (end, [stiffness, damping])));
+                let d = widen(sub(place(bond.a.0), place(bond.b.0)));
+                let along = if bond.rest_length > 0.0 { scale(d, 1.0 / length(d)) } else { [f64::NAN; D] };
+                stars.extend([bond.a.0, bond.b.0].map(|end| (end, [stiffness, damping], along)));
             }
         }
-        sums.sort_unstable_by_key(|entry| entry.0);
-        let row = |group: &[(u32, [f64; 2])]| {
-            let w = w(group[0].0).to_f64();
-            (group[0].0, [0, 1].map(|k| 2.0 * w * group.iter().map(|entry| entry.1[k]).sum::<f64>()))
+        stars.sort_by_key(|entry| entry.0);
+        let row = |star: &[(u32, [f64; 2], [f64; D])]| {
+            let w = w(star[0].0).to_f64();
+            (star[0].0, [0, 1].map(|k| 2.0 * w * most_along(star.iter().map(|entry| (entry.1[k], entry.2)))))
         };
-        Bounds(sums.chunk_by(|a, b| a.0 == b.0).map(row).collect())
+        Bounds(stars.chunk_by(|a, b| a.0 == b.0).map(row).collect())
     }
 
     /// The larger ones of both ends of a spring.
@@ -500,5 +509,57 @@ impl Bounds {
     /// The largest bounds of all points.
     pub(super) fn most(&self) -> [f64; 2] {
         [0, 1].map(|k| self.0.iter().map(|row| row.1[k]).fold(0.0, f64::max))
+    }
+}
+
+/// A bound on the largest eigenvalue of the sum of k n n^T, within a few per cent, and not below half of its trace; what has no direction is as stiff
+/// in all of them.
+fn most_along<const D: usize>(springs: impl Iterator<Item = (f64, [f64; D])>) -> f64 {
+    let mut sum = [[0.0; D]; D];
+    let mut trace = 0.0;
+    for (stiffness, n) in springs {
+        let is_known = n.iter().all(|x| x.is_finite());
+        for (i, j) in (0..D).flat_map(|i| (0..D).map(move |j| (i, j))) {
+            sum[i][j] += stiffness * if is_known { n[i] * n[j] } else { f64::from(u8::from(i == j)) };
+        }
+        trace += stiffness * if is_known { 1.0 } else { D as f64 };
+    }
+    if trace == 0.0 {
+        return 0.0;
+    }
+    // The sum of the sixteenth powers of its eigenvalues is the trace of its sixteenth power.
+    let mut power = sum.map(|row| row.map(|x| x / trace));
+    for _ in 0..4 {
+        power = std::array::from_fn(|i| std::array::from_fn(|j| (0..D).map(|k| power[i][k] * power[k][j]).sum()));
+    }
+    let largest = (0..D).map(|i| power[i][i]).sum::<f64>().powf(1.0 / 16.0);
+    trace * largest.clamp(0.5, 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_springs_do_along_one_way_is_their_sum_and_all_around_half_of_it() {
+        let star = |angles: &[f64]| {
+            angles.iter().map(|&angle| (3.0, [libm::cos(angle), libm::sin(angle)])).collect::<Vec<_>>()
+        };
+        let third = std::f64::consts::FRAC_PI_3;
+        for (angles, expected) in [
+            (vec![0.0], 3.0),
+            (vec![0.3, 0.3 + 3.0 * third], 6.0),
+            ((0..6).map(|k| 0.1 + f64::from(k) * third).collect(), 9.0),
+            (vec![0.0, third], 4.5),
+        ] {
+            let found = most_along(star(&angles).into_iter());
+            assert!((1.0..1.05).contains(&(found / expected)), "{found}, {expected} expected");
+        }
+        assert!(
+            (1.0..1.08).contains(&(most_along([(2.0, [f64::NAN; 3])].into_iter()) / 3.0)),
+            "half of what has no direction"
+        );
+        assert_eq!(most_along([(0.0, [1.0, 0.0])].into_iter()), 0.0);
+        assert!(most_along([(1e300, [1.0, 0.0])].into_iter()) > 9e299);
     }
 }

@@ -25,8 +25,10 @@ pub(super) const PROMISE: f64 = 0.25;
 pub(super) const WAY: f64 = 0.5;
 /// Substeps of a frame: one of these numbers; and the most that speeds ask for. More are for what swings faster than those resolve, in bodies
 /// that are small enough.
-pub(super) const SUBSTEPS: [u32; 7] = [16, 32, 64, 128, 256, 512, 1024];
+pub(super) const SUBSTEPS: [u32; 13] = [16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024];
 pub(super) const MOST_BY_SPEED: u32 = 128;
+/// Substeps that are affordable whatever they take.
+const LEAST_AFFORDED: u32 = 32;
 pub(super) const MOST_SUBSTEPS: u32 = SUBSTEPS[SUBSTEPS.len() - 1];
 
 /// Substeps that speed alone asks for from which on a blow is too hard for springs that are forces.
@@ -39,7 +41,10 @@ const OF_A_PAIR: f64 = 120.0;
 /// Substeps of a frame at a speed `[m/s]`, with skins whose edges have this mean length `[m]`.
 pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
     let wanted = speed / super::FRAMES / (WAY * if edge > 0.0 { edge } else { 0.1 });
-    SUBSTEPS.into_iter().find(|&count| f64::from(count) >= wanted).map_or(MOST_BY_SPEED, |count| count.min(MOST_BY_SPEED))
+    SUBSTEPS
+        .into_iter()
+        .find(|&count| f64::from(count) >= wanted)
+        .map_or(MOST_BY_SPEED, |count| count.min(MOST_BY_SPEED))
 }
 
 /// One of the numbers of substeps of a frame, which is enough for speeds that want so many, and not less than springs ask for.
@@ -51,7 +56,11 @@ pub(super) fn enough(wanted: f64, least: u32) -> u32 {
 /// Substeps of a frame that bodies are given so that their springs can be forces, whose substep takes this counted work: few bodies, many.
 pub(super) fn affordable(work: f64) -> u32 {
     let room = AFFORDED / work;
-    SUBSTEPS.into_iter().rev().find(|&count| f64::from(count) <= room).unwrap_or(SUBSTEPS[1]).max(SUBSTEPS[1])
+    SUBSTEPS
+        .into_iter()
+        .rev()
+        .find(|&count| f64::from(count) <= room)
+        .map_or(LEAST_AFFORDED, |count| count.max(LEAST_AFFORDED))
 }
 
 /// Pairs of a cluster that might touch in the step before.
@@ -186,7 +195,7 @@ impl<S: Real> Live<S> {
             gone: Vec::new(),
             goes: Vec::new(),
             least_promise: S::INFINITY,
-            most_substeps: SUBSTEPS[1],
+            most_substeps: LEAST_AFFORDED,
             swings: bodies.iter().map(|&body| Swing { known: self.rests[body].swing, seen: 0.0 }).collect(),
             is_violent: false,
             is_uneven: false,

@@ -132,7 +132,7 @@ impl<S: Real> Bodies<S> {
         self.order.extend(&own.points);
         let ends = self.ends();
         let span = |k: usize| Span { first: starts[k], end: ends[k] };
-        let bounds = Bounds::new(&springs, |i| points.inverse_mass[i as usize]);
+        let bounds = Bounds::new(&springs, (place, |i| points.inverse_mass[i as usize]));
         self.list.push(Body {
             points: span(0),
             springs: span(1),
