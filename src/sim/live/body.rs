@@ -42,6 +42,8 @@ pub(super) struct Body<S> {
     pub(super) bends: Option<Arc<Bends>>,
     /// Bonds at the front of those that are held that make trees, from the roots on.
     pub(super) tree: u32,
+    /// Some of the others are rigid.
+    pub(super) is_swept: bool,
     /// Mean length of its edges at the start `[m]`; 0 without any.
     pub(super) edge_length: S,
     /// Distance that its skin keeps `[m]`.

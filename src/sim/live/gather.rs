@@ -73,7 +73,8 @@ fn known_pairs<S: Real>(cluster: &Cluster<S>, common: &Common<S>) -> usize {
 }
 
 /// What a body asks for of so many substeps: those in which all its springs are exact forces, or most are forces, or as many as there are, for
-/// springs that no number of substeps makes forces are the softer the fewer there are, where they are to be `firm`.
+/// springs that no number of substeps makes forces are the softer the fewer there are, and rigid bonds that are swept strain the more, where they are to
+/// be `firm`.
 pub(super) fn asked([few, fine]: [u32; 2], most: u32, is_firm: bool) -> Option<u32> {
     let is_affordable = |count: &u32| *count > 0 && *count <= most;
     Some(fine).filter(is_affordable).or(Some(few).filter(is_affordable)).or(is_firm.then_some(most))
@@ -344,8 +345,8 @@ impl<S: Real> Cluster<S> {
         let moving = self.members(common).zip(&self.settles).filter(|(_, settles)| !**settles);
         let asked = |body: &Body<S>| {
             // What is folded is the easier to open.
-            let is_firm = body.springs.len() > 0 && (body.least_substeps[0] == 0 || self.tangle.knots.is_empty());
-            asked(body.least_substeps, self.most_substeps, is_firm)
+            let is_soft = body.springs.len() > 0 && (body.least_substeps[0] == 0 || self.tangle.knots.is_empty());
+            asked(body.least_substeps, self.most_substeps, is_soft || body.is_swept)
         };
         let least = moving.filter_map(|((body, _), _)| asked(body)).max().unwrap_or_default();
         let pulling =
@@ -354,12 +355,11 @@ impl<S: Real> Cluster<S> {
         enough(wanted, least.max(self.for_swings(swing)))
     }
 
-    /// Substeps of a frame that what swings so fast across taut trees is given `[rad/s]`: not known yet in the first step of all.
+    /// Substeps of a frame that what swings so fast across taut trees is given `[rad/s]`; infinite, as in the first step of all, where nobody knows.
     fn for_swings(&self, swing: f64) -> u32 {
         let [few, fine] = tree::substeps(swing);
-        let affordable = if swing.is_finite() { f64::from(self.most_substeps) } else { 0.0 };
-        let most = affordable.max(f64::from(MOST_BY_SPEED));
-        fine.min(affordable).max(few.min(most)).ceil() as u32
+        let affordable = f64::from(self.most_substeps);
+        fine.min(affordable).max(few.min(f64::from(MOST_BY_SPEED))).ceil() as u32
     }
 
     /// Whether something that is near something is so fast that springs are projected.
