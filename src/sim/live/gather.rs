@@ -27,6 +27,8 @@ pub(super) const WAY: f64 = 0.5;
 /// that are small enough.
 pub(super) const SUBSTEPS: [u32; 13] = [16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024];
 pub(super) const MOST_BY_SPEED: u32 = 128;
+/// Most that rigid bonds which are swept are given: what they strain falls with the square of that number, to 1e-4 in a net of 9 by 9 with a weight.
+const FOR_SWEEPS: u32 = 256;
 /// Substeps that are affordable whatever they take.
 const LEAST_AFFORDED: u32 = 32;
 pub(super) const MOST_SUBSTEPS: u32 = SUBSTEPS[SUBSTEPS.len() - 1];
@@ -73,8 +75,7 @@ fn known_pairs<S: Real>(cluster: &Cluster<S>, common: &Common<S>) -> usize {
 }
 
 /// What a body asks for of so many substeps: those in which all its springs are exact forces, or most are forces, or as many as there are, for
-/// springs that no number of substeps makes forces are the softer the fewer there are, and rigid bonds that are swept strain the more, where they are to
-/// be `firm`.
+/// springs that no number of substeps makes forces are the softer the fewer there are, where they are to be `firm`.
 pub(super) fn asked([few, fine]: [u32; 2], most: u32, is_firm: bool) -> Option<u32> {
     let is_affordable = |count: &u32| *count > 0 && *count <= most;
     Some(fine).filter(is_affordable).or(Some(few).filter(is_affordable)).or(is_firm.then_some(most))
@@ -346,7 +347,8 @@ impl<S: Real> Cluster<S> {
         let asked = |body: &Body<S>| {
             // What is folded is the easier to open.
             let is_soft = body.springs.len() > 0 && (body.least_substeps[0] == 0 || self.tangle.knots.is_empty());
-            asked(body.least_substeps, self.most_substeps, is_soft || body.is_swept)
+            let of_springs = asked(body.least_substeps, self.most_substeps, is_soft);
+            of_springs.max(body.is_swept.then(|| self.most_substeps.min(FOR_SWEEPS)))
         };
         let least = moving.filter_map(|((body, _), _)| asked(body)).max().unwrap_or_default();
         let pulling =
