@@ -95,8 +95,12 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
     let way = bulk.map(|scheme| scheme.way);
     let solver = if way == Some(Way::Paths) { Solver::Path } else { solver };
     let plain = (method.solver == Solver::Auto && solver == Solver::Rk8)
-        .then(|| substep(island, Solver::VelocityVerlet, setting));
-    let longest = || if plain.is_some() { fine_substep(island) } else { substep(island, solver, setting) };
+        .then(|| substep(island, (Solver::VelocityVerlet, false), setting));
+    let is_mesh = island.springs > MOST_TOUCHING || (method.solver == Solver::Auto && strikes_hard(island, setting));
+    let longest = || match plain {
+        Some(_) => fine_substep(island),
+        None => substep(island, (solver, is_mesh), setting),
+    };
     let substep = match (way, method.substep) {
         (_, Some(given)) => given,
         (Some(Way::Paths), None) => FRAME,
@@ -188,7 +192,8 @@ fn pick(island: &Island, given: Option<f64>, setting: Setting, is_direct: bool) 
     }
     let is_beyond = given.is_some_and(|given| given * island.frequency.max(0.5 * island.decay) > EDGE);
     let substeps = FRAME / PHASE * island.frequency.max(island.decay * PHASE / DECAY_SHARE);
-    if setting.has_surfaces && island.springs > MOST_TOUCHING && substeps <= MOST_TOUCHES && !is_beyond {
+    let is_struck = setting.has_surfaces && island.springs > MOST_TOUCHING || strikes_hard(island, setting);
+    if is_struck && substeps <= MOST_TOUCHES && !is_beyond {
         return Solver::VelocityVerlet;
     }
     let is_implicit = (is_stiff(island) || is_beyond) && !island.is_pressed && !island.has_motors;
@@ -221,6 +226,11 @@ fn fine_substep(island: &Island) -> f64 {
     FRAME / (FRAME / wanted).ceil().min(MOST_SUBSTEPS)
 }
 
+/// Whether stiff springs that swing may be struck by surfaces: an implicit step rounds off what a blow makes of them, and a body bounces too low.
+fn strikes_hard(island: &Island, setting: Setting) -> bool {
+    setting.has_surfaces && island.springs > 0 && is_stiff(island) && island.decay <= island.frequency
+}
+
 /// Whether springs are stiffer than explicit steps can serve at a bearable cost.
 pub(super) fn is_stiff(island: &Island) -> bool {
     FRAME / PHASE_4 * island.frequency > STIFF || FRAME * island.decay > STIFF
@@ -234,7 +244,7 @@ fn factors_pay(island: &Island) -> bool {
 }
 
 /// The substep that resolves the fastest motion of an island: a whole part of 1/60 s.
-fn substep(island: &Island, solver: Solver, setting: Setting) -> f64 {
+fn substep(island: &Island, (solver, is_mesh): (Solver, bool), setting: Setting) -> f64 {
     let longest = if island.rigid > 0 { LONGEST_RIGID } else { LONGEST };
     let push = setting.mouse.map_or(0.0, |strength| strength.abs().sqrt()).max(setting.gusts.unwrap_or(0.0));
     let push = push.max(island.drive_rate);
@@ -244,7 +254,7 @@ fn substep(island: &Island, solver: Solver, setting: Setting) -> f64 {
         Solver::Rk4 | Solver::Pefrl | Solver::BlanesMoan4 | Solver::BlanesMoan6 | Solver::Rk8 => {
             (PHASE_4, island.frequency.max(push).max(0.5 * island.decay).max(0.5 * setting.drag_rate))
         }
-        Solver::VelocityVerlet if island.springs > MOST_TOUCHING => {
+        Solver::VelocityVerlet if is_mesh => {
             (PHASE_MESH, island.frequency.max(push).max(island.decay * PHASE_MESH / DECAY_SHARE))
         }
         _ => (PHASE, island.frequency.max(push).max(island.decay)),
