@@ -68,10 +68,7 @@ fn is_swept<S: Real>(state: &Cluster<S>, common: &Common<S>) -> bool {
     let is_driven = !state.muscles.is_empty() || !state.turns.is_empty();
     let has_trees = || state.members(common).any(|(body, _)| body.tree > 0);
     let has_sweeps = state.is_all_rigid || !state.holds.is_empty() || has_trees();
-    has_sweeps
-        && !is_driven
-        && state.by_forces.is_empty()
-        && state.members(common).all(|(body, _)| body.hinges.len() == 0)
+    has_sweeps && !is_driven && state.by_forces.is_empty()
 }
 
 /// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them. What they do

@@ -141,13 +141,15 @@ pub(super) fn passes<S: Real>(state: &Cluster<S>, common: &Common<S>) -> (u32, S
     }
 }
 
-/// One round over the forests of what was pressed in this substep, over large ones before the last pass alone.
+/// One round over the forests of what was pressed in this substep, over large ones before the last pass alone, and so over what angles bend.
 pub(super) fn straighten<S: Real>(state: &mut Cluster<S>, common: &Common<S>, is_last: bool) {
-    if state.is_pressed() {
-        let is_due = |tree: u32| tree > 0 && (is_last || tree <= MOST_LIVE_TREE);
-        for (body, base) in state.members(common).filter(|(body, _)| is_due(body.tree)) {
-            round::<S, false>(state, &common.holds(body)[..body.tree as usize], (body, base));
-        }
+    let is_pressed = state.is_pressed();
+    let is_due = |body: &Body<S>| match is_pressed {
+        true => is_last || body.tree <= MOST_LIVE_TREE,
+        false => is_last && body.hinges.len() > 0,
+    };
+    for (body, base) in state.members(common).filter(|(body, _)| body.tree > 0 && is_due(body)) {
+        round::<S, false>(state, &common.holds(body)[..body.tree as usize], (body, base));
     }
 }
 
