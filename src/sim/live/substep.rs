@@ -1,5 +1,6 @@
 //! One substep of a cluster, from top to bottom.
 
+use super::FRAMES;
 use super::areas;
 use super::bear;
 use super::bend;
@@ -25,8 +26,10 @@ pub(super) const PASSES: u32 = 3;
 /// Speeds below which nothing bounces, in what gravity gives within a substep.
 pub(super) const LEAST_BOUNCE: f64 = 2.0;
 
-/// Rigid bonds that a blow which is given back goes through in a substep, about, and how many times it may go through one.
+/// Rigid bonds that a blow which is given back goes through in a substep of 1/32 of a frame, about, in a shorter one as many as its share, and how
+/// many times it may go through one.
 const BOUNCED: u64 = 8_192;
+const FEW: f64 = 32.0;
 const MOST_ROUNDS: u64 = 128;
 
 /// How far contacts and areas may push a point beyond its way within a substep, in the least promise: pairs further apart are left out.
@@ -293,7 +296,9 @@ impl<S: Real> Cluster<S> {
     fn rebound(&mut self, common: &Common<S>, mut give: impl FnMut(&mut Self) -> Gave) {
         let started = self.kinetic();
         let (mut solved, mut takes) = (0, false);
-        while solved < BOUNCED {
+        let share = (self.span.to_f64() * FRAMES * FEW).min(1.0);
+        let most = (BOUNCED as f64 * share) as u64;
+        while solved < most {
             let gave = give(self);
             takes |= gave.takes;
             let count =
@@ -301,7 +306,7 @@ impl<S: Real> Cluster<S> {
             if count == 0 {
                 break;
             }
-            solved += count.max(BOUNCED / MOST_ROUNDS);
+            solved += count.max(most / MOST_ROUNDS);
         }
         if solved > 0 {
             self.turn_rigid();

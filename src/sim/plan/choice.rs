@@ -152,7 +152,8 @@ fn scheme(island: &Island, method: &Method, setting: Setting, is_direct: bool) -
         // Large bodies know neither angles nor areas, nor drives, nor surfaces that push by depth.
         _ if island.bonds.is_empty() || island.has_form() || island.has_drives || island.is_pressed => None,
         Solver::Auto if are_springs && pick(island, method.substep, setting, is_direct) == Solver::VelocityVerlet => {
-            given(Way::Forces)
+            // Small ones are struck where and when they touch.
+            (island.springs > MOST_TOUCHING || setting.points > LARGE).then(|| given(Way::Forces))?
         }
         Solver::Verlet | Solver::VelocityVerlet if are_springs => {
             (is_large || (has_order && setting.points > LARGE)).then(|| given(Way::Forces))?
@@ -228,7 +229,11 @@ fn fine_substep(island: &Island) -> f64 {
 
 /// Whether stiff springs that swing may be struck by surfaces: an implicit step rounds off what a blow makes of them, and a body bounces too low.
 fn strikes_hard(island: &Island, setting: Setting) -> bool {
-    setting.has_surfaces && island.springs > 0 && is_stiff(island) && island.decay <= island.frequency
+    setting.has_surfaces
+        && island.springs > 0
+        && is_stiff(island)
+        && island.decay <= island.frequency
+        && !island.holds_areas
 }
 
 /// Whether springs are stiffer than explicit steps can serve at a bearable cost.
