@@ -12,6 +12,10 @@ use crate::sim::vector::{add, cross3, dot, length, scale, sub};
 
 /// Triangles that one point is tried with.
 const MOST_SEEDS: usize = 8;
+/// Rounds in which all that is left is tried once more.
+const LAST_ROUNDS: u32 = 8;
+/// Rounds in which a place is fitted to all bonds that it has.
+const ROUNDS: u32 = 2;
 /// Bonds of a point among which the three are looked for that hold it best.
 const MOST_AMONG: usize = 12;
 
@@ -77,27 +81,45 @@ impl<'a> Net<'a> {
         })
     }
 
-    /// Lays points out from these on, as far as three bonds each hold them.
+    /// Lays points out from these on, as far as three bonds each hold them. Those with many bonds are tried again when twice as many of the others
+    /// are laid out, and at last.
     fn grow(&self, mut list: Vec<u32>, places: &mut [Option<[f64; 3]>]) {
+        let (mut seen, mut due) = (vec![0; places.len()], vec![3; places.len()]);
         let mut next = 0;
-        while let Some(&point) = list.get(next) {
-            next += 1;
-            for &(_, q, _) in self.of(point) {
-                if places[q as usize].is_some() {
-                    continue;
+        for _ in 0..LAST_ROUNDS {
+            while let Some(&point) = list.get(next) {
+                next += 1;
+                for &(_, q, _) in self.of(point) {
+                    let at = q as usize;
+                    seen[at] += 1;
+                    if places[at].is_some() || seen[at] < due[at] {
+                        continue;
+                    }
+                    places[at] = self.place(q, places);
+                    list.extend(places[at].map(|_| q));
+                    due[at] = if seen[at] < MOST_AMONG { seen[at] + 1 } else { 2 * seen[at] };
                 }
-                if let Some(place) = self.place(q, places) {
-                    places[q as usize] = Some(place);
-                    list.push(q);
+            }
+            let laid = list.len();
+            for q in 0..places.len() as u32 {
+                if places[q as usize].is_none() && seen[q as usize] > 2 {
+                    places[q as usize] = self.place(q, places);
+                    list.extend(places[q as usize].map(|_| q));
                 }
+            }
+            if list.len() == laid {
+                break;
             }
         }
     }
 
-    /// The place of a point by the three bonds that hold it best.
+    /// The place of a point by the three bonds that hold it best, then by all: of three alone rounding piles up from point to point.
     fn place(&self, q: u32, places: &[Option<[f64; 3]>]) -> Option<[f64; 3]> {
         let laid = self.of(q).iter().filter_map(|&(_, other, rest)| Some((other, places[other as usize]?, rest)));
-        let laid: Vec<(u32, [f64; 3], f64)> = laid.take(MOST_AMONG).collect();
+        let all: Vec<(u32, [f64; 3], f64)> = laid.collect();
+        // Of many those that follow on each other are likely to lie in one plane.
+        let count = all.len().min(MOST_AMONG);
+        let laid: Vec<(u32, [f64; 3], f64)> = (0..count).map(|k| all[k * all.len() / count]).collect();
         let now = |i: u32| self.now[i as usize];
         let mut best: Option<(f64, [f64; 3])> = None;
         for (k, &a) in laid.iter().enumerate() {
@@ -114,8 +136,26 @@ impl<'a> Net<'a> {
                 }
             }
         }
-        best.map(|(_, place)| place)
+        best.map(|(_, place)| nearest(place, &laid))
     }
+}
+
+/// The place with the least sum of (|d| - rest)^2 to others, from one beside it on (Gauss and Newton's method).
+fn nearest(mut x: [f64; 3], laid: &[(u32, [f64; 3], f64)]) -> [f64; 3] {
+    for _ in 0..ROUNDS {
+        let (mut normal, mut pull) = ([[0.0; 3]; 3], [0.0; 3]);
+        for &(_, place, rest) in laid {
+            let d = sub(x, place);
+            let far = length(d);
+            let way = scale(d, 1.0 / far);
+            (0..3).for_each(|k| normal[k] = add(normal[k], scale(way, way[k])));
+            pull = add(pull, scale(way, rest - far));
+        }
+        let [p, q, r] = normal;
+        let solved = [cross3(q, r), cross3(r, p), cross3(p, q)].map(|row| dot(row, pull));
+        x = add(x, scale(solved, 1.0 / dot(p, cross3(q, r))));
+    }
+    x
 }
 
 /// The corners of a triangle with sides from the first to the second, to the third, and between those; `None`: it is hardly one.
@@ -178,6 +218,35 @@ pub(super) mod tests {
         let five = [&TETRAHEDRON[..], &[[0.5, 0.4, -1.0]]].concat();
         assert!(is_whole(&five, &[&SIX[..], &[[0, 4], [1, 4], [2, 4]]].concat()));
         assert!(!is_whole(&five, &[&SIX[..], &[[0, 4], [1, 4]]].concat()), "a triangle hangs on a side");
+    }
+
+    #[test]
+    fn a_hull_with_many_bonds_at_each_point_is_whole() {
+        let ring = |z: f64| {
+            (0..40).map(move |k| {
+                let turn = 0.05 * std::f64::consts::PI * f64::from(k);
+                [libm::cos(turn), libm::sin(turn), z]
+            })
+        };
+        let now: Vec<[f64; 3]> = ring(0.0).chain(ring(0.5)).collect();
+        let ends: Vec<[u32; 2]> = (0..80).flat_map(|a| (a + 1..80).map(move |b| [a, b])).collect();
+        assert!(is_whole(&now, &ends));
+    }
+
+    #[test]
+    fn rounding_does_not_pile_up_in_a_large_lattice() {
+        let count = 14_i32;
+        let all = || (0..count).flat_map(|i| (0..count).flat_map(move |j| (0..count).map(move |k| [i, j, k])));
+        let at = |[i, j, k]: [i32; 3]| ((i * count + j) * count + k) as u32;
+        let ways =
+            [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, 0, 1], [0, 1, 1], [1, -1, 0], [1, 0, -1], [0, 1, -1]];
+        let ends = all().flat_map(|from| ways.map(|way| [from, std::array::from_fn(|k| from[k] + way[k])]));
+        let is_within = |ends: &[[i32; 3]; 2]| ends[1].iter().all(|k| (0..count).contains(k));
+        let ends: Vec<[u32; 2]> = ends.filter(is_within).map(|ends| ends.map(at)).collect();
+        let now: Vec<[f64; 3]> = all().map(|place| place.map(|k| 0.1 * f64::from(k))).collect();
+        let held = held(&now, &ends);
+        let off = Net::new(&held).laid_out().map(|places| held.misfit(&places));
+        assert!(off.is_some_and(|off| off < 1e-13), "{off:?}");
     }
 
     #[test]

@@ -8,6 +8,8 @@ use crate::sim::vector::{add, cross3, dot, length, scale, sub};
 
 /// Share of its length by which places in `f64` leave a bond off that is said exactly.
 const EXACT: f64 = 1e-12;
+/// The same of places that are laid out one by one, where rounding piles up.
+const CLOSE: f64 = 1e-10;
 /// Least share that the smallest principal moment of inertia is of the largest: of less nothing is left after rounding.
 const LEAST_INERTIA: f64 = 1e-9;
 /// Share of its way from the first pin by which another one may be off their line.
@@ -56,7 +58,8 @@ pub(crate) struct Shape {
 impl Shape {
     /// The shape in which bonds hold all points; `None`: they leave some of them loose, are too few, lie in one plane, or contradict each other.
     ///
-    /// Places that fit all lengths to rounding are the shape itself; others give their side alone, and lengths the rest.
+    /// Places give their side alone, and lengths the rest; where rounding piles up in that, or rank says that they hold, places that fit all lengths
+    /// to rounding are the shape itself.
     pub(crate) fn of(mut held: Held) -> Option<Self> {
         let count = held.now.len();
         let pins: Vec<u32> = (0..count as u32).filter(|&k| !held.masses[k as usize].is_finite()).collect();
@@ -65,9 +68,12 @@ impl Shape {
             return None;
         }
         let is_exact = held.misfit(&held.now) <= EXACT;
-        let places = match Net::new(&held).laid_out() {
+        let laid = Net::new(&held).laid_out().map(|laid| (held.misfit(&laid), laid));
+        let places = match laid {
+            // Lengths alone say what it is, so that one that is compiled anew in the middle of a run goes on with the same bits.
+            Some((off, laid)) if off <= CLOSE => laid,
             Some(_) if is_exact => held.now,
-            Some(laid) => (held.misfit(&laid) <= FITS).then_some(laid)?,
+            Some((off, laid)) => (off <= FITS).then_some(laid)?,
             None => (is_exact && is_rigid(&held)).then_some(held.now)?,
         };
         Self::new(places, held.masses, pins)
