@@ -70,7 +70,8 @@ fn a_box_that_tumbles_about_its_middle_axis_keeps_energy_and_momentum_over_100_t
         let (before, energy) = (turning(&start.sample(0.0)), start.energy());
         let (end, world) = run(&scene, 100.0 * 2.0 * PI / 6.0);
         assert!(is_a_body(&*world));
-        let most = if precision == "f64" { 1e-9 } else { 1e-6 };
+        // 42 m away 32 bits tell places to some micrometres.
+        let most = if precision == "f64" { 1e-9 } else { 1e-4 };
         let off = length(sub(turning(&end), before)) / length(before);
         assert!(off < most, "{precision}: momentum {off}");
         let off = (world.energy() / energy - 1.0).abs();
@@ -101,10 +102,10 @@ fn what_turns_about_its_middle_axis_turns_over_when_jacobis_functions_say() {
         let (end, world) = run(&scene, t);
         assert!(is_a_body(&*world));
         let p = &end.position;
-        let [u, v] = [sub(p[1], p[0]), sub(p[4], p[0])].map(|side| side.map(|x| x / length(side)));
+        let third = sub(p[4], p[0]).map(|x| x / length(sub(p[4], p[0])));
         let w = &end.velocity;
         // v_1 - v_0 = spin x (x_1 - x_0): its part along the third axis is less the spin about the second one.
-        -dot(sub(w[1], w[0]), v) / length(sub(p[1], p[0])) * dot(u, u)
+        -dot(sub(w[1], w[0]), third) / length(sub(p[1], p[0]))
     };
     assert!(spin_after(quarter).abs() < 1e-6, "{}", spin_after(quarter));
     assert!((spin_after(2.0 * quarter) + 6.0).abs() < 1e-6, "{}", spin_after(2.0 * quarter));
