@@ -12,7 +12,8 @@ use crate::sim::vector::{add, dot, scale, sub};
 
 /// Most times that all contacts are gone through.
 const MOST_PASSES: u32 = 300;
-/// Rounds in which the direction is found in which one contact starts to slide.
+/// Rounds in which the direction is found in which one contact starts to slide, by turns of it and by steps.
+const TURNS: u32 = 12;
 const ROUNDS: u32 = 60;
 /// Share of what a contact gives of which the rest counts as none.
 const REPEATED: f64 = 1e-9;
@@ -188,13 +189,47 @@ fn solve(gives: &[Trio; 3], grip: &Grip, old: Trio, speed: Trio) -> Trio {
     if lacks[0] <= 0.0 {
         return [0.0; 3];
     }
+    if grip.friction == 0.0 {
+        return [lacks[0] / across, 0.0, 0.0];
+    }
     if let Some(stuck) = solved(gives, lacks)
         && stuck[0] >= 0.0
         && along(stuck) <= grip.friction * stuck[0]
     {
         return stuck;
     }
-    slipping(gives, grip.friction, lacks, old)
+    turning(gives, grip.friction, lacks, old).unwrap_or_else(|| slipping(gives, grip.friction, lacks, old))
+}
+
+/// The impulse at the rim of the disc that is against the sliding which it leaves, by Newton's method on its direction, from the one that it had or
+/// against what slides by itself; `None`: not found so.
+fn turning(gives: &[Trio; 3], friction: f64, lacks: Trio, [_, u, v]: Trio) -> Option<Trio> {
+    let start = if u != 0.0 || v != 0.0 { [u, v] } else { [lacks[1], lacks[2]] };
+    let size = dot(start, start).sqrt();
+    let mut f = if size > 0.0 { scale(start, 1.0 / size) } else { return None };
+    let tangential = |p: [f64; 2]| [gives[1][1] * p[0] + gives[1][2] * p[1], gives[2][1] * p[0] + gives[2][2] * p[1]];
+    let (both, aside) = ([gives[0][1], gives[0][2]], |f: [f64; 2]| [-f[1], f[0]]);
+    for _ in 0..TURNS {
+        let weight = gives[0][0] + friction * dot(both, f);
+        let push = lacks[0] / weight;
+        let rub = scale(f, friction * push);
+        let slip = sub(add(scale(both, push), tangential(rub)), [lacks[1], lacks[2]]);
+        let g = aside(f);
+        let off = dot(g, slip);
+        if off.abs() <= NOTHING * (dot(slip, slip).sqrt() + lacks[0].abs()) {
+            let is_fine = push >= 0.0 && push.is_finite() && dot(f, slip) <= 0.0;
+            return is_fine.then_some([push, rub[0], rub[1]]);
+        }
+        // How push, slip and what is left change as the direction turns.
+        let eased = -push * friction * dot(both, g) / weight;
+        let turned = add(scale(both, eased), tangential(scale(add(scale(f, eased), scale(g, push)), friction)));
+        let by = off / (dot(f, slip) - dot(g, turned));
+        // Half a radian at most; NaN is no turn.
+        let by = if by.abs() < 0.5 { by } else { 0.5_f64.copysign(by) };
+        f = add(f, scale(g, by));
+        f = scale(f, 1.0 / dot(f, f).sqrt());
+    }
+    None
 }
 
 /// The impulse at the rim of the disc that is against the sliding which it leaves, or within it where nothing slides: by steps against that
@@ -281,6 +316,15 @@ mod tests {
                 // Against the way: a product as far below 0 as it can be.
                 let most = friction * p[0] * dot(slip, slip).sqrt();
                 assert!(is_held || (dot(rub, slip) + most).abs() < 1e-9, "{friction} {angle}: {rub:?} {slip:?}");
+                let lacks: Trio = std::array::from_fn(|k| -speed[k]);
+                let stepped = (0..40).fold([0.0; 3], |p, _| slipping(&gives, friction, lacks, p));
+                assert!(along(sub(stepped, p)) < 1e-9, "{friction} {angle}: {stepped:?} {p:?}");
+                let turned = turning(&gives, friction, lacks, [0.0; 3]);
+                let is_it = |turned: Trio| along(sub(turned, p)) < 1e-9;
+                assert!(
+                    is_held || friction == 0.0 || turned.is_some_and(is_it),
+                    "{friction} {angle}: {turned:?} {p:?}"
+                );
             }
         }
     }

@@ -26,7 +26,8 @@ impl Contact {
     /// A vector along the normal and the tangents.
     #[inline(always)]
     pub(super) fn seen(&self, v: [f64; 3]) -> Trio {
-        self.ways.map(|way| dot(way, v))
+        let [n, x, y] = self.ways;
+        [dot(n, v), dot(x, v), dot(y, v)]
     }
 
     /// Its velocity along the normal and the tangents.

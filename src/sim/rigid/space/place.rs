@@ -67,7 +67,8 @@ impl Place {
     /// A vector of the world in the shape.
     #[inline(always)]
     pub(super) fn back(&self, v: [f64; 3]) -> [f64; 3] {
-        self.axes.map(|axis| dot(axis, v))
+        let [x, y, z] = self.axes;
+        [dot(x, v), dot(y, v), dot(z, v)]
     }
 
     /// Moved on, and turned as its shape sees it.
