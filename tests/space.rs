@@ -1,10 +1,12 @@
 //! Circles in the plane; balls, boxes and planes in space, and cloth that meets them, others and itself.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+mod boxes;
 mod cloth;
 mod obstacles;
 mod pace;
 mod rest;
+mod tops;
 
 use serde_json::Value;
 use wobble::scene::Scene;

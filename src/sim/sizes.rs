@@ -97,6 +97,12 @@ pub const MOST_COUPLINGS: usize = 60_000;
 /// more is no rigid body, and goes by paths on both sides. Beyond: a net is sorted in vain for longer than a frame.
 pub const MOST_SOUGHT: usize = 100_000;
 
+/// Most points of an island in space whose rank says that it is a rigid body, where its points cannot be laid out one after the other.
+///
+/// Trades motion for the time to compile, which grows like the third power: 64 points take 20 ms. Measured: not by a motion, since most
+/// bodies are laid out, whatever their size. Beyond: a scene with many such bodies begins late.
+pub const MOST_RANKED: usize = 64;
+
 /// Most points of an island of stiff springs that is moved by an implicit method, however its bonds hang together; of more, where its
 /// factors pay: those of a tree do, those of a net beyond [`STIFF_OF_A_NET`].
 ///

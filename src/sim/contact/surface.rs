@@ -2,7 +2,7 @@
 
 use super::penalty::Penalty;
 use crate::sim::real::Real;
-use crate::sim::vector::{convert, dot, flat, widen};
+use crate::sim::vector::{convert, dot, embed, flat, widen};
 
 /// A half-space that points cannot enter; the free side is where the normal points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +73,12 @@ impl<S: Real, const D: usize> Surface<S, D> {
     #[inline(always)]
     pub(crate) fn gap_of(&self, x: [f64; 2]) -> f64 {
         dot(flat(widen(self.normal)), x) - self.offset.to_f64()
+    }
+
+    /// The same in space.
+    #[inline(always)]
+    pub(crate) fn gap_in_space(&self, x: [f64; 3]) -> f64 {
+        dot(embed(widen(self.normal)), x) - self.offset.to_f64()
     }
 
     /// The gap of the nearest corner of a box `[m]`.

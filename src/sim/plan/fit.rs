@@ -15,8 +15,9 @@ use crate::sim::bonds::Bonds;
 use crate::sim::model::Model;
 use crate::sim::rigid::pieces::contradicts;
 use crate::sim::rigid::shape::{FITS, Held, LEAST_HEIGHT};
+use crate::sim::rigid::space;
 use crate::sim::solver::Solver;
-use crate::sim::vector::{flat, length, sub};
+use crate::sim::vector::{embed, flat, length, sub};
 
 /// Share of its length by which places in `f64` leave a bond off that is said exactly.
 const EXACT: f64 = 1e-12;
@@ -41,7 +42,7 @@ impl Fitted {
     }
 }
 
-/// Moves `position` to the shapes nearest to what rigid bonds say in the plane, and gives these the lengths that they have there, where they contradict
+/// Moves `position` to the shapes nearest to what rigid bonds say, and gives these the lengths that they have there, where they contradict
 /// each other by no more than [`MOST_MISFIT`]. What agrees stays as it is, to the bit.
 ///
 /// Linear in bonds but for the shapes, each as dear as an elimination of its points.
@@ -52,7 +53,7 @@ pub(crate) fn fit_rest_lengths<const D: usize>(
 ) -> Fitted {
     let mut fitted = Fitted::default();
     let solver = model.method.solver;
-    if D != 2 || !(solver == Solver::Auto || moves_bodies(solver)) || model.has_penalties() {
+    if !(solver == Solver::Auto || moves_bodies(solver)) || model.has_penalties() {
         return fitted;
     }
     // Most scenes say their lengths exactly.
@@ -63,7 +64,7 @@ pub(crate) fn fit_rest_lengths<const D: usize>(
     let w = inverse_masses(model);
     for own in bodies(bonds, position.len()) {
         let most = own.iter().map(|&k| misfit(&bonds.get(k), position)).fold(0.0, f64::max);
-        if !(EXACT..=MOST_MISFIT).contains(&most) || !contradicts(&held(bonds, &own, position)) {
+        if !(EXACT..=MOST_MISFIT).contains(&most) || !is_contradicted(bonds, &own, position) {
             continue;
         }
         let (shape, _) = nearest(bonds, &own, (position, &w), ROUNDS);
@@ -108,18 +109,20 @@ fn bodies(bonds: &Bonds, points: usize) -> Vec<Vec<usize>> {
     lists
 }
 
-/// What bonds say of the points between them.
-fn held<const D: usize>(bonds: &Bonds, own: &[usize], position: &[[f64; D]]) -> Held<'static> {
+/// Whether lengths of bonds contradict each other where they hold points in their places.
+fn is_contradicted<const D: usize>(bonds: &Bonds, own: &[usize], position: &[[f64; D]]) -> bool {
     let mut points: Vec<u32> = own.iter().flat_map(|&k| bonds.ends()[k].map(|end| end.0)).collect();
     points.sort_unstable();
     points.dedup();
     let place = |end: PointId| points.binary_search(&end.0).map_or(u32::MAX, |place| place as u32);
-    Held {
-        now: points.iter().map(|&point| flat(position[point as usize])).collect(),
-        masses: vec![1.0; points.len()],
-        bonds: own.iter().map(|&k| (bonds.ends()[k].map(place), bonds.rest_lengths()[k])).collect(),
-        surface: &[],
+    let masses = vec![1.0; points.len()];
+    let at = |&point: &u32| position[point as usize];
+    let bonds = own.iter().map(|&k| (bonds.ends()[k].map(place), bonds.rest_lengths()[k])).collect();
+    if D == 3 {
+        let now = points.iter().map(at).map(embed).collect();
+        return space::shape::contradicts(&space::layout::Held { now, masses, bonds });
     }
+    contradicts(&Held { now: points.iter().map(at).map(flat).collect(), masses, bonds, surface: &[] })
 }
 
 fn apart<const D: usize>(bond: &Bond, position: &[[f64; D]]) -> f64 {

@@ -8,49 +8,65 @@ use super::island::Island;
 use super::make::{Maker, breakable};
 use crate::sim::bond::{Bond, BondKind, Limit, PointId};
 use crate::sim::bulk::control::FRAME;
+use crate::sim::bulk::mover::Mover;
 use crate::sim::force::angle::Angle;
 use crate::sim::group::Group;
 use crate::sim::model::Model;
 use crate::sim::real::Real;
-use crate::sim::rigid::Rigid;
 use crate::sim::rigid::blueprint::{Blueprint, BodyPlan};
 use crate::sim::rigid::link::End;
 use crate::sim::rigid::shape::{FITS, Held, Shape};
 use crate::sim::rigid::ties::Ties;
+use crate::sim::rigid::{Rigid, space};
 use crate::sim::sizes::{MOST_RODS, MOST_SOUGHT};
 use crate::sim::solver::Solver;
-use crate::sim::vector::{flat, length, sub, widen};
+use crate::sim::vector::{add, embed, flat, length, sub, widen};
+
+/// Longest step of a world in which bodies in space are followed `[s]`: they spin part by part.
+const LONGEST_IN_SPACE: f64 = 1.0;
 
 /// What an island is as rigid bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Pieces {
-    pub(crate) plan: Arc<Blueprint>,
+    plan: Plan,
     /// Its points in the order of that, pins included.
-    pub(crate) points: Vec<u32>,
+    points: Vec<u32>,
+}
+
+/// Bodies of an island, alone or in joints; in space a body alone.
+#[derive(Clone, Debug, PartialEq)]
+enum Plan {
+    Plane(Arc<Blueprint>),
+    Space(Arc<space::shape::Shape>),
 }
 
 impl Pieces {
     /// Whether all of its points are of one body.
     pub(crate) fn is_one(&self) -> bool {
-        self.plan.bodies.len() == 1 && self.plan.seats.is_empty()
+        match &self.plan {
+            Plan::Plane(plan) => plan.bodies.len() == 1 && plan.seats.is_empty(),
+            Plan::Space(_) => true,
+        }
     }
 
     /// Whether two points are on one body.
     fn share(&self, points: [PointId; 2]) -> bool {
         let places = self.places(points);
+        let Plan::Plane(plan) = &self.plan else { return !places.contains(&u32::MAX) };
         // A point of two bodies has its seat on one of them, which need not be that of the other point.
-        let on_seat = |place: &u32| match self.plan.seats.get(*place as usize) {
-            Some(&End::On { body, .. }) => has_all(&self.plan.bodies[body as usize], &places),
+        let on_seat = |place: &u32| match plan.seats.get(*place as usize) {
+            Some(&End::On { body, .. }) => has_all(&plan.bodies[body as usize], &places),
             _ => false,
         };
-        if self.is_one() { has_all(&self.plan.bodies[0], &places) } else { places.iter().any(on_seat) }
+        if self.is_one() { has_all(&plan.bodies[0], &places) } else { places.iter().any(on_seat) }
     }
 
     /// Whether points stay as far from each other as they are: on one body, or standing still.
     fn keep(&self, points: [PointId; 3]) -> bool {
         let places = self.places(points);
-        let is_fixed = |&place: &u32| matches!(self.plan.seats.get(place as usize), Some(End::Fixed(_)));
-        self.plan.bodies.iter().any(|body| has_all(body, &places)) || places.iter().all(is_fixed)
+        let Plan::Plane(plan) = &self.plan else { return !places.contains(&u32::MAX) };
+        let is_fixed = |&place: &u32| matches!(plan.seats.get(place as usize), Some(End::Fixed(_)));
+        plan.bodies.iter().any(|body| has_all(body, &places)) || places.iter().all(is_fixed)
     }
 
     /// Where points stand in the plan.
@@ -71,7 +87,9 @@ pub(super) fn mark<S: Real, const D: usize>(
     islands: &mut [Island],
 ) {
     let solver = model.method.solver;
-    if D != 2 || !(solver == Solver::Auto || moves_bodies(solver)) || model.has_penalties() {
+    // In space what meets more than planes is live from the start.
+    let is_met = D == 3 && model.is_live();
+    if is_met || !(solver == Solver::Auto || moves_bodies(solver)) || model.has_penalties() {
         return;
     }
     for island in islands {
@@ -96,8 +114,8 @@ fn pieces<S: Real, const D: usize>(
     island: &Island,
 ) -> Option<Pieces> {
     let most_alone = if has_surfaces { MOST_RODS } else { 0 };
-    // A body has three bonds.
-    let is_too_little = island.rigid < 3 && (island.rigid == 0 || island.rigid > most_alone);
+    // A body has three bonds, in space six, of which pins need not have all.
+    let is_too_little = island.rigid < 3 && (D == 3 || island.rigid == 0 || island.rigid > most_alone);
     if island.relaxed > 0 || is_too_little {
         return None;
     }
@@ -114,10 +132,12 @@ fn pieces<S: Real, const D: usize>(
     points.dedup();
     let is_led = |point: &u32| model.pin_motion.iter().any(|(pin, _)| gathered.stand_ins[pin.index()] == *point);
     let place = |point: u32| points.binary_search(&point).map_or(u32::MAX, |place| place as u32);
+    let masses = || points.iter().map(|&point| 1.0 / w(point)).collect();
+    let lengths = || rigid.iter().map(|bond| ([bond.a.0, bond.b.0].map(place), bond.rest_length)).collect();
     let held = || Held {
         now: points.iter().map(|&point| flat(widen(gathered.state.position[point as usize]))).collect(),
-        masses: points.iter().map(|&point| 1.0 / w(point)).collect(),
-        bonds: rigid.iter().map(|bond| ([bond.a.0, bond.b.0].map(place), bond.rest_length)).collect(),
+        masses: masses(),
+        bonds: lengths(),
         surface: &[],
     };
     let is_loose = |bond: &&&Bond| bond.kind == BondKind::Rigid && bond.rest_length > 0.0;
@@ -126,11 +146,20 @@ fn pieces<S: Real, const D: usize>(
     let is_led = |k: u32| w(points[k as usize]) == 0.0 && is_led(&points[k as usize]);
     let is_led_any = (0..points.len() as u32).any(is_led);
     let is_braced = island.rigid + 3 >= 2 * island.points.len() && !is_led_any;
-    let one = is_braced.then(|| Shape::of(held())).flatten().map(Blueprint::alone);
+    let one = (D == 2 && is_braced).then(|| Shape::of(held())).flatten().map(Blueprint::alone);
     // A step of hours would be gone through part by part; and what swings in joints shows the order of a method that is asked for.
     let may_swing = model.method.solver == Solver::Auto && model.method.substep.is_none_or(|h| h <= FRAME);
-    let plan = one.or_else(|| may_swing.then(|| joined(island, (held(), &loose, most_alone), is_led)).flatten())?;
-    let pieces = Pieces { plan: Arc::new(plan), points };
+    let plan = if D == 3 {
+        let is_short = model.method.substep.is_none_or(|h| h <= LONGEST_IN_SPACE);
+        let now = points.iter().map(|&point| embed(state_of(gathered, point))).collect();
+        let held = || space::layout::Held { now, masses: masses(), bonds: lengths() };
+        let shape = (is_short && !is_led_any).then(held).and_then(space::shape::Shape::of)?;
+        Plan::Space(Arc::new(shape))
+    } else {
+        let joined = || may_swing.then(|| joined(island, (held(), &loose, most_alone), is_led)).flatten();
+        Plan::Plane(Arc::new(one.or_else(joined)?))
+    };
+    let pieces = Pieces { plan, points };
     let corners = |&k: &u32| gathered.ties.patches[k as usize].corners;
     let is_fine = island.patches.iter().map(corners).all(|corners| pieces.keep(corners))
         && doubtful.iter().all(|bond| {
@@ -138,6 +167,13 @@ fn pieces<S: Real, const D: usize>(
             if is_fit { is_borne(gathered, bond) } else { !pieces.keep([bond.a, bond.b, bond.b]) }
         });
     is_fine.then_some(pieces)
+}
+
+/// Where a point is, with what rounding took from that.
+fn state_of<S: Real, const D: usize>(gathered: &Gathered<S, D>, point: u32) -> [f64; D] {
+    let (i, state) = (point as usize, &gathered.state);
+    let lost = state.position_lost.get(i).map_or([0.0; D], |lost| widen(*lost));
+    add(widen(state.position[i]), lost)
 }
 
 /// Whether a bond that may break or acts one way only does neither at the length that it has now: that of a rigid one is its own.
@@ -168,7 +204,7 @@ fn joined(
 
 /// Springs and angles between different bodies of a plan, whose points are these.
 fn ties<S: Real, const D: usize>(gathered: &Gathered<S, D>, island: &Island, pieces: &Pieces) -> Ties {
-    let Pieces { plan, points } = pieces;
+    let Pieces { plan: Plan::Plane(plan), points } = pieces else { return Ties::none() };
     if pieces.is_one() {
         return Ties::none();
     }
@@ -208,16 +244,23 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
     pub(super) fn make_rigid(&self) -> Option<Group<S, D>> {
         let islands = &self.lot.islands;
         let bonds = islands.iter().map(|island| island.bonds.len()).sum();
-        let of = |island: &Island| {
+        let (mut plans, mut shapes) = (Vec::new(), Vec::new());
+        for island in islands {
             let pieces = island.pieces.as_ref()?;
             let slots = pieces.points.iter().map(|&point| self.place[point as usize]).collect();
-            Some((pieces.plan.clone(), slots, ties(self.gathered, island, pieces)))
-        };
-        let plans = islands.iter().map(of).collect::<Option<Vec<_>>>()?;
+            match &pieces.plan {
+                Plan::Plane(plan) => plans.push((plan.clone(), slots, ties(self.gathered, island, pieces))),
+                Plan::Space(shape) => shapes.push((shape.clone(), slots)),
+            }
+        }
         let w: Vec<f64> = self.points.iter().map(|&i| self.gathered.w[i as usize]).collect();
         // Bodies move in `f64`: of what their points lose by rounding only single precision has to know.
         let points = if size_of::<S>() < size_of::<f64>() { self.state(&w) } else { self.batched_state() };
-        let mover = Box::new(Rigid::new(plans, bonds));
+        let mover: Box<dyn Mover<S, D>> = if shapes.is_empty() {
+            Box::new(Rigid::new(plans, bonds))
+        } else {
+            Box::new(space::Rigid::new(shapes, bonds))
+        };
         let between = self.fragile_between();
         let fragile = breakable(self.bonds().filter(|(name, _)| between.binary_search(name).is_ok()), |_| true);
         Some(self.batched(points, self.batched_pull(), mover, fragile))

@@ -18,7 +18,7 @@ use crate::sim::real::Real;
 use crate::sim::vector::length;
 
 /// Hits in a frame as [`Assembly::most_hits`] has them.
-const MOST_HITS: [f64; 2] = [60.0, 400.0];
+pub(super) const MOST_HITS: [f64; 2] = [60.0, 400.0];
 
 /// A body among what acts on it and what it may meet.
 pub(super) struct Lone<'a, S: Real, const D: usize> {

@@ -65,7 +65,7 @@ impl Body {
         let reach = shape.places.iter().map(|q| dot(*q, *q)).fold(0.0, f64::max).sqrt();
         let ease = if shape.pin.is_some() { 0.0 } else { 1.0 / shape.mass };
         let inertia = Inertia { inverse: [ease, 1.0 / shape.inertia] };
-        Body { hull: hull(&shape.places), slots, reach, inertia, deaf, shape }
+        Body { hull: hull(&shape.places, 0.0), slots, reach, inertia, deaf, shape }
     }
 
     /// Where the shape fits the places of points best by mass, and the motion that has their momentum and angular momentum.
@@ -292,7 +292,7 @@ pub(super) enum From {
 }
 
 /// The integral of (1 - exp(-rate s))/rate over s from 0 to h, `time` its integrand at h: by its series where the difference rounds.
-fn fallen(rate: f64, h: f64, time: f64) -> f64 {
+pub(super) fn fallen(rate: f64, h: f64, time: f64) -> f64 {
     let x = rate * h;
     if x.abs() > 1e-2 {
         return (h - time) / rate;
@@ -327,8 +327,9 @@ fn set<S: Real, const D: usize>(value: &mut [S; D], lost: Option<&mut [S; D]>, e
     }
 }
 
-/// The corners of the convex hull of places (Andrew's monotone chain), in the order around it.
-fn hull(places: &[[f64; 2]]) -> Vec<u32> {
+/// The corners of the convex hull of places (Andrew's monotone chain), in the order around it; `least`: twice the area that one has at least
+/// with those beside it `[m^2]`.
+pub(super) fn hull(places: &[[f64; 2]], least: f64) -> Vec<u32> {
     if places.len() == 1 {
         return vec![0];
     }
@@ -341,7 +342,7 @@ fn hull(places: &[[f64; 2]]) -> Vec<u32> {
         for k in half {
             while corners.len() >= start + 2 {
                 let [a, b] = [corners[corners.len() - 2], corners[corners.len() - 1]];
-                if cross(sub(at(b), at(a)), sub(at(k), at(b))) > 0.0 {
+                if cross(sub(at(b), at(a)), sub(at(k), at(b))) > least {
                     break;
                 }
                 corners.pop();
@@ -360,7 +361,7 @@ mod tests {
     #[test]
     fn the_hull_of_a_square_with_points_within_is_its_corners() {
         let places = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [2.0, 2.0], [0.0, 2.0], [0.5, 1.5]];
-        assert_eq!(hull(&places), [0, 1, 3, 4]);
+        assert_eq!(hull(&places, 0.0), [0, 1, 3, 4]);
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! Rigid bodies: what rigid bonds hold in its shape has three degrees of freedom in the plane, whatever it is made of.
+//! Rigid bodies: what rigid bonds hold in its shape has three degrees of freedom in the plane, whatever it is made of; in space it has six
+//! (`space/`).
 //!
 //! ```text
 //! read       place, angle, velocity and spin from the points: best fit, momentum and angular momentum
@@ -29,6 +30,7 @@ pub(crate) mod pieces;
 pub(crate) mod place;
 pub(crate) mod shape;
 mod slide;
+pub(crate) mod space;
 mod strings;
 pub(crate) mod ties;
 mod together;

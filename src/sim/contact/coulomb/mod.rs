@@ -11,6 +11,7 @@
 //! gone through as one (`smooth.rs`).
 
 pub(crate) mod coupled;
+pub(crate) mod disc;
 mod smooth;
 
 use crate::sim::vector::sub;
