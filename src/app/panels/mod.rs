@@ -8,6 +8,7 @@ mod beside;
 mod beside_tests;
 mod bonds;
 mod brush;
+mod choosing;
 mod color;
 #[cfg(test)]
 mod column_tests;
