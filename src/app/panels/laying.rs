@@ -5,7 +5,7 @@ use egui::{Context, Rect};
 use super::places::{APART, Laid, Places};
 use super::{
     Cover, Facts, GAP, PanelState, Room, Seen, Sheet, Wish, beside, gallery, held, help, hud, legend, lessons,
-    open_from, palette, plots, save_to, settings, top, transport, waiting,
+    open_from, palette, plots, save_to, settings, sheet, top, transport, waiting,
 };
 use crate::app::action::Tool;
 use crate::render::Overlay;
@@ -274,9 +274,10 @@ impl<'a> Laying<'a> {
 
     fn sheet(&mut self) {
         let Laying { context, room, state, facts, wishes, .. } = self;
+        let room = room.with_max_y(room.bottom() - sheet::said_below(context));
         match state.sheet {
-            Some(Sheet::Gallery) => gallery::show(context, *room, state, facts, wishes),
-            Some(Sheet::Help) => help::show(context, *room, state),
+            Some(Sheet::Gallery) => gallery::show(context, room, state, facts, wishes),
+            Some(Sheet::Help) => help::show(context, room, state),
             Some(Sheet::SaveTo) => save_to::show(context, state, wishes),
             Some(Sheet::OpenFrom) => open_from::show(context, state, wishes),
             None => {}
