@@ -1,6 +1,7 @@
 //! What bodies are made of, as it is shown and changed: of what is selected, or of what a brush went over.
 
 mod borne;
+mod called;
 mod change;
 mod extent;
 mod facts;
