@@ -24,7 +24,7 @@ pub(super) use led::led;
 pub(super) use overload::{Overload, overload};
 pub(super) use painted::{Painted, Switched};
 pub(super) use preset::Preset;
-pub(super) use wear::worn;
+pub(super) use wear::{but_for_pictures, worn};
 
 use crate::sim::{Angle, Bond, Dynamics, PointId};
 
