@@ -227,7 +227,8 @@ impl Notes {
 
     /// Says what is of the sheet that lies over the world, and no more: along the lower edge, one line above another.
     fn show_below_sheet(&mut self, context: &egui::Context, places: &Places) {
-        let mut bottom = places.room.bottom() - APART;
+        let lowest = places.room.bottom() - APART;
+        let mut bottom = lowest;
         let over = self.over;
         let complaint = self.complaint.as_ref().filter(|complaint| complaint.is_said(over));
         if let Some(line) = complaint.map(|complaint| complaint.line.clone()) {
@@ -246,7 +247,7 @@ impl Notes {
             bottom = words_above(context, (places, bottom), WARNED, |ui| is_closed = warned(ui, all));
             is_closed.into_iter().for_each(|place: usize| _ = self.warnings.remove(own[place]));
         }
-        sheet::keep_above(context, places.room.bottom() - APART - bottom);
+        sheet::keep_above(context, if bottom < lowest { places.room.bottom() - bottom } else { 0.0 });
     }
 
     /// What is seen and what to try, from a height on. Returns where what is said next begins `[points]`.
