@@ -265,7 +265,8 @@ impl<'a> Laying<'a> {
         state.notes.lie_under(Cover::of(state.sheet, facts.waits && !facts.asks));
         state.notes.show(context, places, facts, wishes);
         if !state.hides_hud && !self.is_covered {
-            self.titles_end = beside::titles(context, facts, state.notes.has_caption && facts.caption.is_some());
+            let has_caption = state.notes.has_caption && facts.caption.is_some();
+            self.titles_end = beside::titles(context, facts, (has_caption, places.is_crowded));
         }
         if let Some(opening) = facts.opening.filter(|_| state.sheet.is_none()) {
             waiting::show(context, opening, &facts.title, wishes);
@@ -291,7 +292,7 @@ impl<'a> Laying<'a> {
         // Where plots were dragged to on purpose they may lie over bodies.
         let plotted = self.plotted.filter(|_| are_small || !state.plots_at.is_dragged());
         let caption_end = state.notes.caption_end(places.room).unwrap_or(0.0);
-        let edges = (shares.all_edge, beside::height(facts));
+        let edges = (shares.all_edge, beside::height(facts, places.is_crowded));
         let free = (!self.is_covered).then(|| match has_panels {
             true => places.free(edges, ([caption_end, self.titles_end], plotted)),
             false => self.room,
@@ -304,7 +305,7 @@ impl<'a> Laying<'a> {
             column_low: self.column_low,
             has_plots_at_edge: shares.seen.has_plots
                 && (shares.stands_upright || are_stacked || are_docked || are_small),
-            titles: beside::row(facts),
+            titles: beside::row(facts, places.is_crowded),
             free,
         }
     }
