@@ -8,7 +8,7 @@ mod keyframes;
 
 use common::session::{Dice, play as play_at_random};
 use wobble::history::{DeleteKeys, Do, GoneBack, History, Log, OneOrEach, Recording, SetKeys, Start, hash_now, replay};
-use wobble::scene::{AddKeys, KindName, Scene};
+use wobble::scene::{AddKeys, KindName, Scene, Vector};
 use wobble::sim::{Contact, Cursor, MouseChange, PointId, Reach};
 
 fn history(name: &str) -> History {
@@ -229,8 +229,11 @@ fn a_reset_keeps_what_was_set_and_takes_back_what_was_done() {
         play(&mut history, 2);
         history.give_on(set(of_mass(kg)), "mass").unwrap();
     }
+    let both = [SetKeys { gravity: Some(Vector::Plane([0.0, -1.0])), ..SetKeys::default() }]
+        .map(|keys| Do::Set(Box::new(keys)));
+    history.give(both.into_iter().chain([Do::Pin(vec![PointId(5)])]).collect(), Some("built")).unwrap();
     let late = hash(&history);
-    assert_eq!(history.reset(), GoneBack { left: 1, kept: 2 }, "the pin goes");
+    assert_eq!(history.reset(), GoneBack { left: 2, kept: 2 }, "the pins go, with what was set for one of them");
     assert_eq!((history.world().time(), history.recording().commands.len()), (0.0, 2), "of a drag the last number");
     assert_eq!((mass(&history), history.world().pinned().len()), (0.3, pinned));
     play(&mut history, 20);

@@ -4,14 +4,23 @@ use super::command::{Do, Entry, SetKeys};
 use crate::scene::AddKeys;
 
 impl Entry {
+    /// Whether it sets numbers or looks, and no more. An edit is a setting where all of its commands are: bodies that come make others meet.
+    pub(super) fn is_setting(&self) -> bool {
+        match &self.act {
+            Do::Mouse(_) => true,
+            Do::Add(keys) => is_look(keys),
+            Do::Set(keys) => sets_something(&SetKeys { velocity: None, ..(**keys).clone() }),
+            _ => false,
+        }
+    }
+
     /// The same at the start, where a world has the numbers below these of points, bonds and obstacles; `None`: it is no setting, or of
     /// nothing that is there.
     pub(super) fn at_start(&self, start: f64, next: [u32; 3]) -> Option<Entry> {
         let act = match &self.act {
-            Do::Mouse(_) => self.act.clone(),
-            Do::Add(keys) if is_look(keys) => self.act.clone(),
+            _ if !self.is_setting() => return None,
             Do::Set(keys) => Do::Set(Box::new(numbers_at_start(keys, next)?)),
-            _ => return None,
+            act => act.clone(),
         };
         self.edit.map(|edit| Entry { at: start, act, edit: Some(edit), name: self.name.clone() })
     }
@@ -85,7 +94,7 @@ mod tests {
         assert_eq!(of_points.at_start(0.0, [0, 99, 0]), None);
         let fast = Some(VectorOrEach::One(Vector::Plane([1.0, 0.0])));
         let moves = set(SetKeys { points: Some(vec![0]), velocity: fast, ..SetKeys::default() });
-        assert_eq!(moves.at_start(0.0, [5, 0, 0]), None, "a state");
+        assert_eq!((moves.at_start(0.0, [5, 0, 0]), moves.is_setting()), (None, false), "a state");
         assert!(set(SetKeys { drag_rate: Some(1.0), ..SetKeys::default() }).at_start(0.0, [0; 3]).is_some());
         assert_eq!(entry(Do::Pin(vec![PointId(0)])).at_start(0.0, [5, 5, 5]), None);
         let aside = Entry { edit: None, ..of_points };

@@ -177,7 +177,10 @@ impl History {
         let next = trial.world.next_numbers();
         let last =
             |(place, entry): &(usize, &Entry)| !later[place + 1..].iter().any(|other| entry.is_superseded_by(other));
-        let settings = later.iter().enumerate().filter(last).filter_map(|(_, entry)| entry.at_start(self.from(), next));
+        let others: BTreeSet<_> = later.iter().filter(|entry| !entry.is_setting()).map(|entry| entry.edit).collect();
+        let alone = |(_, entry): &(usize, &Entry)| !others.contains(&entry.edit);
+        let settings = later.iter().enumerate().filter(alone).filter(last);
+        let settings = settings.filter_map(|(_, entry)| entry.at_start(self.from(), next));
         settings.filter(|entry| trial.follow(entry, &self.scene).is_ok()).collect()
     }
 
