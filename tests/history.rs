@@ -474,7 +474,7 @@ fn a_state_that_says_nothing_of_triangles_is_gone_on_from_whole() {
     assert_eq!(old.notes(), [] as [&str; 0]);
     let scene = old.scene.clone();
     let mut body = scene.bodies[0].clone();
-    body.origin = Some(wobble::scene::Vector::Plane([3.0, 0.0]));
+    body.origin = Some(Vector::Plane([3.0, 0.0]));
     let mut live = History::new(Start::from(scene)).unwrap();
     let mut give = |at: f64, act: Do| {
         while live.world().time() < at - 1e-9 {
