@@ -7,8 +7,8 @@ use crate::common;
 mod keyframes;
 
 use common::session::{Dice, play as play_at_random};
-use wobble::history::{DeleteKeys, Do, History, Log, Recording, SetKeys, Start, hash_now, replay};
-use wobble::scene::{AddKeys, KindName, Scene};
+use wobble::history::{DeleteKeys, Do, GoneBack, History, Log, OneOrEach, Recording, SetKeys, Start, hash_now, replay};
+use wobble::scene::{AddKeys, KindName, Scene, Vector};
 use wobble::sim::{Contact, Cursor, MouseChange, PointId, Reach};
 
 fn history(name: &str) -> History {
@@ -172,7 +172,7 @@ fn an_edit_is_what_has_a_name_and_a_drag_is_one() {
 fn a_reset_is_undone_as_one() {
     let mut history = history("rim");
     play(&mut history, 100);
-    history.give(vec![strength(50.0)], Some("Mouse")).unwrap();
+    history.give(vec![Do::Pin(vec![PointId(3)])], Some("Pin")).unwrap();
     play(&mut history, 100);
     let late = hash(&history);
     history.reset();
@@ -196,11 +196,11 @@ fn a_reset_takes_along_what_was_built_at_the_start() {
     history.give(vec![strength(50.0)], Some("Built")).unwrap();
     let (start, built) = (history.world().time(), hash(&history));
     play(&mut history, 20);
-    history.give(vec![strength(9.0)], Some("Later")).unwrap();
+    history.give(vec![Do::Pin(vec![PointId(3)])], Some("Later")).unwrap();
     play(&mut history, 20);
     let late = hash(&history);
     for _ in 0..2 {
-        assert_eq!(history.reset(), 1, "edits that are left behind");
+        assert_eq!(history.reset(), GoneBack { left: 1, kept: 0 });
         assert_eq!((history.world().time(), history.recording().commands.len()), (start, 1));
         assert!(history.world().grab().is_none() && hash(&history) == built);
         play(&mut history, 10);
@@ -211,6 +211,38 @@ fn a_reset_takes_along_what_was_built_at_the_start() {
         history.undo().unwrap();
     }
     assert_eq!(["Later", "Built"].map(|name| history.undo().unwrap().name == name), [true; 2]);
+}
+
+/// What was set later holds from the start on, of bodies that are there; what was done and what came does not. Undone as one.
+#[test]
+fn a_reset_keeps_what_was_set_and_takes_back_what_was_done() {
+    let mut history = history("rim");
+    let set = |keys: SetKeys| vec![Do::Set(Box::new(keys))];
+    let mass = |history: &History| history.world().masses()[0];
+    play(&mut history, 20);
+    let pinned = history.world().pinned().len();
+    history.give(vec![Do::Pin(vec![PointId(3)])], Some("pin")).unwrap();
+    history.give(set(SetKeys { drag_rate: Some(2.0), ..SetKeys::default() }), Some("drag")).unwrap();
+    let of_mass = |kg: f64| SetKeys { points: Some(vec![0]), mass: Some(OneOrEach::One(kg)), ..SetKeys::default() };
+    history.give(set(of_mass(0.1)), Some("mass")).unwrap();
+    for kg in [0.2, 0.3] {
+        play(&mut history, 2);
+        history.give_on(set(of_mass(kg)), "mass").unwrap();
+    }
+    let both = [SetKeys { gravity: Some(Vector::Plane([0.0, -1.0])), ..SetKeys::default() }]
+        .map(|keys| Do::Set(Box::new(keys)));
+    history.give(both.into_iter().chain([Do::Pin(vec![PointId(5)])]).collect(), Some("built")).unwrap();
+    let late = hash(&history);
+    assert_eq!(history.reset(), GoneBack { left: 2, kept: 2 }, "the pins go, with what was set for one of them");
+    assert_eq!((history.world().time(), history.recording().commands.len()), (0.0, 2), "of a drag the last number");
+    assert_eq!((mass(&history), history.world().pinned().len()), (0.3, pinned));
+    play(&mut history, 20);
+    let again = hash(&history);
+    assert_eq!(history.reset(), GoneBack::default(), "nothing was done since");
+    play(&mut history, 20);
+    assert_eq!(hash(&history), again);
+    assert_eq!([(); 2].map(|()| history.undo().unwrap().name), ["Reset"; 2]);
+    assert_eq!(hash(&history), late);
 }
 
 #[test]
@@ -442,7 +474,7 @@ fn a_state_that_says_nothing_of_triangles_is_gone_on_from_whole() {
     assert_eq!(old.notes(), [] as [&str; 0]);
     let scene = old.scene.clone();
     let mut body = scene.bodies[0].clone();
-    body.origin = Some(wobble::scene::Vector::Plane([3.0, 0.0]));
+    body.origin = Some(Vector::Plane([3.0, 0.0]));
     let mut live = History::new(Start::from(scene)).unwrap();
     let mut give = |at: f64, act: Do| {
         while live.world().time() < at - 1e-9 {

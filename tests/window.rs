@@ -370,6 +370,32 @@ fn keys_live_after_tab_and_escape_never_leaves() {
     app.quit();
 }
 
+/// Where the list of paces drops up from the bar, and where the button is that opens it; and the tools.
+const PACES: [u32; 4] = [145, 440, 215, 620];
+const PACE: [u32; 4] = [145, 635, 215, 665];
+const TOOLS: [u32; 4] = [10, 130, 60, 420];
+
+#[test]
+fn arrows_and_enter_choose_in_a_list_and_letters_typed_there_mean_nothing() {
+    let Some(display) = Display::start() else { return };
+    let app = display.open(&common::file("rim-still.json"));
+    app.move_mouse(175, 650);
+    let before = app.wait_until_still();
+    display.xdotool(&["mousedown", "1"]);
+    display.xdotool(&["mouseup", "1"]);
+    let open = app.wait_until_still();
+    assert!(differing(&before, &open, PACES) > 1_000, "the list is there");
+    app.key("3");
+    assert_eq!(differing(&open, &app.wait_until_still(), TOOLS), 0, "no tool is taken");
+    ["Down", "Down", "Return"].into_iter().for_each(|key| app.key(key));
+    let chosen = app.wait_until_still();
+    assert_eq!(differing(&before, &chosen, PACES), 0, "the list has closed");
+    assert!(differing(&before, &chosen, PACE) > 20, "another pace is chosen");
+    app.key("3");
+    assert!(differing(&before, &app.wait_until_still(), TOOLS) > 100, "and keys are the scene's again");
+    app.quit();
+}
+
 /// A part of the world that no panel lies over in such a window, with lines of the grid in it.
 const WORLD: [u32; 4] = [540, 130, 620, 318];
 

@@ -13,6 +13,7 @@ mod fetch;
 mod framing;
 mod gone;
 mod import;
+mod keyboard;
 pub mod keys;
 mod leftovers;
 mod lengths;

@@ -9,7 +9,6 @@ use winit::dpi::LogicalSize;
 use winit::error::EventLoopError;
 use winit::event::{ElementState, KeyEvent, StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
-use winit::keyboard::{Key, NamedKey};
 use winit::window::{Window, WindowId};
 
 use super::AppError;
@@ -196,15 +195,11 @@ fn press_key(session: &mut Session, event: &KeyEvent, event_loop: &ActiveEventLo
         return session.down.release(event.physical_key).into_iter().for_each(|action| session.let_go_of(action));
     }
     let Some(action) = keys::action(&event.logical_key, session.held) else { return };
-    let is_writing = session.is_writing();
-    // What is written goes into the field; keys with Ctrl are the field's own there, but for those that close or leave.
-    if is_writing && !matches!(action, Action::Cancel | Action::Quit | Action::FullScreen | Action::Help) {
+    // Keys with Ctrl are the field's own there.
+    if !session.keyboard().lets(action) {
         return;
     }
     if session.is_covered() && !session.lets_through(action) {
-        return;
-    }
-    if action == Action::Cancel && session.has_popup() {
         return;
     }
     match action {
@@ -294,12 +289,6 @@ impl ApplicationHandler for Shell {
         }
         event_loop.set_control_flow(ControlFlow::Wait);
     }
-}
-
-/// Whether the panels' library is to know of a key: Tab would move its focus about, and keys that mean something here are not for
-/// buttons.
-pub(super) fn is_for_panels(event: &KeyEvent, is_writing: bool) -> bool {
-    is_writing || !matches!(event.logical_key, Key::Named(NamedKey::Tab | NamedKey::Space | NamedKey::Enter))
 }
 
 #[cfg(test)]

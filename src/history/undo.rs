@@ -1,7 +1,9 @@
 //! Undo, redo, going back and going on.
 
+use std::collections::BTreeSet;
+
 use super::branch::Spot;
-use super::command::Do;
+use super::command::{Do, Entry};
 use super::session::History;
 use crate::sim::Dynamics;
 
@@ -12,6 +14,15 @@ pub struct Undone {
     pub name: String,
     /// How far time went `[s]`: below 0 back.
     pub seconds: f64,
+}
+
+/// What became of edits as the start was gone to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct GoneBack {
+    /// How many were left behind.
+    pub left: usize,
+    /// How many settings hold from the start on, which were set later.
+    pub kept: usize,
 }
 
 /// Where doing again leads to.
@@ -132,27 +143,45 @@ impl History {
         Spot { place: place + 1, ..self.before(branch, place) }
     }
 
-    /// To the start of all, with the edits that were done there before any time went by; undone as one. Returns how many later edits that leaves
-    /// behind.
-    pub fn reset(&mut self) -> usize {
+    /// To the start of all, with the edits that were done there before any time went by, and with what was set since: numbers of the scene and
+    /// of bodies that are there, and how they look. Undone as one.
+    pub fn reset(&mut self) -> GoneBack {
         let here = self.spot();
         self.keyframes.keep(self.branch, self.frame.clone(), false);
         let start = Spot { branch: self.branch, place: 0, time: self.from() };
         let edits = (0..here.place).filter_map(|place| self.tree.entry(here.branch, place));
-        let (built, later): (Vec<_>, Vec<_>) =
+        let (mut own, later): (Vec<_>, Vec<_>) =
             edits.filter(|entry| entry.edit.is_some()).cloned().partition(|entry| entry.at <= start.time);
         self.leave(start.branch, false);
         self.restore(start);
-        self.branch = self.tree.begin_anew(start.time, here, built);
+        let settings = self.settings_at_start(&own, &later);
+        let of = |entries: &[Entry]| entries.iter().filter_map(|entry| entry.edit).collect::<BTreeSet<u64>>();
+        let (kept, all) = (of(&settings).len(), of(&later).len());
+        own.extend(settings);
+        self.branch = self.tree.begin_anew(start.time, here, own);
         self.is_free = false;
         while self.frame.place < self.tree.len(self.branch) {
             self.pass();
         }
         self.undone.clear();
         self.arrive();
-        let mut left: Vec<_> = later.iter().map(|entry| entry.edit).collect();
-        left.dedup();
-        left.len()
+        GoneBack { left: all - kept, kept }
+    }
+
+    /// What of later edits holds from the start on, where the world stands now, after what was `built` there: what can be done there. Of a drag
+    /// the last number.
+    fn settings_at_start(&self, built: &[Entry], later: &[Entry]) -> Vec<Entry> {
+        let mut trial = self.frame.clone();
+        // What could not be done there when it was built cannot be done now.
+        built.iter().for_each(|entry| _ = trial.follow(entry, &self.scene));
+        let next = trial.world.next_numbers();
+        let last =
+            |(place, entry): &(usize, &Entry)| !later[place + 1..].iter().any(|other| entry.is_superseded_by(other));
+        let others: BTreeSet<_> = later.iter().filter(|entry| !entry.is_setting()).map(|entry| entry.edit).collect();
+        let alone = |(_, entry): &(usize, &Entry)| !others.contains(&entry.edit);
+        let settings = later.iter().enumerate().filter(alone).filter(last);
+        let settings = settings.filter_map(|(_, entry)| entry.at_start(self.from(), next));
+        settings.filter(|entry| trial.follow(entry, &self.scene).is_ok()).collect()
     }
 
     /// The state at the step that ends at or before `t` `[s]`, exactly. What comes after stays and is followed, until something

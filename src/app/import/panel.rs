@@ -6,7 +6,7 @@ use super::worker::Forecast;
 use super::{Answer, Import, preview, wishes};
 use crate::app::count::counted;
 use crate::app::loading;
-use crate::app::panels::{sheet, theme};
+use crate::app::panels::{said_below, sheet, theme};
 use crate::scene::Matter;
 
 /// What takes less time than this is not worth a bar; and the time between two looks at it.
@@ -33,7 +33,7 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
         (None, Some(_)) => format!("The picture in {}", import.name),
         (None, None) => format!("Import {}", import.name),
     };
-    let room = context.content_rect().size();
+    let room = context.content_rect().size() - egui::vec2(0.0, said_below(context));
     let stays = sheet(context, "import", title, |ui| {
         if let Some(painting) = &mut import.painting {
             painting.keys(ui.ctx());

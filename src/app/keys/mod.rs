@@ -167,7 +167,7 @@ mod tests {
     fn what_drives_take_from_the_window_is_known() {
         let words = |name: &str| taken(crate::sim::Key::of(name).unwrap());
         assert_eq!(words("space"), Some("play or pause"));
-        assert_eq!(words("r"), Some("back to the start"));
+        assert!(words("r").is_some_and(|words| words.starts_with("back to the start")));
         assert!(words("3").is_some_and(|words| words.starts_with("the tools")));
         assert_eq!((words("left"), words("d")), (None, None));
         assert!(words("w").is_some_and(|words| words.starts_with("wind")));

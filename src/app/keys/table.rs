@@ -19,7 +19,7 @@ pub static TABLE: &[Binding] = &[
     ),
     binding(".", "one frame on", &[(Writes("."), Action::Step)]),
     binding(",", "held: time runs back", &[(Writes(","), Action::Rewind)]),
-    binding("R", "back to the start", &[(Writes("r"), Action::Reset)]),
+    binding("R", "back to the start: what was done goes, what was set stays", &[(Writes("r"), Action::Reset)]),
     binding("-, +", "half or twice the pace", &[(Writes("-"), Action::Slower), (Writes("+"), Action::Faster)]),
     binding(
         "PgUp, PgDn",

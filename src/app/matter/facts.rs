@@ -1,6 +1,7 @@
 //! What a selection is made of, in figures.
 
 use super::Among;
+use super::called::name_of;
 use super::extent::{areas, place};
 use super::former::Former;
 use super::joints::{Joint, coming, held};
@@ -67,7 +68,7 @@ pub struct Matter {
     pub(in crate::app) obstacles: usize,
     /// What bonds hold together counts as one, a loose point too.
     pub(in crate::app) bodies: usize,
-    /// What it is called, if it is one body.
+    /// What it is called, if bonds hold all of it together: all that it is made of.
     pub(in crate::app) name: Option<String>,
     /// Of its points `[kg]`.
     pub(in crate::app) mass: f64,
@@ -168,7 +169,7 @@ impl Matter {
         let count_of_bodies = bodies(&points, &bonds);
         let area: f64 = areas(world, &points).iter().map(|(_, area)| area).sum();
         let is_one = count_of_bodies == 1;
-        let name = is_one.then(|| called(&points, (tints, names)).unwrap_or_else(|| shape(&points, &bonds, area)));
+        let name = is_one.then(|| name_of(world, (&points, &bonds), (tints, names)));
         let tint = |point: PointId| Tint::of(tints, point.0);
         Some(Matter {
             points: points.len(),
@@ -242,33 +243,6 @@ fn bodies(points: &[PointId], bonds: &[(u32, Bond)]) -> usize {
         parent[a.max(b)] = a.min(b);
     }
     count
-}
-
-/// What the one body is called that all points are of.
-fn called(points: &[PointId], (tints, names): (&[Tint], &[Option<String>])) -> Option<String> {
-    let body = |point: &PointId| Tint::of(tints, point.0).map(|tint| tint.body);
-    let first = body(points.first()?)?;
-    let is_of_it = |point: &PointId| body(point) == Some(first);
-    points.iter().all(is_of_it).then(|| names.get(first as usize).cloned().flatten()).flatten()
-}
-
-/// What one calls a body of which nothing is known but what holds it together.
-fn shape(points: &[PointId], bonds: &[(u32, Bond)], area: f64) -> String {
-    let is_rigid = bonds.iter().all(|(_, bond)| matches!(bond.kind, BondKind::Rigid));
-    let mut ends = vec![0_u32; points.len()];
-    for place in bonds.iter().flat_map(|(_, bond)| [bond.a, bond.b]).filter_map(|end| points.binary_search(&end).ok()) {
-        ends[place] += 1;
-    }
-    let is_chain = bonds.len() + 1 == points.len() && ends.iter().all(|&count| count <= 2);
-    let name = match () {
-        () if points.len() == 1 => "point",
-        () if area > 0.0 && is_rigid => "rigid body",
-        () if area > 0.0 => "soft body",
-        () if bonds.len() == 1 => "bond",
-        () if is_chain => "rope",
-        () => "net",
-    };
-    name.to_owned()
 }
 
 fn coloring(tints: &[Tint], points: &[PointId]) -> Coloring {

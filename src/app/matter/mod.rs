@@ -1,6 +1,7 @@
 //! What bodies are made of, as it is shown and changed: of what is selected, or of what a brush went over.
 
 mod borne;
+mod called;
 mod change;
 mod extent;
 mod facts;
@@ -23,7 +24,7 @@ pub(super) use led::led;
 pub(super) use overload::{Overload, overload};
 pub(super) use painted::{Painted, Switched};
 pub(super) use preset::Preset;
-pub(super) use wear::worn;
+pub(super) use wear::{but_for_pictures, worn};
 
 use crate::sim::{Angle, Bond, Dynamics, PointId};
 

@@ -1,12 +1,18 @@
 //! The picture that a body wears.
 
+use std::collections::BTreeSet;
+
 use crate::history::Do;
-use crate::picture::Picture;
+use crate::picture::{Picture, Skin};
 use crate::scene::{AddKeys, DrawnKeys, Row, picture_as_text};
 use crate::sim::PointId;
 
 /// Longest side of what is worn `[px]`: more is never seen of a body.
 const MOST: u32 = 1024;
+
+/// A pixel is seen from this opacity on, and colours within so much of each other are the same, of 255.
+const SEEN: u8 = 127;
+const ALIKE: u8 = 24;
 
 /// The command by which points wear a picture, in the plane: as it is, so large that it covers the box around them, whose middle is its own.
 ///
@@ -39,12 +45,38 @@ pub(in crate::app) fn worn(
     Ok(Do::Add(Box::new(AddKeys { textures: vec![texture], ..AddKeys::default() })))
 }
 
+/// Commands that paint no body which wears a picture of several colours: a matter by name leaves that as it is.
+pub(in crate::app) fn but_for_pictures(acts: Vec<Do>, skins: &[Skin]) -> Vec<Do> {
+    let drawn = skins.iter().filter(|skin| has_colors(&skin.picture));
+    let worn: BTreeSet<u32> = drawn.flat_map(|skin| skin.triangles.iter().flatten().copied()).collect();
+    let bare = |act: Do| {
+        let Do::Add(mut keys) = act else { return Some(act) };
+        for skin in &mut keys.skins {
+            skin.points.retain(|point| !worn.contains(point));
+        }
+        keys.skins.retain(|skin| !skin.points.is_empty());
+        (*keys != AddKeys::default()).then_some(Do::Add(keys))
+    };
+    if worn.is_empty() { acts } else { acts.into_iter().filter_map(bare).collect() }
+}
+
+/// Whether what is seen of a picture is of more than one colour: not all drawn in the same ink.
+fn has_colors(picture: &Picture) -> bool {
+    let mut seen = picture.rgba.as_chunks::<4>().0.iter().filter(|[.., alpha]| *alpha > SEEN);
+    let Some(first) = seen.next() else { return false };
+    seen.any(|color| (0..3).any(|k| color[k].abs_diff(first[k]) > ALIKE))
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
+    use std::sync::Arc;
+
+    use super::super::{Among, MatterChange, Preset};
     use super::*;
-    use crate::app::player::{Note, Order, Stage};
+    use crate::app::player::{Note, Order, Shown, Stage};
     use crate::history::{History, Start};
+    use crate::picture::Tint;
     use crate::scene::Scene;
 
     #[test]
@@ -79,5 +111,46 @@ mod tests {
             assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "picture"));
             assert_eq!(stage.history().skins(), before);
         }
+    }
+
+    #[test]
+    fn a_matter_by_name_paints_bodies_and_leaves_pictures_as_they_are() {
+        let text = r#"{"wobble": 1, "bodies": [{"make": "picture", "file": "pictures/jelly.png", "height": 2, "spacing": 0.4,
+            "material": {"kind": "spring", "stiffness": 400, "mass": 3}}, {"make": "lattice", "columns": 3, "rows": 3,
+            "spacing": 0.5, "origin": [4, 0], "material": {"kind": "spring", "stiffness": 400, "mass": 3}}]}"#;
+        let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        let count = stage.history().world().point_count() as u32;
+        let all = Among { points: (0..count).map(PointId).collect(), ..Among::default() };
+        let ink = Arc::clone(&stage.history().skins()[0].picture);
+        let leaf = Picture {
+            rgba: ink
+                .rgba
+                .as_chunks::<4>()
+                .0
+                .iter()
+                .enumerate()
+                .flat_map(
+                    |(place, [.., alpha])| {
+                        if place % 2 == 0 { [200, 30, 30, *alpha] } else { [30, 160, 60, *alpha] }
+                    },
+                )
+                .collect(),
+            ..(*ink).clone()
+        };
+        assert!(has_colors(&leaf) && !has_colors(&Picture::new(2, 1, vec![9, 9, 9, 255, 250, 9, 9, 0]).unwrap()));
+        let points: Vec<PointId> = (0..count - 9).map(PointId).collect();
+        let world = stage.history().world();
+        let place = |point: PointId| {
+            let [x, y] = [0, 1].map(|axis| world.positions().get(2 * point.index() + axis));
+            [x, y, 0.0]
+        };
+        let act = worn(&leaf, &points, place).unwrap();
+        assert_eq!(stage.obey(Order::Give(vec![act], Some("picture"))), None);
+        let steel = MatterChange::Preset(Preset::Steel);
+        assert_eq!(stage.obey(Order::Change { among: all, change: steel, goes_on: false }), None);
+        let mut shown = Shown::default();
+        stage.show(&mut shown);
+        let color = |point: u32| Tint::of(&shown.scenery.tints, point).and_then(|tint| tint.color);
+        assert_eq!([color(0), color(count - 1)], [None, Some(Preset::Steel.color())]);
     }
 }

@@ -32,9 +32,14 @@ const STROKE: [f32; 2] = [14.0, 3.0];
 const TITLE: f32 = 50.0;
 const LEGEND: f32 = 52.0;
 
+/// Whether the last title has the legend of distances: a small window has no room for it beside a panel.
+fn has_legend(facts: &Facts, is_crowded: bool) -> bool {
+    facts.tints_distance && !is_crowded
+}
+
 /// How much of each part of the window its title takes from above `[points]`, however they stand.
-pub(super) fn height(facts: &Facts) -> f32 {
-    match (facts.neighbors.is_empty(), facts.tints_distance) {
+pub(super) fn height(facts: &Facts, is_crowded: bool) -> f32 {
+    match (facts.neighbors.is_empty(), has_legend(facts, is_crowded)) {
         (true, _) => 0.0,
         (false, false) => TITLE,
         (false, true) => TITLE + LEGEND,
@@ -42,8 +47,8 @@ pub(super) fn height(facts: &Facts) -> f32 {
 }
 
 /// How much of each row a title takes from its upper edge on `[points]`.
-pub(super) fn row(facts: &Facts) -> f32 {
-    if facts.neighbors.is_empty() { 0.0 } else { ROOM + height(facts) }
+pub(super) fn row(facts: &Facts, is_crowded: bool) -> f32 {
+    if facts.neighbors.is_empty() { 0.0 } else { ROOM + height(facts, is_crowded) }
 }
 
 /// Titles go below what ends above this share of the window's height `[1]`.
@@ -67,7 +72,7 @@ pub(in crate::app) struct Neighbor {
 
 /// Titles of worlds, each in the corner of its part of the window; below what lies there already. The last has the legend. Returns where those
 /// of the first row end `[points]`.
-pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) -> f32 {
+pub(super) fn titles(context: &egui::Context, facts: &Facts, (has_caption, is_crowded): (bool, bool)) -> f32 {
     let mut end = 0.0_f32;
     let lies = |name: &str| context.memory(|memory| memory.area_rect(Id::unique(name))).map_or(0.0, |at| at.bottom());
     let below = lies("scene").max(if has_caption { lies("caption") } else { 0.0 }).max(LEAST) + ROOM;
@@ -103,7 +108,7 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
         };
         let base = corner.iter().fold(top, below_it(TITLE));
         // The last one is as high as its legend makes it.
-        let high = if place == last { height(facts) } else { TITLE };
+        let high = if place == last { height(facts, is_crowded) } else { TITLE };
         let is_lower = of_tool.iter().fold(base, below_it(high)) > base;
         // A narrower one has its place beside it.
         let room = of_tool.filter(|_| is_lower).map(|at| at.left() - ROOM - x);
@@ -120,7 +125,7 @@ pub(super) fn titles(context: &egui::Context, facts: &Facts, has_caption: bool) 
                     if !neighbor.words.is_empty() {
                         ui.weak(&neighbor.words);
                     }
-                    if facts.tints_distance && place == last {
+                    if has_legend(facts, is_crowded) && place == last {
                         legend::of_distance(ui, &facts.look);
                     }
                 });

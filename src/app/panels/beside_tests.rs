@@ -18,7 +18,7 @@ fn frame(context: &egui::Context, facts: &Facts, events: Vec<Event>) -> (Vec<Wis
     let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
     let mut output = context.run_ui(input, |ui| {
         beside::menu(ui, true, facts, &mut wishes);
-        _ = beside::titles(ui.ctx(), facts, false);
+        _ = beside::titles(ui.ctx(), facts, (false, false));
     });
     output.textures_delta.clear();
     let texts = output.shapes.iter().filter_map(|clipped| match &clipped.shape {

@@ -14,6 +14,8 @@ const ENERGY: &str = "energy";
 /// That of how far what keeps its length is stretched, which is marked from this strain on `[1]`.
 const STRETCH: &str = "stretch";
 pub(super) const STRETCHED: f64 = 0.01;
+const OF_STRETCH: &str =
+    "how far the rigid bond is stretched that is most; springs, which are made to stretch, are not among them";
 const OF_ENERGY: &str = "energy of motion, springs and gravity (0 at y = 0)";
 /// That of how stiff relaxed bonds are.
 const RELAXED: &str = "relaxed";
@@ -33,6 +35,7 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
                     let label = ui.weak(name);
                     match name {
                         ENERGY => said.push((label.rect, OF_ENERGY)),
+                        STRETCH => said.push((label.rect, OF_STRETCH)),
                         RELAXED => said.push((label.rect, OF_RELAXED)),
                         _ => {}
                     }

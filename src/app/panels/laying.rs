@@ -5,7 +5,7 @@ use egui::{Context, Rect};
 use super::places::{APART, Laid, Places};
 use super::{
     Cover, Facts, GAP, PanelState, Room, Seen, Sheet, Wish, beside, gallery, held, help, hud, legend, lessons,
-    open_from, palette, plots, save_to, settings, top, transport, waiting,
+    open_from, palette, plots, save_to, settings, sheet, top, transport, waiting,
 };
 use crate::app::action::Tool;
 use crate::render::Overlay;
@@ -265,7 +265,8 @@ impl<'a> Laying<'a> {
         state.notes.lie_under(Cover::of(state.sheet, facts.waits && !facts.asks));
         state.notes.show(context, places, facts, wishes);
         if !state.hides_hud && !self.is_covered {
-            self.titles_end = beside::titles(context, facts, state.notes.has_caption && facts.caption.is_some());
+            let has_caption = state.notes.has_caption && facts.caption.is_some();
+            self.titles_end = beside::titles(context, facts, (has_caption, places.is_crowded));
         }
         if let Some(opening) = facts.opening.filter(|_| state.sheet.is_none()) {
             waiting::show(context, opening, &facts.title, wishes);
@@ -274,9 +275,10 @@ impl<'a> Laying<'a> {
 
     fn sheet(&mut self) {
         let Laying { context, room, state, facts, wishes, .. } = self;
+        let room = room.with_max_y(room.bottom() - sheet::said_below(context));
         match state.sheet {
-            Some(Sheet::Gallery) => gallery::show(context, *room, state, facts, wishes),
-            Some(Sheet::Help) => help::show(context, *room, state),
+            Some(Sheet::Gallery) => gallery::show(context, room, state, facts, wishes),
+            Some(Sheet::Help) => help::show(context, room, state),
             Some(Sheet::SaveTo) => save_to::show(context, state, wishes),
             Some(Sheet::OpenFrom) => open_from::show(context, state, wishes),
             None => {}
@@ -290,7 +292,7 @@ impl<'a> Laying<'a> {
         // Where plots were dragged to on purpose they may lie over bodies.
         let plotted = self.plotted.filter(|_| are_small || !state.plots_at.is_dragged());
         let caption_end = state.notes.caption_end(places.room).unwrap_or(0.0);
-        let edges = (shares.all_edge, beside::height(facts));
+        let edges = (shares.all_edge, beside::height(facts, places.is_crowded));
         let free = (!self.is_covered).then(|| match has_panels {
             true => places.free(edges, ([caption_end, self.titles_end], plotted)),
             false => self.room,
@@ -303,7 +305,7 @@ impl<'a> Laying<'a> {
             column_low: self.column_low,
             has_plots_at_edge: shares.seen.has_plots
                 && (shares.stands_upright || are_stacked || are_docked || are_small),
-            titles: beside::row(facts),
+            titles: beside::row(facts, places.is_crowded),
             free,
         }
     }

@@ -177,7 +177,7 @@ fn what_is_said_lies_over_no_title_of_worlds_side_by_side() {
         let mut state = PanelState::default();
         state.notes.has_caption = caption;
         if done {
-            state.notes.say("it starts here, by each method; Ctrl+Z takes it back".to_owned());
+            state.notes.say("it starts here, by each method; Ctrl+Z takes it back".to_owned(), Cover::Nothing);
         }
         if warning {
             state.notes.warn("a body lay inside an obstacle: it is led out of it slowly".to_owned());

@@ -43,8 +43,8 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, look: &Look) {
     places.right = shown.response.rect.bottom() + APART;
 }
 
-/// Shares of the largest distance with a number at the bar `[1]`.
-const SHARES: [f32; 4] = [0.0, 0.01, 0.1, 1.0];
+/// Shares of the largest distance with a number at the bar, the ends first: what lies between them has no room at a narrow one `[1]`.
+const SHARES: [f32; 4] = [1.0, 0.0, 0.1, 0.01];
 
 /// Width of the bar of distances with its numbers `[points]`.
 pub(super) const WIDTH: f32 = 220.0;
@@ -57,12 +57,18 @@ pub(super) fn of_distance(ui: &mut Ui, look: &Look) {
     let bar = Rect::from_min_size(place.min + vec2(8.0, 0.0), vec2(width - 32.0, BAR[1]));
     let unit = LengthUnit::of(f64::from(look.difference_full));
     ui.painter().add(Shape::mesh(shades(bar, &look.distance)));
+    let mut written: Vec<Rect> = Vec::new();
     for share in SHARES {
         let x = bar.left() + bar.width() * (100.0 * share).asinh() / 100.0_f32.asinh();
         ui.painter().line_segment([pos2(x, bar.bottom()), pos2(x, bar.bottom() + 3.0)], (1.0, colors(ui).weak));
         let words = of_length(share * look.difference_full, unit, share == 1.0);
         let at = pos2(x, bar.bottom() + 3.0);
-        ui.painter().text(at, Align2::CENTER_TOP, words, FontId::proportional(11.0), colors(ui).text);
+        let galley = ui.painter().layout_no_wrap(words, FontId::proportional(11.0), colors(ui).text);
+        let place = Align2::CENTER_TOP.anchor_size(at, galley.size());
+        if written.iter().all(|other| !other.intersects(place.expand2(vec2(2.0, 0.0)))) {
+            ui.painter().galley(place.min, galley, colors(ui).text);
+            written.push(place);
+        }
     }
 }
 

@@ -26,8 +26,6 @@ pub(super) const WHOLE: f32 = WIDTH + FRAME + BAR;
 const HEAD: f32 = 50.0;
 /// What is scrolled is no lower, however low a window is `[points]`.
 const LEAST: f32 = 60.0;
-/// Its usual height, before it was shown `[points]`.
-const USUAL: f32 = 430.0;
 /// Width of the names before fields `[points]`.
 const NAMES: f32 = 74.0;
 /// What stands at the right edge pushes it further off that than this `[points]`.
@@ -109,8 +107,8 @@ pub(super) fn show(
     let is_down = context.input(|input| input.pointer.any_down());
     if !is_down {
         state.gesture = None;
-        let known = context.memory(|memory| memory.area_rect(id)).map_or(0.0, |rect| rect.height());
-        let size = egui::vec2(WIDTH + FRAME, known.max(USUAL).min(room.height()));
+        // It may get as high as there is room.
+        let size = egui::vec2(WIDTH + FRAME, room.height());
         let right = Rect::from_min_size(room.right_top() - egui::vec2(size.x, 0.0), size);
         let is_pushed = facts.matter.is_none() && room.right() + PUSHED < context.content_rect().right();
         let sides = [right, Rect::from_min_size(beside_tools, size)];

@@ -8,6 +8,7 @@ mod beside;
 mod beside_tests;
 mod bonds;
 mod brush;
+mod choosing;
 mod color;
 #[cfg(test)]
 mod column_tests;
@@ -102,7 +103,7 @@ pub(super) use presses::listen;
 pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
 pub(super) use settings::settings_search_id;
 pub(super) use settings::{Pushing, Setting, Settings};
-pub(super) use sheet::show as sheet;
+pub(super) use sheet::{said_below, show as sheet};
 pub(super) use transport::{at_end, speed};
 
 /// Room that the tools take at the left edge `[points]`.

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use egui::{Align2, Area, Button, Id, Label, Pos2, Rect, RichText, pos2, vec2};
+use egui::{Align2, Area, Button, Id, Label, Pos2, Rect, RichText, vec2};
 
 use super::beside::titles_end;
 use super::complaint::{Complaint, Cover};
@@ -32,16 +32,36 @@ pub(in crate::app) struct Notes {
     over: Cover,
     /// A session that was cut off, which can be gone on with.
     pub(in crate::app) offer: Option<String>,
-    /// What was just done, and when.
-    done: Option<(String, Instant)>,
-    /// What edits warned of, the newest first, and when.
-    warnings: Vec<(String, Instant)>,
+    /// What was just done.
+    done: Option<Said>,
+    /// What edits warned of, the newest first.
+    warnings: Vec<Said>,
     /// Nobody has touched this scene yet: its caption is shown.
     pub(in crate::app) has_caption: bool,
     /// Width of the room in which the caption of this scene was last shown, and where it ended `[points]`.
     caption_end: Option<(f32, f32)>,
     /// Nobody has touched anything yet: a line at the cursor says how, where the cursor is `[points]`.
     pub(in crate::app) hint_at: Option<Pos2>,
+}
+
+/// A line that goes by itself.
+#[derive(Debug)]
+struct Said {
+    line: String,
+    /// When it was said, and what lay over the world then.
+    since: Instant,
+    over: Cover,
+}
+
+impl Said {
+    fn now(line: String, over: Cover) -> Self {
+        Said { line, since: Instant::now(), over }
+    }
+
+    /// Whether it is said where this lies over the world: a sheet that opens is not about what was done before it.
+    fn is_said(&self, over: Cover) -> bool {
+        over == Cover::Nothing || over == self.over
+    }
 }
 
 /// Whether a warning is of pins that are led too far apart.
@@ -106,9 +126,9 @@ impl Notes {
         }
     }
 
-    /// Says what was just done.
-    pub(in crate::app) fn say(&mut self, line: String) {
-        self.done = Some((line, Instant::now()));
+    /// Says what was just done while this lay over the world.
+    pub(in crate::app) fn say(&mut self, line: String, over: Cover) {
+        self.done = Some(Said::now(line, over));
     }
 
     /// Says what is to be known of what was just done, above that. The same is said once, whatever its numbers are.
@@ -119,8 +139,8 @@ impl Notes {
             false => digitless(line),
         };
         let own = bare(&line);
-        self.warnings.retain(|(other, _)| bare(other) != own);
-        self.warnings.insert(0, (line, Instant::now()));
+        self.warnings.retain(|other| bare(&other.line) != own);
+        self.warnings.insert(0, Said::now(line, self.over));
         self.warnings.truncate(MOST_WARNINGS);
     }
 
@@ -132,7 +152,7 @@ impl Notes {
 
     /// An edit was undone: what was warned of goes, but for what is so still.
     pub(in crate::app) fn take_back(&mut self, is_so: impl Fn(&str) -> bool) {
-        self.warnings.retain(|(line, _)| is_so(line));
+        self.warnings.retain(|warning| is_so(&warning.line));
     }
 
     /// Where the caption of the scene ends, also when it is gone, so that nothing moves then; until the room has another width `[points]`.
@@ -142,29 +162,31 @@ impl Notes {
 
     /// When something that is said is to go by itself.
     pub(in crate::app) fn until(&self) -> Option<Instant> {
-        let ends = |(_, since): &(String, Instant), long| since.checked_add(long);
+        let ends = |said: &Said, long| said.since.checked_add(long);
         let done = self.done.iter().filter_map(|done| ends(done, MOMENT));
         let refused = self.refused().and_then(|since| since.checked_add(REFUSED));
         done.chain(refused).chain(self.warnings.iter().filter_map(|warning| ends(warning, WARNING))).min()
     }
 
-    /// Says it below the buttons, one below another, where nothing else is.
+    /// Says it below the buttons, one below another, where nothing else is; below a sheet, which makes way, what is said of that.
     pub(super) fn show(&mut self, context: &egui::Context, places: &Places, facts: &Facts, wishes: &mut Vec<Wish>) {
-        self.done.take_if(|(_, since)| since.elapsed() >= MOMENT);
+        self.done.take_if(|done| done.since.elapsed() >= MOMENT);
         if self.refused().is_some_and(|since| since.elapsed() >= REFUSED) {
             self.close();
         }
         let is_so = |line: &str, since: &Instant| !is_of_reach(line) || is_stretched(facts) || since.elapsed() < MOMENT;
-        self.warnings.retain(|(line, since)| since.elapsed() < WARNING && is_so(line, since));
+        self.warnings.retain(|Said { line, since, .. }| since.elapsed() < WARNING && is_so(line, since));
+        if places.is_covered {
+            return self.show_below_sheet(context, places);
+        }
         let mut top = places.bar_bottom().max(places.room.top() + APART);
         let complaint = self.complaint.as_ref().filter(|complaint| complaint.is_said(self.over));
         let complaint = complaint.map(|complaint| complaint.line.clone());
         // Beside a panel in a small window there is room for what is said of what is done alone.
         let is_caption_due = self.complaint.is_none() && self.done.is_none() && !places.is_crowded;
-        let caption =
-            facts.caption.filter(|_| is_caption_due && self.has_caption && self.offer.is_none() && !places.is_covered);
+        let caption = facts.caption.filter(|_| is_caption_due && self.has_caption && self.offer.is_none());
         // Titles of worlds side by side lie below the caption, and all else that is said below the titles.
-        let has_titles = !facts.neighbors.is_empty() && !places.is_covered;
+        let has_titles = !facts.neighbors.is_empty();
         if has_titles {
             if let Some(caption) = caption {
                 top = self.caption(context, (places, top), (caption, facts.is_canvas), wishes);
@@ -173,28 +195,15 @@ impl Notes {
         }
         let mut is_read = false;
         if !self.warnings.is_empty() {
-            top = words(context, (places, top), WARNED, |ui| warned(ui, &mut self.warnings));
+            let all = self.warnings.iter().map(|warning| &*warning.line).collect();
+            let mut is_closed = None;
+            top = words(context, (places, top), WARNED, |ui| is_closed = warned(ui, all));
+            is_closed.into_iter().for_each(|place| _ = self.warnings.remove(place));
         }
-        if let Some(complaint) = complaint {
-            top = words(context, (places, top), COMPLAINT, |ui| {
-                let words = |ui: &mut egui::Ui| {
-                    ui.label(RichText::new("!").color(colors(ui).away).strong());
-                    ui.add(Label::new(RichText::new(complaint).color(colors(ui).text)).wrap());
-                };
-                if ui.available_width() < NARROW {
-                    ui.vertical(words);
-                    is_read = ui.button("Close").clicked();
-                    return;
-                }
-                ui.horizontal(|ui| {
-                    is_read = ui.button("Close").clicked();
-                    words(ui);
-                });
-            });
-        } else if let Some((line, _)) = &self.done {
-            top = words(context, (places, top), DONE, |ui| {
-                ui.add(Label::new(RichText::new(line).color(colors(ui).accent)).wrap());
-            });
+        if let Some(line) = complaint {
+            top = words(context, (places, top), COMPLAINT, |ui| is_read = complained(ui, &line));
+        } else if let Some(done) = &self.done {
+            top = words(context, (places, top), DONE, |ui| told(ui, &done.line));
         } else if let Some(caption) = caption.filter(|_| !has_titles) {
             top = self.caption(context, (places, top), (caption, facts.is_canvas), wishes);
         }
@@ -202,10 +211,10 @@ impl Notes {
             self.close();
         }
         // What lies over the world is done with first.
-        if let Some(line) = self.offer.as_ref().filter(|_| !places.is_covered && !facts.waits) {
+        if let Some(line) = self.offer.as_ref().filter(|_| !facts.waits) {
             words(context, (places, top), OFFER, |ui| offer(ui, line, wishes));
         }
-        if let Some(at) = self.hint_at.filter(|_| !places.is_covered) {
+        if let Some(at) = self.hint_at {
             let id = Id::unique("hint");
             let size = context.memory(|memory| memory.area_rect(id)).map_or(HINT_SIZE, |rect| rect.size());
             let rect = kept_in(Rect::from_min_size(at + vec2(18.0, 18.0), size), Some(at), places.room);
@@ -214,6 +223,31 @@ impl Notes {
                 floating(ui).show(ui, |ui| ui.label(RichText::new(HINT).color(colors(ui).text)));
             });
         }
+    }
+
+    /// Says what is of the sheet that lies over the world, and no more: along the lower edge, one line above another.
+    fn show_below_sheet(&mut self, context: &egui::Context, places: &Places) {
+        let lowest = places.room.bottom() - APART;
+        let mut bottom = lowest;
+        let over = self.over;
+        let complaint = self.complaint.as_ref().filter(|complaint| complaint.is_said(over));
+        if let Some(line) = complaint.map(|complaint| complaint.line.clone()) {
+            let mut is_read = false;
+            bottom = words_above(context, (places, bottom), COMPLAINT, |ui| is_read = complained(ui, &line));
+            if is_read {
+                self.close();
+            }
+        } else if let Some(done) = self.done.as_ref().filter(|done| done.is_said(over)) {
+            bottom = words_above(context, (places, bottom), DONE, |ui| told(ui, &done.line));
+        }
+        let own: Vec<usize> = (0..self.warnings.len()).filter(|place| self.warnings[*place].is_said(over)).collect();
+        if !own.is_empty() {
+            let all = own.iter().map(|place| &*self.warnings[*place].line).collect();
+            let mut is_closed = None;
+            bottom = words_above(context, (places, bottom), WARNED, |ui| is_closed = warned(ui, all));
+            is_closed.into_iter().for_each(|place: usize| _ = self.warnings.remove(own[place]));
+        }
+        sheet::keep_above(context, if bottom < lowest { places.room.bottom() - bottom } else { 0.0 });
     }
 
     /// What is seen and what to try, from a height on. Returns where what is said next begins `[points]`.
@@ -251,10 +285,10 @@ pub(super) fn is_own(id: Id) -> bool {
     [COMPLAINT, WARNED, DONE, CAPTION, CANVAS, OFFER, "hint"].into_iter().any(|name| Id::unique(name) == id)
 }
 
-/// What edits warned of, each with a button that closes it.
-fn warned(ui: &mut egui::Ui, warnings: &mut Vec<(String, Instant)>) {
+/// What edits warned of, each with a button that closes it. Returns the place of one that is closed.
+fn warned(ui: &mut egui::Ui, warnings: Vec<&str>) -> Option<usize> {
     let mut is_closed = None;
-    for (place, (warning, _)) in warnings.iter().enumerate() {
+    for (place, warning) in warnings.into_iter().enumerate() {
         let is_narrow = ui.available_width() < NARROW;
         let said = |ui: &mut egui::Ui| ui.add(Label::new(RichText::new(seen(warning)).color(colors(ui).text)).wrap());
         ui.horizontal(|ui| {
@@ -270,7 +304,30 @@ fn warned(ui: &mut egui::Ui, warnings: &mut Vec<(String, Instant)>) {
             said(ui);
         }
     }
-    is_closed.into_iter().for_each(|place| _ = warnings.remove(place));
+    is_closed
+}
+
+/// What went wrong, with a button that closes it. Returns whether that was pressed.
+fn complained(ui: &mut egui::Ui, line: &str) -> bool {
+    let words = |ui: &mut egui::Ui| {
+        ui.label(RichText::new("!").color(colors(ui).away).strong());
+        ui.add(Label::new(RichText::new(line).color(colors(ui).text)).wrap());
+    };
+    if ui.available_width() < NARROW {
+        ui.vertical(words);
+        return ui.button("Close").clicked();
+    }
+    let both = ui.horizontal(|ui| {
+        let is_read = ui.button("Close").clicked();
+        words(ui);
+        is_read
+    });
+    both.inner
+}
+
+/// What was just done.
+fn told(ui: &mut egui::Ui, line: &str) {
+    ui.add(Label::new(RichText::new(line).color(colors(ui).accent)).wrap());
 }
 
 /// A session that was cut off.
@@ -293,34 +350,39 @@ fn offer(ui: &mut egui::Ui, line: &str, wishes: &mut Vec<Wish>) {
 /// A few words from a height on, where there is room. Returns where what is said next begins `[points]`.
 fn words(context: &egui::Context, (places, top): (&Places, f32), name: &str, add: impl FnOnce(&mut egui::Ui)) -> f32 {
     let (at, width) = places.said(context, top);
+    let place = Area::new(Id::unique(name)).pivot(Align2::CENTER_TOP).fixed_pos(at);
+    framed(context, place, (name, width), add).bottom() + APART
+}
+
+/// The same down to a height, while a sheet lies over the world. Returns where what is said above that ends `[points]`.
+fn words_above(
+    context: &egui::Context,
+    (places, bottom): (&Places, f32),
+    name: &str,
+    add: impl FnOnce(&mut egui::Ui),
+) -> f32 {
+    let (at, width) = places.said_below(bottom);
+    let place = Area::new(Id::unique(name)).order(egui::Order::Foreground).pivot(Align2::CENTER_BOTTOM).fixed_pos(at);
+    framed(context, place, (name, width), add).top() - APART
+}
+
+/// A few words in a frame, no wider than that. Returns where they lie `[points]`.
+fn framed(context: &egui::Context, place: Area, (name, width): (&str, f32), add: impl FnOnce(&mut egui::Ui)) -> Rect {
     let can_be_pressed = [COMPLAINT, WARNED, CANVAS, OFFER].contains(&name);
-    // Above a sheet: it may be of what is done there.
-    let order = if places.is_covered { egui::Order::Foreground } else { egui::Order::Middle };
-    let at = below_title(context, name, (at, width));
-    let place = Area::new(Id::unique(name)).order(order);
-    let place = place.pivot(Align2::CENTER_TOP).fixed_pos(at).interactable(can_be_pressed);
-    let shown = place.show(context, |ui| {
+    let shown = place.interactable(can_be_pressed).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_max_width(width - 20.0);
             ui.vertical_centered(add);
         });
     });
-    shown.response.rect.bottom() + APART
+    shown.response.rect
 }
-
-/// The middle of the upper edge of a line so wide, where it covers neither the title of a sheet nor the button that closes it: below them.
-fn below_title(context: &egui::Context, name: &str, (at, width): (Pos2, f32)) -> Pos2 {
-    let high = context.memory(|memory| memory.area_rect(Id::unique(name))).map_or(LINE, |rect| rect.height());
-    let own = Rect::from_min_size(at - vec2(0.5 * width, 0.0), vec2(width, high));
-    let covered = sheet::title(context).filter(|title| own.intersects(*title));
-    covered.map_or(at, |title| pos2(at.x, title.bottom() + APART))
-}
-
-/// Height of a line until it was shown, about `[points]`.
-const LINE: f32 = 36.0;
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
+    use egui::pos2;
+
     use super::super::Sheet;
     use super::*;
 
@@ -332,7 +394,7 @@ mod tests {
             "the pins are 1.1 m further apart than the bonds between them reach",
         ];
         words.into_iter().for_each(|line| notes.warn(line.to_owned()));
-        assert!(notes.warnings.len() == 1 && notes.warnings[0].0 == words[1], "{:?}", notes.warnings);
+        assert!(notes.warnings.len() == 1 && notes.warnings[0].line == words[1], "{:?}", notes.warnings);
     }
 
     /// Which of what is said is on top where it stands, with a sheet in the middle or without.
@@ -372,10 +434,16 @@ mod tests {
     }
 
     #[test]
-    fn titles_of_sheets_and_what_closes_them_are_never_covered() {
+    fn what_is_said_of_a_sheet_covers_none_of_it() {
         use super::super::{PanelState, show};
         for size in [vec2(1280.0, 720.0), vec2(600.0, 450.0), vec2(420.0, 700.0)] {
-            for open in [Sheet::Gallery, Sheet::Help, Sheet::SaveTo, Sheet::OpenFrom] {
+            let sheets = [
+                (Sheet::Gallery, "gallery"),
+                (Sheet::Help, "keys"),
+                (Sheet::SaveTo, "save to"),
+                (Sheet::OpenFrom, "open from"),
+            ];
+            for (open, id) in sheets {
                 let context = egui::Context::default();
                 let mut state = PanelState { sheet: Some(open), ..PanelState::default() };
                 state.notes.lie_under(Cover::Sheet(open));
@@ -389,15 +457,25 @@ mod tests {
                     let mut output = context.run_ui(input, |ui| _ = show(ui, &mut state, &Facts::default()));
                     output.textures_delta.clear();
                 }
-                let title = sheet::title(&context);
-                assert!(title.is_some_and(|title| title.height() > 10.0), "{open:?} in {size}: {title:?}");
+                let lies = |name: &str| context.memory(|memory| memory.area_rect(Id::unique(name)));
+                let sheet = lies(id).unwrap();
+                assert!(sheet.top() >= 0.0 && sheet.height() > 100.0, "{open:?} in {size}: {sheet}");
                 for name in [WARNED, COMPLAINT] {
-                    let own = context.memory(|memory| memory.area_rect(Id::unique(name)));
-                    let is_clear = own.zip(title).is_some_and(|(own, title)| !own.intersects(title));
-                    assert!(is_clear, "{name} over {open:?} in {size}: {own:?}, {title:?}");
+                    let own = lies(name).unwrap();
+                    assert!(!own.intersects(sheet), "{name} over {open:?} in {size}: {own}, {sheet}");
+                    assert!(own.bottom() <= size.y && own.left() >= 0.0, "{name} in {size}: {own}");
                 }
             }
         }
+    }
+
+    #[test]
+    fn what_was_done_before_a_sheet_opened_is_not_said_over_it_and_what_was_done_in_it_stays() {
+        let keys = Cover::Sheet(Sheet::Help);
+        let before = Said::now("Back to the start".to_owned(), Cover::Nothing);
+        let within = Said::now("written".to_owned(), keys);
+        assert_eq!([&before, &within].map(|said| said.is_said(keys)), [false, true]);
+        assert_eq!([&before, &within].map(|said| said.is_said(Cover::Nothing)), [true, true]);
     }
 
     fn complaint(notes: &Notes) -> Option<&str> {
@@ -454,7 +532,7 @@ mod tests {
         for line in ["the pins are 1.2 m apart", "b", "the pins are 13 m apart"] {
             notes.warn(line.to_owned());
         }
-        let said = |notes: &Notes| notes.warnings.iter().map(|(line, _)| line.clone()).collect::<Vec<_>>();
+        let said = |notes: &Notes| notes.warnings.iter().map(|said| said.line.clone()).collect::<Vec<_>>();
         assert_eq!(said(&notes), ["the pins are 13 m apart", "b"], "the newest first");
         ["c", "d"].into_iter().for_each(|line| notes.warn(line.to_owned()));
         assert_eq!(said(&notes), ["d", "c", "the pins are 13 m apart"]);

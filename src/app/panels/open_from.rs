@@ -1,5 +1,6 @@
 //! The name of a file to open, where the system has no dialog for it: what is there that begins so is listed below.
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use egui::{Align, Button, Key, Label, Layout, RichText, Role, ScrollArea, TextEdit, WidgetInfo};
@@ -97,9 +98,15 @@ fn field_id() -> egui::Id {
 }
 
 /// What is written next comes at the end.
-pub(super) fn to_end(ui: &egui::Ui, field: &mut egui::text_edit::TextEditOutput, text: &str) {
-    let end = egui::text::CCursor::new(text.chars().count());
-    field.state.cursor.set_char_range(Some(egui::text::CCursorRange::one(end)));
+fn to_end(ui: &egui::Ui, field: &mut egui::text_edit::TextEditOutput, text: &str) {
+    let end = text.chars().count();
+    select(ui, field, end..end);
+}
+
+/// What is written next comes in the place of these letters.
+pub(super) fn select(ui: &egui::Ui, field: &mut egui::text_edit::TextEditOutput, Range { start, end }: Range<usize>) {
+    let [start, end] = [start, end].map(egui::text::CCursor::new);
+    field.state.cursor.set_char_range(Some(egui::text::CCursorRange::two(start, end)));
     field.state.clone().store(ui.ctx(), field.response.id);
 }
 

@@ -17,6 +17,9 @@ use crate::sim::{BondKind, Contact, MouseChange, SceneChange};
 /// A range whose ends are so far apart is gone through by factors `[1]`.
 const WIDE: f64 = 50.0;
 
+/// Said of bonds that a switch lets go and that what is filled lies over.
+const BELOW_FILLS: &str = "bonds that lie below what is filled: B shows which are there";
+
 /// The numbers that a scene names, each as it is now.
 pub(in crate::app) fn all(named: &[Parameter], shown: &Shown, push: Option<[f64; 2]>) -> Vec<(Parameter, Option<f64>)> {
     let in_world = |place: usize| shown.scenery.named.get(place).copied().flatten();
@@ -82,7 +85,10 @@ pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &Scene
         let Some(mut to) = value.or(waits.then_some(least)) else { continue };
         if parameter.target.is_switch() {
             let mut meets = to > 0.0;
-            let by = ticks::check(ui, &mut meets, &parameter.label);
+            let mut by = ticks::check(ui, &mut meets, &parameter.label);
+            if matches!(parameter.target, Target::Body(_, OfBody::Diagonals, _)) {
+                by = by.on_hover_text(BELOW_FILLS);
+            }
             if by.changed() {
                 set(&by, &parameter.target, f64::from(u8::from(meets)), scene, sink);
             }

@@ -233,6 +233,11 @@ impl Places {
         let room = room.with_min_x(self.room.left() + left);
         between((room, self.room.center().x), (&lie, least), top)
     }
+
+    /// Where something is said of a sheet, down to a height: the middle of its lower edge, and how wide it may be.
+    pub(super) fn said_below(&self, bottom: f32) -> (egui::Pos2, f32) {
+        (pos2(self.room.center().x, bottom), WIDEST.min(self.room.width() - 2.0 * APART))
+    }
 }
 
 /// Whether what is said goes aside for an area: not for its own lines, for titles, which go below them, nor for menus and tooltips.

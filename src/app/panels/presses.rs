@@ -3,6 +3,7 @@
 //! The panels' library looks where the pointer is at the end of a frame and what is held down then: of a press, a drag and a release that
 //! come in one frame it sees nothing but a click somewhere else. So each of them gets a pass of its own.
 
+use super::choosing::Choosing;
 use super::typed::Numbers;
 use egui::{Context, Event, Plugin, RawInput, Ui};
 
@@ -10,6 +11,7 @@ use egui::{Context, Event, Plugin, RawInput, Ui};
 pub(in crate::app) fn listen(context: &Context) {
     context.add_plugin(Presses::default());
     context.add_plugin(Numbers);
+    context.add_plugin(Choosing::default());
     // A press and its release are a frame apart, which may take long: however long, they are a click where the pointer stays.
     context.options_mut(|options| options.input_options.max_click_duration = f64::INFINITY);
 }

@@ -1,10 +1,11 @@
 //! What is to be saved, and the name of the file that is to be written.
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use egui::{Button, Label, RichText, Role, TextEdit, WidgetInfo};
 
-use super::open_from::{meant, to_end};
+use super::open_from::{meant, select};
 use super::theme::colors;
 use super::typed::takes_words;
 use super::{PanelState, Wish, sheet, ticks};
@@ -44,7 +45,7 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         takes_words(&field.response);
         field.response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
         if std::mem::take(&mut state.is_fresh) {
-            to_end(ui, &mut field, &state.path);
+            select(ui, &mut field, bare_name(&state.path));
             field.response.request_focus();
         }
         if field.response.changed() {
@@ -98,6 +99,15 @@ pub(in crate::app) fn ask(state: &mut PanelState, wishes: &mut Vec<Wish>) {
 fn with_ending(path: PathBuf, ending: &str) -> PathBuf {
     let is_bare = path.extension().is_none() && path.file_name().is_some() && !path.is_dir();
     if is_bare { path.with_extension(ending) } else { path }
+}
+
+/// Where in a path the name of its file stands, without its ending, in letters: what is typed takes its place.
+fn bare_name(path: &str) -> Range<usize> {
+    let from = path.rfind(['/', std::path::MAIN_SEPARATOR]).map_or(0, |before| before + 1);
+    let name = &path[from..];
+    let bare = ENDINGS.iter().find_map(|known| name.strip_suffix(&format!(".{known}"))).unwrap_or(name);
+    let letters = |bytes: usize| path[..bytes].chars().count();
+    letters(from)..letters(from + bare.len())
 }
 
 /// Whether a path ends as a recording does.
@@ -158,8 +168,10 @@ impl SaveTo {
             () if path.is_dir() => Some(format!("`{}` is a folder: add a name", path.display())),
             () if !folder.is_dir() => Some(format!("there is no folder `{}`", folder.display())),
             () if !is_recording(&path) => Some(format!(
-                "what ends in `.{}` is not written: a recording ends in .json or .jsonl (F2 writes a picture)",
-                path.extension().unwrap_or_default().display()
+                "what ends in `.{}` is not written: {} ends in .{} (F2 writes a picture)",
+                path.extension().unwrap_or_default().display(),
+                if self.is_all { "a recording" } else { "a scene" },
+                self.ending()
             )),
             () if path.exists() && self.asked.as_ref() != Some(&path) => {
                 self.asked = Some(path.clone());
@@ -197,12 +209,30 @@ mod tests {
         for (path, words) in [
             (folder.path().to_owned(), "is a folder"),
             (folder.path().join("no/x.json"), "no folder"),
-            (folder.path().join("x.png"), "`.png` is not written"),
+            (folder.path().join("x.png"), "`.png` is not written: a scene ends in .json (F2"),
         ] {
             assert_eq!(state.ask(path), None);
             assert!(state.fault.as_deref().is_some_and(|fault| fault.contains(words)), "{:?}", state.fault);
         }
         assert!(!folder.path().join("no").exists());
+        let mut all = SaveTo { is_all: true, ..SaveTo::default() };
+        assert_eq!(all.ask(folder.path().join("x.png")), None);
+        assert!(all.fault.is_some_and(|fault| fault.contains("a recording ends in .jsonl")));
+    }
+
+    #[test]
+    fn the_name_of_the_file_is_selected_and_neither_its_folder_nor_its_ending() {
+        for (path, name) in [
+            ("/home/ada/wobble-rim-001.json", "wobble-rim-001"),
+            ("/home/åda/mein Rad.jsonl", "mein Rad"),
+            ("mine", "mine"),
+            ("/a/b.c/", ""),
+            ("/a/v1.2", "v1.2"),
+        ] {
+            let range = bare_name(path);
+            let selected: String = path.chars().skip(range.start).take(range.len()).collect();
+            assert_eq!(selected, name, "{path}");
+        }
     }
 
     #[test]

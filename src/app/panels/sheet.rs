@@ -1,39 +1,46 @@
 //! The frame of a sheet: what lies over the world until it is closed.
 
-use egui::{Align2, Context, Id, Key, Rect, Response, Ui, Window};
+use egui::{Align2, Context, Id, Key, Response, Ui, Window, vec2};
 
 /// The bar below is so high `[points]`: sheets lie above it.
 const BAR: f32 = 44.0;
 
 /// Shows a sheet in the middle, with its title and a button that closes it. Returns whether it stays.
 pub(in crate::app) fn show(context: &Context, id: &str, title: impl Into<String>, add: impl FnOnce(&mut Ui)) -> bool {
-    let (mut stays, mut begins) = (true, 0.0);
-    let shown = Window::new(title.into())
-        .id(Id::unique(id))
+    let (mut stays, id) = (true, Id::unique(id));
+    let high = context.memory(|memory| memory.area_rect(id)).map_or(0.0, |rect| rect.height());
+    let raised = raised(context.content_rect().height() - BAR, high, said_below(context));
+    Window::new(title.into())
+        .id(id)
         .open(&mut stays)
         .collapsible(false)
         .resizable(false)
-        .anchor(Align2::CENTER_CENTER, [0.0, -0.5 * BAR])
-        .show(context, |ui| {
-            begins = ui.max_rect().top();
-            add(ui);
-        });
-    if let Some(shown) = shown {
-        let title = (context.cumulative_pass_nr(), shown.response.rect.with_max_y(begins));
-        context.data_mut(|data| data.insert_temp(title_id(), title));
-    }
+        .anchor(Align2::CENTER_CENTER, [0.0, -0.5 * BAR - raised])
+        .show(context, add);
     stays
 }
 
-/// What is kept of the title.
-fn title_id() -> Id {
-    Id::unique("title of a sheet")
+/// By how much a sheet so high stands above the middle of a room, so that it covers nothing of what is said along the lower edge, so high: no
+/// further than that takes, nor beyond the upper edge `[points]`.
+fn raised(room: f32, high: f32, said: f32) -> f32 {
+    let beside = 0.5 * (room - high);
+    (said - beside).min(beside).max(0.0)
 }
 
-/// Where the title of the sheet that lies over the world was shown last, with the button that closes it; `None`: there is none.
-pub(super) fn title(context: &Context) -> Option<Rect> {
-    let (pass, title): (u64, Rect) = context.data(|data| data.get_temp(title_id()))?;
-    (pass + 1 >= context.cumulative_pass_nr()).then_some(title)
+/// So much along the lower edge, above the bar below, is for what is said of a sheet in this pass and the next `[points]`: sheets lie above it.
+pub(super) fn keep_above(context: &Context, high: f32) {
+    let until = context.cumulative_pass_nr() + 1;
+    context.data_mut(|data| data.insert_temp(said_id(), (until, high)));
+}
+
+fn said_id() -> Id {
+    Id::unique("said below a sheet")
+}
+
+/// How much along the lower edge that is now `[points]`.
+pub(in crate::app) fn said_below(context: &Context) -> f32 {
+    let kept: Option<(u64, f32)> = context.data(|data| data.get_temp(said_id()));
+    kept.filter(|(until, _)| *until >= context.cumulative_pass_nr()).map_or(0.0, |(_, high)| high)
 }
 
 /// What a sheet has beside what stands in it: margins, and room to the edges of the window; above and below it too, title and bar below
@@ -42,7 +49,7 @@ const BESIDE: [f32; 2] = [44.0, 150.0];
 
 /// So wide and so high what stands in a sheet may be, of what it would be `[points]`: as large as that or as the window lets it.
 pub(super) fn fitting(context: &Context, wanted: [f32; 2]) -> [f32; 2] {
-    let window = context.content_rect().size();
+    let window = context.content_rect().size() - vec2(0.0, said_below(context));
     [0, 1].map(|axis| wanted[axis].min(window[axis] - BESIDE[axis]).max(40.0))
 }
 
@@ -58,7 +65,7 @@ pub(super) fn entered(ui: &Ui, field: &Response) -> bool {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
-    use egui::{Event, Modifiers, Pos2, Rect, vec2};
+    use egui::{Event, Modifiers, Pos2, Rect};
 
     use super::super::pointer::click;
     use super::super::{Facts, PanelState, Sheet, Wish, gallery, open_from, save_to};
@@ -98,12 +105,30 @@ mod tests {
     }
 
     #[test]
+    fn a_sheet_stands_above_what_is_said_and_in_the_middle_where_there_is_room() {
+        assert_eq!(raised(676.0, 200.0, 0.0), 0.0);
+        assert_eq!(raised(676.0, 200.0, 48.0), 0.0, "it lies far below it");
+        assert_eq!(raised(676.0, 600.0, 48.0), 10.0, "by what it would cover");
+        assert_eq!(raised(676.0, 660.0, 48.0), 8.0, "its title stays in the window");
+    }
+
+    #[test]
     fn a_click_beside_the_field_of_a_sheet_loses_no_key() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("mine.json");
         let (context, mut state) = clicked_beside(Sheet::SaveTo, &path.display().to_string());
         assert!(context.text_edit_focused());
-        assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), [Wish::SaveTo(path)]);
+        assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), [Wish::SaveTo(path.clone())]);
+        let mut state = PanelState {
+            sheet: Some(Sheet::SaveTo),
+            is_fresh: true,
+            path: path.display().to_string(),
+            ..PanelState::default()
+        };
+        let context = Context::default();
+        (0..3).for_each(|_| _ = frame(&context, &mut state, Vec::new()));
+        frame(&context, &mut state, vec![Event::Text("swing".to_owned())]);
+        assert_eq!(state.path, folder.path().join("swing.json").display().to_string(), "what is typed is the name");
         let (context, mut state) = clicked_beside(Sheet::OpenFrom, "here.json");
         assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), [Wish::OpenFile("here.json".to_owned())]);
         let (context, mut state) = clicked_beside(Sheet::Gallery, "");

@@ -7,7 +7,7 @@ use super::watch::{Measured, Probes};
 use crate::app::matter::{Among, MatterChange};
 use crate::app::tools::{HaulWay, PinWay};
 use crate::app::warnings::refused;
-use crate::history::{Do, History, Refusal, Start, Why};
+use crate::history::{Do, GoneBack, History, Refusal, Start, Why};
 use crate::scene::{AddKeys, BudgetKeys, MethodKeys, OrderName, PrecisionName, SolverName, ViewKeys};
 use crate::sim::{CommandError, Cursor};
 
@@ -166,8 +166,8 @@ pub enum Note {
     NothingToUndo,
     /// There was nothing to redo.
     NothingToRedo,
-    /// The start was gone to, which left so many edits behind.
-    Left(usize),
+    /// The start was gone to: what became of edits.
+    GoneBack(GoneBack),
     /// A log was followed until now; what is done from here on is another branch.
     Branched,
     /// What would have been measured before now, had it been watched.

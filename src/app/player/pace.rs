@@ -1,6 +1,6 @@
 //! From wall time to whole substeps: how many are due, and where the cursor goes meanwhile.
 
-use crate::history::{Clock, Do, History};
+use crate::history::{Clock, Do, GoneBack, History};
 use crate::sim::{Cursor, Dynamics};
 
 use super::shown::Places;
@@ -230,14 +230,14 @@ impl Pace {
         self.told = None;
     }
 
-    /// Back to the start. What came to its end plays again. Returns how many edits that leaves behind.
-    pub fn reset(&mut self, history: &mut History) -> usize {
+    /// Back to the start. What came to its end plays again. Returns what became of edits.
+    pub fn reset(&mut self, history: &mut History) -> GoneBack {
         self.playing |= self.ended || self.duration.is_some_and(|end| history.world().time() >= end);
-        let left = history.reset();
+        let edits = history.reset();
         self.ended = false;
         (self.told, self.jumps, self.is_taken) = (None, true, false);
         self.settle(history);
-        left
+        edits
     }
 
     /// Whether it stands where it ended by itself: not where it was paused later, for it goes on from there.

@@ -486,7 +486,8 @@ impl Session {
 
     /// Says what was just done.
     pub(super) fn say(&mut self, line: String) {
-        self.panels.notes.say(line);
+        let over = self.lies_over();
+        self.panels.notes.say(line, over);
         self.touch();
     }
 

@@ -365,11 +365,12 @@ impl Session {
         };
         let taken: Vec<Rect> = self.covered.iter().map(panel).collect();
         let room = ((room, self.place_of_pointer()), &taken[..]);
+        let mut labels = Vec::new();
         let shapes = marks
             .iter()
             .map(|mark| ClippedShape {
                 clip_rect,
-                shape: shape(context, mark, scale, room),
+                shape: shape(context, mark, scale, room, &mut labels),
                 transform_after_tessellation: egui::emath::TSTransform::IDENTITY,
             })
             .collect();
@@ -406,8 +407,14 @@ impl Session {
     }
 }
 
-/// A mark as the panels' painter draws it, with an edge so that it is seen on any ground.
-fn shape(context: &egui::Context, mark: &Mark, scale: f32, (room, taken): ((Rect, Option<Pos2>), &[Rect])) -> Shape {
+/// A mark as the panels' painter draws it, with an edge so that it is seen on any ground; labels lie on none of those before them.
+fn shape(
+    context: &egui::Context,
+    mark: &Mark,
+    scale: f32,
+    (room, taken): ((Rect, Option<Pos2>), &[Rect]),
+    labels: &mut Vec<Rect>,
+) -> Shape {
     let colors = theme::colors(context);
     let color = |role: &Role| match role {
         Role::Lead => colors.lead,
@@ -454,7 +461,7 @@ fn shape(context: &egui::Context, mark: &Mark, scale: f32, (room, taken): ((Rect
         Mark::Words(corner, said) => words::written_beside(context, (at(corner), Anchor::Corner), said, (room, taken)),
         Mark::Label(foot, said, clip) => {
             let own = words::points(*clip, scale).shrink(words::APART).intersect(room.0);
-            words::written(context, (at(foot), Anchor::Middle), said, (own, room.1))
+            words::written_apart(context, (at(foot), Anchor::Middle), said, (own, room.1), labels)
         }
     }
 }

@@ -4,6 +4,7 @@ use winit::event::{ElementState, KeyEvent};
 use winit::keyboard::{Key as Pressed, NamedKey, PhysicalKey};
 
 use super::{Framing, Session};
+use crate::app::keyboard::Keyboard;
 use crate::app::keys::taken;
 use crate::history::Do;
 use crate::sim::Key;
@@ -42,7 +43,7 @@ impl Session {
         }
         let drives = |key: &Key| self.shown().scenery.keys.binary_search(key).is_ok();
         let Some(key) = meant(&event.logical_key).filter(drives) else { return false };
-        if self.held.command || self.is_writing() || self.is_covered() {
+        if self.held.command || self.keyboard() != Keyboard::Scene || self.is_covered() {
             return false;
         }
         if !is_held && !event.repeat {

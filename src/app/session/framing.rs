@@ -93,10 +93,15 @@ impl Session {
     }
 
     /// Where panels open over points the view makes way for them, while they find their sizes, and comes back when they close; so it does
-    /// where what is selected comes to lie below its own panel. Not one that somebody moved, nor while something is under way in it. What
-    /// the panel of a tool moves, what gets larger later, and plots that float where there is room move nothing.
+    /// where what is selected comes to lie below its own panel. Not one that somebody moved, nor while something is under way in it, nor below
+    /// the pointer of somebody who selects. What the panel of a tool moves, what gets larger later, and plots that float where there is room
+    /// move nothing.
     fn make_way(&mut self, taken: Vec<[f64; 4]>, has_plots: bool) {
         if self.framing == Framing::Free || self.hand.is_busy() {
+            return;
+        }
+        // Whoever selects in the world goes on pointing at it: it makes way once the pointer is on a panel.
+        if self.hand.tool() == Tool::Select && !self.is_over_panels() {
             return;
         }
         let panels = &self.panels;

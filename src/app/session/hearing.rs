@@ -6,6 +6,7 @@ use super::Session;
 use crate::app::panels::{Sheet, is_recording};
 use crate::app::player::{News, Note};
 use crate::app::recent::Used;
+use crate::history::GoneBack;
 
 impl Session {
     /// Takes what the player has to tell.
@@ -60,10 +61,7 @@ impl Session {
                 self.have_gone(format!("Undid: {name}{}", with_what_followed(seconds)));
             }
             Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name}{}", far(seconds))),
-            Note::Left(1) => self.say("Back to the start: Ctrl+Z brings back the edit that was made later".to_owned()),
-            Note::Left(edits) => {
-                self.say(format!("Back to the start: Ctrl+Z brings back the {edits} edits that were made later"));
-            }
+            Note::GoneBack(edits) => self.say(gone_back(edits)),
             Note::NothingToUndo => self.go_back(),
             Note::NothingToRedo => self.go_on(),
             Note::Branched => self.say(
@@ -130,6 +128,16 @@ impl Session {
 /// Said of a press on what pins hold.
 const HELD_HERE: &str = "held by pins: point at a pin (a red ring) and press T to let it go, or drag the pin itself";
 
+/// What became of edits as the start was gone to.
+fn gone_back(GoneBack { left, kept }: GoneBack) -> String {
+    let with = if kept > 0 { ", with what you set since" } else { "" };
+    match left {
+        0 => format!("Back to the start{with}"),
+        1 => format!("Back to the start{with}: Ctrl+Z brings back the edit that was made later"),
+        edits => format!("Back to the start{with}: Ctrl+Z brings back the {edits} edits that were made later"),
+    }
+}
+
 /// How far time went, as one says it; below 0 back `[s]`.
 fn far(seconds: f64) -> String {
     match seconds {
@@ -146,7 +154,16 @@ fn with_what_followed(seconds: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{far, with_what_followed};
+    use super::{far, gone_back, with_what_followed};
+    use crate::history::GoneBack;
+
+    #[test]
+    fn what_the_start_takes_back_and_what_it_keeps_is_said() {
+        let words = [(0, 2), (1, 0), (3, 1)].map(|(left, kept)| gone_back(GoneBack { left, kept }));
+        assert_eq!(words[0], "Back to the start, with what you set since");
+        assert_eq!(words[1], "Back to the start: Ctrl+Z brings back the edit that was made later");
+        assert!(words[2].starts_with("Back to the start, with what you set since: Ctrl+Z brings back the 3 edits"));
+    }
 
     #[test]
     fn how_far_time_went_is_said_with_its_direction() {

@@ -29,18 +29,41 @@ const ANSWERS: &[(&str, &str)] = &[("Save", "Enter"), ("Don't save", "Ctrl+Q onc
 /// The same where the scene that is open has nothing to save.
 const ELSEWHERE: &[(&str, &str)] = &[("Go there", "Enter"), ("Don't save", "Ctrl+Q once more"), ("Cancel", "Esc")];
 
-/// What is asked where the scene that is open has work in it that was not saved, and so many that were left for it; `None`: nothing.
-fn question(title: &str, has_work: bool, left: usize) -> Option<String> {
-    let others = counted(left, "other scene");
-    match (has_work, left) {
+/// So many scenes that were not saved are named at most.
+const MOST_NAMED: usize = 4;
+
+/// What is asked where the scene that is open has work in it that was not saved, and others, of these names, that were left for it; `None`:
+/// nothing.
+fn question(title: &str, has_work: bool, left: &[&str]) -> Option<String> {
+    let others = counted(left.len(), "other scene");
+    let names = named(left);
+    match (has_work, left.len()) {
         (false, 0) => None,
         (true, 0) => Some(format!("{title}: save what you did?")),
-        (true, _) => Some(format!("{title}: save what you did? {others} that you worked on will not be saved.")),
-        (false, _) => {
-            let was = if left == 1 { "was" } else { "were" };
-            Some(format!("{others} that you worked on {was} not saved."))
+        (true, _) => {
+            Some(format!("{title}: save what you did? {others} that you worked on will not be saved: {names}."))
+        }
+        (false, count) => {
+            let was = if count == 1 { "was" } else { "were" };
+            Some(format!("{others} that you worked on {was} not saved: {names}."))
         }
     }
+}
+
+/// The first few of some names, those that are the same counted, and how many there are more.
+fn named(all: &[&str]) -> String {
+    let mut kinds: Vec<(&str, usize)> = Vec::new();
+    for &name in all {
+        match kinds.iter_mut().find(|(other, _)| *other == name) {
+            Some((_, count)) => *count += 1,
+            None => kinds.push((name, 1)),
+        }
+    }
+    let more: usize = kinds.iter().skip(MOST_NAMED).map(|(_, count)| count).sum();
+    let said =
+        |&(name, count): &(&str, usize)| if count == 1 { name.to_owned() } else { format!("{name} ({count} times)") };
+    let first = kinds.iter().take(MOST_NAMED).map(said);
+    first.chain((more > 0).then(|| format!("{more} more"))).collect::<Vec<_>>().join(", ")
 }
 
 impl Session {
@@ -50,9 +73,8 @@ impl Session {
         if let Some(since) = self.asked.as_ref().and_then(|asked| asked.leaving_since) {
             return insists && since.elapsed() >= READ;
         }
-        let left = self.shelf.players().filter(|player| player.is_unsaved()).count();
         let has_work = self.player.is_unsaved();
-        let Some(words) = question(&self.title(), has_work, left) else { return true };
+        let Some(words) = question(&self.title(), has_work, &self.shelf.unsaved()) else { return true };
         // A sheet would lie over the question.
         self.close_sheet();
         let answered = move |session: &mut Session, answer: usize| match answer {
@@ -107,14 +129,21 @@ impl Session {
 
 #[cfg(test)]
 mod tests {
-    use super::question;
+    use super::{named, question};
 
     #[test]
     fn work_that_was_not_saved_is_asked_about() {
-        assert_eq!(question("jelly", false, 0), None);
-        assert_eq!(question("jelly", true, 0).as_deref(), Some("jelly: save what you did?"));
-        assert!(question("jelly", true, 2).is_some_and(|words| words.contains("2 other scenes that you worked on")));
-        let words = question("jelly", false, 1).unwrap_or_default();
-        assert!(words.starts_with("1 other scene that you worked on was not saved"), "{words}");
+        assert_eq!(question("jelly", false, &[]), None);
+        assert_eq!(question("jelly", true, &[]).as_deref(), Some("jelly: save what you did?"));
+        let words = question("jelly", true, &["Rope", "Net"]).unwrap_or_default();
+        assert!(words.ends_with("2 other scenes that you worked on will not be saved: Rope, Net."), "{words}");
+        let words = question("jelly", false, &["Rope"]).unwrap_or_default();
+        assert_eq!(words, "1 other scene that you worked on was not saved: Rope.");
+    }
+
+    #[test]
+    fn of_many_scenes_the_first_few_are_named() {
+        assert_eq!(named(&["Rope", "Net", "Rope"]), "Rope (2 times), Net");
+        assert_eq!(named(&["a", "b", "c", "d", "e", "f", "f"]), "a, b, c, d, 3 more");
     }
 }

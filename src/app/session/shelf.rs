@@ -83,6 +83,12 @@ impl Shelf {
         self.before.iter().chain(&self.after).map(|left| &left.player)
     }
 
+    /// What those are called in which something was done that was not saved, in the order in which they were left.
+    pub(super) fn unsaved(&self) -> Vec<&str> {
+        let all = self.before.iter().chain(self.after.iter().rev());
+        all.filter(|left| left.player.is_unsaved()).map(|left| &*left.title).collect()
+    }
+
     /// The same, to be ended.
     pub(super) fn players_mut(&mut self) -> impl Iterator<Item = &mut Player> {
         self.before.iter_mut().chain(&mut self.after).map(|left| &mut left.player)

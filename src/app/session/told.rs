@@ -4,16 +4,15 @@ use winit::event::WindowEvent;
 
 use super::Session;
 use crate::app::action::Tool;
+use crate::app::keyboard::Keyboard;
 use crate::app::keys::{Down, Held};
 use crate::app::panels::{Sheet, settings_search_id};
-use crate::app::shell::is_for_panels;
 
 impl Session {
     /// Hands an event to the panels: keys only where they write or nothing else is meant by them.
     pub(in crate::app) fn tell_panels(&mut self, event: &WindowEvent) {
-        let is_writing = self.is_writing();
         if let WindowEvent::KeyboardInput { event, .. } = event
-            && !is_for_panels(event, is_writing)
+            && !self.keyboard().tells_panels(&event.logical_key)
         {
             return;
         }
@@ -49,9 +48,9 @@ impl Session {
         });
     }
 
-    /// Whether something is open above the panels that Esc closes by itself: a menu, a picker of colours.
-    pub(in crate::app) fn has_popup(&self) -> bool {
-        egui::Popup::is_any_open(self.egui.egui_ctx())
+    /// Who has the keyboard now.
+    pub(in crate::app) fn keyboard(&self) -> Keyboard {
+        Keyboard::of(self.is_writing(), egui::Popup::is_any_open(self.egui.egui_ctx()))
     }
 
     /// Whether the tool that builds is taken, where it can be.

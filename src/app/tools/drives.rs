@@ -23,6 +23,9 @@ const NO_BODY: &str = "no body lies here that could be hinged";
 /// Said of a hinge without a motor where the switch asks for none.
 const HINGED: &str = "a hinge is here already; with Shift it goes, with the switch \"motor\" it gets one";
 
+/// Said of a hinge that no other body holds.
+const TO_BACKGROUND: &str = "its axle is pinned to the background, where it stays; where two bodies overlap it joins them, and a wheel drives the other";
+
 /// What a hinge gets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::app) struct MotorChoice {
@@ -77,7 +80,8 @@ impl Drives {
                     return Deed::words(why);
                 }
                 let name = if hinge.has_motor { "motor" } else { "hinge" };
-                Deed { commands: hinge.commands(scope, &self.motor), edit: Some(name), ..Deed::default() }
+                let words = hinge.struts.is_empty().then(|| format!("{name}: {TO_BACKGROUND}"));
+                Deed { commands: hinge.commands(scope, &self.motor), edit: Some(name), words, ..Deed::default() }
             }
         }
     }
@@ -166,7 +170,7 @@ impl Drives {
         let on = match hinge.struts.is_empty() {
             false => "between both bodies",
             true if hinge.has_motor && hinge.rests(scope) => {
-                "on the ground: its axle is pinned here, and it turns just above"
+                "on the ground: its axle is pinned to the background here, and it turns just above"
             }
             true => "pinned to the background here",
         };

@@ -186,7 +186,11 @@ fn a_motor_is_on_the_ground_only_where_its_wheel_touches_it() {
         let scene = WHEELS.replace("\"bodies\"", &format!("{floor}\"bodies\""));
         let seen = shown(Scene::parse(&scene, "x.json").unwrap());
         let at = DVec2::from(seen.1.screen_from_world([3.0, -3.0, 0.0].into()).unwrap());
-        assert!(said(&seen, &hand(Tool::Motor), at).contains(words), "{}", said(&seen, &hand(Tool::Motor), at));
+        let before = said(&seen, &hand(Tool::Motor), at);
+        assert!(before.contains(words) && before.contains("to the background"), "{before}");
+        let deed = hand(Tool::Motor).press(scope(&seen), at);
+        assert_eq!(deed.edit, Some("motor"));
+        assert!(deed.words.is_some_and(|words| words.starts_with("motor: its axle is pinned to the background")));
     }
 }
 

@@ -68,6 +68,7 @@ mod stall;
 #[cfg(test)]
 mod stall_tests;
 mod stops;
+mod strand;
 #[cfg(test)]
 mod tests;
 mod throw;

@@ -492,3 +492,29 @@ fn a_body_that_is_dragged_soon_after_a_click_goes_as_a_whole() {
     let [Do::Move(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     assert_eq!(keys.points.len(), 5);
 }
+
+#[test]
+fn a_click_on_a_rope_selects_the_rope_and_one_on_what_hangs_on_it_all() {
+    const HANGS: &str = r#"{"wobble": 1, "gravity": [0, 0], "view": {"center": [0, 0], "height": 10},
+        "bodies": [{"make": "rope", "count": 5, "to": [0, 1], "origin": [-3, 0], "material": {"kind": "rigid", "mass": 1}},
+          {"make": "disc", "radius": 1, "spacing": 0.4, "origin": [2, 0], "material": {"kind": "rigid", "mass": 2}}],
+        "bonds": [{"a": 4, "b": 5}]}"#;
+    let seen = shown(Scene::parse(HANGS, "x.json").unwrap());
+    let all = seen.0.point_count();
+    let (rope, disc) = (pixel(&seen, 2), at(&seen, 2.0, 0.0));
+    let mut hand = hand();
+    click(&mut hand, &seen, rope);
+    assert_eq!(selected(&hand, &seen).0, 5);
+    click(&mut hand, &seen, rope);
+    assert_eq!(selected(&hand, &seen).0, 5, "once more");
+    click(&mut hand, &seen, disc);
+    assert_eq!(selected(&hand, &seen).0, all);
+    hand.hold([true, false]);
+    click(&mut hand, &seen, rope);
+    assert_eq!(selected(&hand, &seen).0, all - 5, "with Shift the rope goes");
+    hand.hold([false, false]);
+    click(&mut hand, &seen, at(&seen, 0.0, 4.5));
+    let moved = drag(&mut hand, &seen, [rope, rope + DVec2::new(40.0, 0.0)]);
+    let [Do::Move(keys)] = &moved.commands[..] else { panic!("{moved:?}") };
+    assert_eq!(keys.points.len(), all, "what hangs together is dragged together");
+}

@@ -45,12 +45,13 @@ impl Hand {
             return;
         };
         self.before = Some(chosen.clone());
+        let own = under.clicked(scope, at);
         if self.shift {
-            self.selection.set(chosen.joined(&under, true));
+            self.selection.set(chosen.joined(&own, true));
             self.doing = Doing::Nothing;
             return;
         }
-        if !chosen.has(&under) {
+        if !chosen.has(&own) {
             self.selection.set(under.clone());
         }
         self.doing = Doing::Moving(scope.hold(at), under);
@@ -90,10 +91,10 @@ impl Hand {
         self.meant(scope, at).is_some()
     }
 
-    /// What is selected was dragged, or what lies under the pixel clicked: that alone is selected then.
+    /// What is selected was dragged, or what lies under the pixel clicked: that alone is selected then, of what hangs on a rope the rope.
     pub(super) fn end_move(&mut self, scope: Scope<'_>, (hold, to): (Hold, DVec2), under: Chosen) -> Deed {
         if !is_drag(scope, [hold.at, to]) {
-            self.selection.set(under);
+            self.selection.set(under.clicked(scope, to));
             return Deed::default();
         }
         let chosen = self.chosen(scope).unwrap_or_default();

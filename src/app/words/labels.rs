@@ -5,7 +5,7 @@ use egui::{Context, Pos2, RawInput, emath::TSTransform};
 use egui_wgpu::ScreenDescriptor;
 use image::RgbaImage;
 
-use super::{APART, Anchor, points, seen, written};
+use super::{APART, Anchor, points, seen, written_apart};
 use crate::app::painter::{Painter, over};
 use crate::app::panels::theme;
 use crate::render::{Capture, Gpu, Palette, Pane, RenderError};
@@ -67,9 +67,10 @@ impl<'a> Labels<'a> {
         let of_pane = |pane: &Pane<'_>| {
             let clip_rect = points(pane.clip, self.scale);
             let room = (clip_rect.shrink(APART), None);
+            let mut others = Vec::new();
             let shape = |(at, words): (glam::DVec2, &str)| {
                 let at = Pos2::new(at.x as f32 / self.scale, at.y as f32 / self.scale);
-                let shape = written(&self.context, (at, Anchor::Middle), words, room);
+                let shape = written_apart(&self.context, (at, Anchor::Middle), words, room, &mut others);
                 ClippedShape { clip_rect, shape, transform_after_tessellation: TSTransform::IDENTITY }
             };
             let seen = seen(self.labels, &pane.view, &pane.camera, pane.clip);

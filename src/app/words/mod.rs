@@ -18,6 +18,8 @@ use crate::scene::LabelKeys;
 pub(super) const SIZE: f32 = 13.0;
 /// Room between them and an edge `[points]`.
 pub(super) const APART: f32 = 4.0;
+/// From a label to one above it `[points]`.
+const BETWEEN: f32 = 2.0;
 /// From words to the rim of their ground `[points]`.
 const MARGIN: Vec2 = Vec2::new(6.0, 3.0);
 
@@ -37,9 +39,40 @@ pub(super) fn written(
     words: &str,
     (room, pointer): (Rect, Option<Pos2>),
 ) -> Shape {
-    let colors = theme::colors(context);
     let (galley, ground) = laid(context, (at, anchor), words, room);
-    let ground = kept_in(ground, pointer, room);
+    painted(context, galley, kept_in(ground, pointer, room))
+}
+
+/// The same of one of several labels, above or below those that lie in its place; its own place is one of them then.
+pub(super) fn written_apart(
+    context: &Context,
+    (at, anchor): (Pos2, Anchor),
+    words: &str,
+    (room, pointer): (Rect, Option<Pos2>),
+    others: &mut Vec<Rect>,
+) -> Shape {
+    let (galley, ground) = laid(context, (at, anchor), words, room);
+    let ground = apart_from(others, kept_in(ground, pointer, room), room);
+    others.push(ground);
+    painted(context, galley, ground)
+}
+
+/// A place in a room, as near above others as there is room, else below them.
+fn apart_from(others: &[Rect], place: Rect, room: Rect) -> Rect {
+    let lies_on = |place: Rect| others.iter().copied().find(|other| other.intersects(place));
+    let put = |top: f32| Rect::from_min_size(Pos2::new(place.left(), top), place.size());
+    let (mut up, mut down) = (place, place);
+    for _ in 0..others.len() {
+        up = lies_on(up).map_or(up, |other| put(other.top() - BETWEEN - place.height()));
+        down = lies_on(down).map_or(down, |other| put(other.bottom() + BETWEEN));
+    }
+    let fits = |place: &Rect| room.contains_rect(*place) && lies_on(*place).is_none();
+    [up, down].into_iter().find(fits).unwrap_or(place)
+}
+
+/// Words on their ground.
+fn painted(context: &Context, galley: Arc<Galley>, ground: Rect) -> Shape {
+    let colors = theme::colors(context);
     let place = ground.min + MARGIN;
     let ground = Shape::rect_filled(ground, 5.0, colors.panel.gamma_multiply(0.92));
     Shape::Vec(vec![ground, Shape::galley(place, galley, colors.text)])
@@ -140,6 +173,16 @@ mod tests {
         });
         output.textures_delta.clear();
         list
+    }
+
+    #[test]
+    fn labels_in_one_place_lie_above_or_below_each_other() {
+        let room = Rect::from_min_max(Pos2::ZERO, Pos2::new(200.0, 100.0));
+        let at = |y: f32| Rect::from_min_size(Pos2::new(10.0, y), Vec2::new(80.0, 20.0));
+        assert_eq!(apart_from(&[], at(40.0), room), at(40.0));
+        assert_eq!(apart_from(&[at(45.0)], at(40.0), room), at(23.0));
+        assert_eq!(apart_from(&[at(45.0), at(24.0)], at(40.0), room), at(2.0));
+        assert_eq!(apart_from(&[at(15.0)], at(10.0), room), at(37.0), "above it there is no room");
     }
 
     #[test]

@@ -5,7 +5,7 @@ use super::super::order::{Adder, Coming, Note};
 use super::super::rungs::Rung;
 use super::super::shown::Latest;
 use super::Stage;
-use crate::app::matter::{Among, MatterChange, Stops, commands, led};
+use crate::app::matter::{Among, MatterChange, Stops, but_for_pictures, commands, led};
 use crate::app::warnings::{refused, said};
 use crate::history::{Do, Refusal, SetKeys};
 use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting};
@@ -134,6 +134,10 @@ impl Stage {
         match list {
             Err(why) => Some(Note::Refused(why.to_owned())),
             // What is dragged on is led by the hand.
+            Ok(list) if matches!(change, MatterChange::Preset(_)) => {
+                let list = but_for_pictures(list, self.history.skins());
+                self.give(led(self.history.world(), list), Some(change.name()))
+            }
             Ok(list) if goes_on => self.give_on(list, change.name()),
             // How stiff springs are on their way says what they bear, not how stiff they will be.
             Ok(list) => self.give(led(self.history.world(), list), Some(change.name())),

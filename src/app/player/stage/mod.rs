@@ -21,7 +21,7 @@ use super::watch::Watch;
 use crate::app::matter::{Among, Former, Matter};
 use crate::app::meter::{Lowest, Meter};
 use crate::app::tools::Hauled;
-use crate::history::{BranchView, Clock, History, HistoryError, Recording, Start};
+use crate::history::{BranchView, Clock, GoneBack, History, HistoryError, Recording, Start};
 use crate::scene::{MethodKeys, Parameter, ViewKeys};
 use crate::sim::reach::Reach;
 use crate::sim::{Jam, Knots, MouseForce, PointId};
@@ -299,8 +299,8 @@ impl Stage {
             Order::TakeBack => self.take_back(),
             Order::Reset => {
                 self.rungs.forget();
-                let left = self.pace.reset(&mut self.history);
-                (left > 0).then_some(Note::Left(left))
+                let edits = self.pace.reset(&mut self.history);
+                (edits != GoneBack::default()).then_some(Note::GoneBack(edits))
             }
             Order::Bound(bytes) => {
                 self.history.bound_keyframes(bytes);
