@@ -698,7 +698,7 @@ fn a_ragdoll_as_printed_goes_to_pieces_by_3_88_a_frame_and_ours_keeps_its_bones(
         right.step();
         most = most.max(right.sample(right.time()).max_strain);
     }
-    assert!(most < 1e-3, "{most}");
+    assert!(most < 2e-3, "{most}");
 }
 
 #[test]

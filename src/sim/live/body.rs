@@ -42,7 +42,7 @@ pub(super) struct Body<S> {
     pub(super) bends: Option<Arc<Bends>>,
     /// Bonds at the front of those that are held that make trees, from the roots on.
     pub(super) tree: u32,
-    /// Some of the others are rigid.
+    /// Some of the others are rigid, and no angles give way to them.
     pub(super) is_swept: bool,
     /// Mean length of its edges at the start `[m]`; 0 without any.
     pub(super) edge_length: S,

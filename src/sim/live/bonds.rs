@@ -12,10 +12,11 @@ use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
 /// Most of (w h)^2 at which springs are forces, and of that and twice the decay in a substep, as bodies are made: 4 would be the edge of stability,
-/// and what is squeezed to half swings half as much again. And most of the decay where there is work for that many substeps.
+/// and what is squeezed to half swings half as much again. And most of (w h)^2 and of the decay where there is work for that many substeps.
 const MOST_PHASE: f64 = 2.0;
 const MOST_OF_BOTH: f64 = 2.7;
-const FINE_DECAY: f64 = 0.5;
+const FINE_PHASE: f64 = 1.0;
+const FINE_DECAY: f64 = 0.25;
 /// Share of the points of a body that is to swing by forces: where some are so light that they would need many more substeps, the springs at
 /// these are projected.
 pub(super) const MOST_BY_FORCES: f64 = 0.9;
@@ -40,8 +41,8 @@ pub(super) fn bears<S: Real>([stiffness, decay]: [S; 2], h: S) -> bool {
 pub(super) fn substeps([stiffness, decay]: [f64; 2]) -> [f64; 2] {
     // The longest substep h has stiffness h^2 + 2 decay h = MOST_OF_BOTH.
     let both = (decay + (decay * decay + MOST_OF_BOTH * stiffness).sqrt()) / MOST_OF_BOTH;
-    let swing = (stiffness / MOST_PHASE).sqrt();
-    [both, decay / FINE_DECAY].map(|rate| (swing.max(rate) / FRAMES).ceil())
+    let swings = [MOST_PHASE, FINE_PHASE].map(|phase| (stiffness / phase).sqrt());
+    [swings[0].max(both), swings[1].max(both).max(decay / FINE_DECAY)].map(|rate| (rate / FRAMES).ceil())
 }
 
 /// What springs that are forces give to velocities in `h` `[s]`.

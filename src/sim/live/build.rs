@@ -225,7 +225,7 @@ impl<S: Real> Bodies<S> {
             turns: span(8),
             bends: bends.map(Arc::new),
             tree: tree.len() as u32,
-            is_swept: others.iter().any(|bond| bond.kind == BondKind::Rigid),
+            is_swept: own.hinges.is_empty() && others.iter().any(|bond| bond.kind == BondKind::Rigid),
             edge_length,
             radius,
             least_substeps: bounds.substeps([bonds::MOST_BY_FORCES, 1.0], MOST_SUBSTEPS),

@@ -29,7 +29,7 @@ pub(super) const SUBSTEPS: [u32; 13] = [16, 24, 32, 48, 64, 96, 128, 192, 256, 3
 pub(super) const MOST_BY_SPEED: u32 = 128;
 /// Most that rigid bonds which are swept are given: what they strain falls with the square of that number, to 1e-4 in a net of 9 by 9 with a weight.
 const FOR_SWEEPS: u32 = 256;
-/// Substeps that are affordable whatever they take.
+/// Substeps that springs are given whatever they take.
 const LEAST_AFFORDED: u32 = 32;
 pub(super) const MOST_SUBSTEPS: u32 = SUBSTEPS[SUBSTEPS.len() - 1];
 
@@ -58,11 +58,7 @@ pub(super) fn enough(wanted: f64, least: u32) -> u32 {
 /// Substeps of a frame that bodies are given so that their springs can be forces, whose substep takes this counted work: few bodies, many.
 pub(super) fn affordable(work: f64) -> u32 {
     let room = AFFORDED / work;
-    SUBSTEPS
-        .into_iter()
-        .rev()
-        .find(|&count| f64::from(count) <= room)
-        .map_or(LEAST_AFFORDED, |count| count.max(LEAST_AFFORDED))
+    SUBSTEPS.into_iter().rev().find(|&count| f64::from(count) <= room).unwrap_or(SUBSTEPS[0])
 }
 
 /// Pairs of a cluster that might touch in the step before.
@@ -76,9 +72,10 @@ fn known_pairs<S: Real>(cluster: &Cluster<S>, common: &Common<S>) -> usize {
 
 /// What a body asks for of so many substeps: those in which all its springs are exact forces, or most are forces, or as many as there are, for
 /// springs that no number of substeps makes forces are the softer the fewer there are, where they are to be `firm`.
-pub(super) fn asked([few, fine]: [u32; 2], most: u32, is_firm: bool) -> Option<u32> {
-    let is_affordable = |count: &u32| *count > 0 && *count <= most;
-    Some(fine).filter(is_affordable).or(Some(few).filter(is_affordable)).or(is_firm.then_some(most))
+pub(super) fn asked([few, fine]: [u32; 2], affordable: u32, is_firm: bool) -> Option<u32> {
+    let most = affordable.max(LEAST_AFFORDED);
+    let is_within = |most: u32| move |count: &u32| *count > 0 && *count <= most;
+    Some(fine).filter(is_within(affordable)).or(Some(few).filter(is_within(most))).or(is_firm.then_some(most))
 }
 
 impl<S: Real> Live<S> {
@@ -197,7 +194,7 @@ impl<S: Real> Live<S> {
             gone: Vec::new(),
             goes: Vec::new(),
             least_promise: S::INFINITY,
-            most_substeps: LEAST_AFFORDED,
+            most_substeps: SUBSTEPS[0],
             swings: bodies.iter().map(|&body| Swing { known: self.rests[body].swing, seen: 0.0 }).collect(),
             is_violent: false,
             is_uneven: false,
@@ -351,17 +348,23 @@ impl<S: Real> Cluster<S> {
             of_springs.max(body.is_swept.then(|| self.most_substeps.min(FOR_SWEEPS)))
         };
         let least = moving.filter_map(|((body, _), _)| asked(body)).max().unwrap_or_default();
-        let pulling =
-            self.members(common).zip(&self.swings).filter(|((body, _), _)| body.tree > 0 || body.rig.is_some());
-        let swing = pulling.map(|(_, swing)| swing.known).fold(0.0, f64::max);
-        enough(wanted, least.max(self.for_swings(swing)))
+        // What is struck by something that fast is projected.
+        let least = if wanted > VIOLENT { least.min(MOST_BY_SPEED) } else { least };
+        enough(wanted, least.max(self.for_swings(common)))
     }
 
-    /// Substeps of a frame that what swings so fast across taut trees is given `[rad/s]`; infinite, as in the first step of all, where nobody knows.
-    fn for_swings(&self, swing: f64) -> u32 {
-        let [few, fine] = tree::substeps(swing);
+    /// Substeps of a frame that what swings across taut trees and joints is given: nobody knows how fast in the first step of all, and what is torn at
+    /// is as taut as nothing is.
+    fn for_swings(&self, common: &Common<S>) -> u32 {
         let affordable = f64::from(self.most_substeps);
-        fine.min(affordable).max(few.min(f64::from(MOST_BY_SPEED))).ceil() as u32
+        let of = |(swing, &is_torn): (&Swing, &bool)| {
+            let [few, fine] = tree::substeps(swing.known);
+            let most = if is_torn { 0.0 } else { fine.min(affordable) };
+            most.max(few.min(f64::from(MOST_BY_SPEED))).ceil() as u32
+        };
+        let pulls = self.members(common).map(|(body, _)| body.tree > 0 || body.rig.is_some());
+        let swings = pulls.zip(self.swings.iter().zip(&self.tangle.torn)).filter(|(pulls, _)| *pulls);
+        swings.map(|(_, swing)| of(swing)).max().unwrap_or_default()
     }
 
     /// Whether something that is near something is so fast that springs are projected.
