@@ -23,10 +23,11 @@ use crate::sim::vector::zero;
 pub(super) const PROMISE: f64 = 0.25;
 /// Share of it that the fastest point may go in a substep.
 pub(super) const WAY: f64 = 0.5;
-/// Substeps of a frame: one of these numbers; and the most that speeds ask for. More are for what swings faster than those resolve, in bodies
-/// that are small enough.
+/// Substeps of a frame that speeds ask for: one of these numbers.
+const BY_SPEED: [u32; 4] = [16, 32, 64, 128];
+const MOST_BY_SPEED: u32 = BY_SPEED[BY_SPEED.len() - 1];
+/// The same of what swings faster than those resolve: bodies that are small enough have more of them.
 pub(super) const SUBSTEPS: [u32; 13] = [16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024];
-pub(super) const MOST_BY_SPEED: u32 = 128;
 /// Most that rigid bonds which are swept are given: what they strain falls with the square of that number, to 1e-4 in a net of 9 by 9 with a weight.
 const FOR_SWEEPS: u32 = 256;
 /// Substeps that springs are given whatever they take.
@@ -42,17 +43,18 @@ const OF_A_PAIR: f64 = 120.0;
 
 /// Substeps of a frame at a speed `[m/s]`, with skins whose edges have this mean length `[m]`.
 pub(super) fn substeps_at(speed: f64, edge: f64) -> u32 {
-    let wanted = speed / super::FRAMES / (WAY * if edge > 0.0 { edge } else { 0.1 });
-    SUBSTEPS
-        .into_iter()
-        .find(|&count| f64::from(count) >= wanted)
-        .map_or(MOST_BY_SPEED, |count| count.min(MOST_BY_SPEED))
+    by_speed(speed / super::FRAMES / (WAY * if edge > 0.0 { edge } else { 0.1 }))
 }
 
-/// One of the numbers of substeps of a frame, which is enough for speeds that want so many, and not less than springs ask for.
+/// Substeps of a frame where speeds want so many.
+fn by_speed(wanted: f64) -> u32 {
+    BY_SPEED.into_iter().find(|&count| f64::from(count) >= wanted).unwrap_or(MOST_BY_SPEED)
+}
+
+/// The same where something else asks for `least`.
 pub(super) fn enough(wanted: f64, least: u32) -> u32 {
-    let is_enough = |count: &u32| f64::from(*count) >= wanted.min(f64::from(MOST_BY_SPEED)) && *count >= least;
-    SUBSTEPS.into_iter().find(is_enough).unwrap_or(MOST_BY_SPEED.max(least))
+    let most = by_speed(wanted).max(least);
+    SUBSTEPS.into_iter().find(|&count| count >= most).unwrap_or(MOST_SUBSTEPS)
 }
 
 /// Substeps of a frame that bodies are given so that their springs can be forces, whose substep takes this counted work: few bodies, many.
@@ -353,18 +355,18 @@ impl<S: Real> Cluster<S> {
         enough(wanted, least.max(self.for_swings(common)))
     }
 
-    /// Substeps of a frame that what swings across taut trees and joints is given: nobody knows how fast in the first step of all, and what is torn at
-    /// is as taut as nothing is.
+    /// Substeps of a frame that what swings across taut trees and joints is given: nobody knows how fast in the first step of all, and what pins that are
+    /// led tear at is as taut as nothing is.
     fn for_swings(&self, common: &Common<S>) -> u32 {
         let affordable = f64::from(self.most_substeps);
-        let of = |(swing, &is_torn): (&Swing, &bool)| {
+        let of = |(body, swing, is_torn): (&Body<S>, &Swing, bool)| {
             let [few, fine] = tree::substeps(swing.known);
-            let most = if is_torn { 0.0 } else { fine.min(affordable) };
+            let most = if is_torn && !body.straps.is_empty() { 0.0 } else { fine.min(affordable) };
             most.max(few.min(f64::from(MOST_BY_SPEED))).ceil() as u32
         };
-        let pulls = self.members(common).map(|(body, _)| body.tree > 0 || body.rig.is_some());
-        let swings = pulls.zip(self.swings.iter().zip(&self.tangle.torn)).filter(|(pulls, _)| *pulls);
-        swings.map(|(_, swing)| of(swing)).max().unwrap_or_default()
+        let all = self.members(common).zip(self.swings.iter().zip(&self.tangle.torn));
+        let pulling = all.filter(|((body, _), _)| body.tree > 0 || body.rig.is_some());
+        pulling.map(|((body, _), (swing, &is_torn))| of((body, swing, is_torn))).max().unwrap_or_default()
     }
 
     /// Whether something that is near something is so fast that springs are projected.
