@@ -1,5 +1,6 @@
 //! The last line: a cluster has no more energy after a step than before, and what was done to it.
 
+use super::body::Body;
 use super::cluster::{Cluster, Common};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
@@ -68,7 +69,9 @@ fn is_swept<S: Real>(state: &Cluster<S>, common: &Common<S>) -> bool {
     let is_driven = !state.muscles.is_empty() || !state.turns.is_empty();
     let has_trees = || state.members(common).any(|(body, _)| body.tree > 0);
     let has_sweeps = state.is_all_rigid || !state.holds.is_empty() || has_trees();
-    has_sweeps && !is_driven && state.by_forces.is_empty()
+    // What bends while it is swept takes several steps to give way.
+    let gives_at_once = |body: &Body<S>| body.hinges.len() == 0 || body.tree as usize == body.holds.len();
+    has_sweeps && !is_driven && state.by_forces.is_empty() && state.members(common).all(|(body, _)| gives_at_once(body))
 }
 
 /// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them. What they do
