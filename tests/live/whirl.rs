@@ -70,3 +70,43 @@ fn a_rope_at_rest_pays_for_no_more_substeps_than_it_needs() {
     let [slow, fast] = [0.1, 10.0].map(count);
     assert!(slow == 16 && fast == 64, "{slow} and {fast} substeps");
 }
+
+/// A swing of half a circle whose end is a million times as heavy as its points: its bonds did not hold.
+#[test]
+fn a_chain_holds_an_end_a_million_times_as_heavy() {
+    let angle = |k: u32| std::f64::consts::PI * f64::from(k) / 10.0;
+    let position: Vec<Value> = (0..=10).map(|k| json!([-0.5 * angle(k).cos(), 2.0 - 0.65 * angle(k).sin()])).collect();
+    let mass: Vec<f64> = (0..=10).map(|k| if k == 10 { 1e4 } else { 0.01 }).collect();
+    let bonds: Vec<Value> = (0..10).map(|k| json!({"a": k, "b": k + 1})).collect();
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "bonds": bonds,
+        "points": {"position": position, "mass": mass, "pinned": [0]},
+        "bounds": {"min": [-4, -4], "max": [4, 4], "restitution": 0.5, "friction": 0.5}});
+    let mut world = world(&scene);
+    let start = world.sample(0.0).energy;
+    let (mut strain, mut most) = (0.0_f64, start);
+    while world.time() < 1.0 - 1e-9 {
+        world.step();
+        let sample = world.sample(world.time());
+        (strain, most) = (strain.max(sample.max_strain), most.max(sample.energy));
+    }
+    assert!(strain < 0.05 && most < start + 1e-3 * start.abs(), "{strain} and {most} J of {start}");
+}
+
+/// Angles between the rods of such a rope fed it without end.
+#[test]
+fn a_heavy_weight_on_a_rope_with_angles_gains_nothing() {
+    let position: Vec<Value> = (0..10).map(|k| json!([0.081 * f64::from(k), 1.0 + 0.066 * f64::from(k)])).collect();
+    let mass: Vec<f64> = (0..10).map(|k| if k == 9 { 57.8 } else { 0.01 }).collect();
+    let bonds: Vec<Value> = (0..9).map(|k| json!({"a": k, "b": k + 1})).collect();
+    let angles: Vec<Value> =
+        (0..8).map(|k| json!({"points": [k, k + 1, k + 2], "stiffness": 0.003, "damping": 0.001})).collect();
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "bonds": bonds, "angles": angles, "drag_rate": 0.15,
+        "method": {"solver": "live"}, "points": {"position": position, "mass": mass, "pinned": [0]}});
+    let mut world = world(&scene);
+    let start = world.sample(0.0).energy;
+    while world.time() < 2.0 - 1e-9 {
+        world.step();
+        let energy = world.sample(world.time()).energy;
+        assert!(energy < 1.01 * start, "{energy} J of {start} at {} s", world.time());
+    }
+}

@@ -11,12 +11,14 @@ use crate::sim::kernels::links::{self, Entry, Links, Moved, Turned};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
-/// Most of (w h)^2 at which springs are forces, and of that and twice the decay in a substep, as bodies are made: 4 would be the edge of stability,
-/// and what is squeezed to half swings half as much again. And most of (w h)^2 and of the decay where there is work for that many substeps.
-const MOST_PHASE: f64 = 2.0;
+/// Most of (w h)^2 at which springs are forces where dampers take the fastest oscillations away within a frame, and where they go on: 4 would be the
+/// edge of stability, what is squeezed to half swings half as much again, and the energy of what swings so fast is a quarter of (w h)^2 less
+/// than it seems. Most of that and twice the decay in a substep, and of the decay where there is work for that many substeps.
+const MOST_PHASE: [f64; 2] = [2.0, 1.0];
 const MOST_OF_BOTH: f64 = 2.7;
-const FINE_PHASE: f64 = 1.0;
 const FINE_DECAY: f64 = 0.25;
+/// Decay from which on oscillations are away within a frame `[1/s]`.
+const GONE: f64 = 2.0 * FRAMES;
 /// Share of the points of a body that is to swing by forces: where some are so light that they would need many more substeps, the springs at
 /// these are projected.
 pub(super) const MOST_BY_FORCES: f64 = 0.9;
@@ -34,15 +36,19 @@ const HARD: [f64; 2] = [0.99, 0.5];
 /// `[1/s^2]` and on the fastest decay `[1/s]`.
 pub(super) fn bears<S: Real>([stiffness, decay]: [S; 2], h: S) -> bool {
     let phase = stiffness * h * h;
-    phase <= S::from_f64(MOST_PHASE) && phase + (decay + decay) * h <= S::from_f64(MOST_OF_BOTH)
+    phase <= S::from_f64(most_phase(decay.to_f64())) && phase + (decay + decay) * h <= S::from_f64(MOST_OF_BOTH)
+}
+
+fn most_phase(decay: f64) -> f64 {
+    MOST_PHASE[usize::from(decay < GONE)]
 }
 
 /// Substeps of a frame that springs whose ends swing like this need to be forces, and to be exact ones.
 pub(super) fn substeps([stiffness, decay]: [f64; 2]) -> [f64; 2] {
     // The longest substep h has stiffness h^2 + 2 decay h = MOST_OF_BOTH.
     let both = (decay + (decay * decay + MOST_OF_BOTH * stiffness).sqrt()) / MOST_OF_BOTH;
-    let swings = [MOST_PHASE, FINE_PHASE].map(|phase| (stiffness / phase).sqrt());
-    [swings[0].max(both), swings[1].max(both).max(decay / FINE_DECAY)].map(|rate| (rate / FRAMES).ceil())
+    let [few, fine] = [most_phase(decay), MOST_PHASE[1]].map(|phase| (stiffness / phase).sqrt().max(both));
+    [few, fine.max(decay / FINE_DECAY)].map(|rate| (rate / FRAMES).ceil())
 }
 
 /// What springs that are forces give to velocities in `h` `[s]`.
