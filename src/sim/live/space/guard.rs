@@ -5,8 +5,10 @@ use super::cluster::{Cluster, Common};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
-/// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs.
+/// Share of the kinetic and elastic energy that contacts may make in a step without being seen: overlaps that are mended load springs. Of what has
+/// none, rounding alone.
 const SLACK: f64 = 1e-3;
+const ROUNDING: f64 = 1e-7;
 
 /// Share of the motion of its own that is taken of it in a step for what springs have as they are. Where that is not enough, they are strained by
 /// what sweeps leave of them: what they can give back counts, else what is large and stiff would stop in mid-air.
@@ -58,8 +60,9 @@ fn elastic<S: Real>(state: &Cluster<S>, common: &Common<S>) -> [S; 2] {
 
 /// Slows points down until the energy fits: about their mean velocity, whose momentum stays, unless something holds them.
 pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before, gravity): ([S; 2], [f64; 3])) {
-    // Springs alone keep their energy, which swings about its mean within a substep.
-    if !state.has_pressed {
+    // Springs alone keep their energy, which swings about its mean within a substep. Sweeps over rigid bonds make some in flight too.
+    let is_rigid = state.members(common).all(|(body, _)| common.bodies.springs(body).is_empty());
+    if !state.has_pressed && !is_rigid {
         return;
     }
     // Pins that are led do work that nobody counts.
@@ -72,7 +75,8 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     let elastic = elastic(state, common);
     let [excess, less] = [0, 1].map(|k| {
         let excess = kinetic + fall + elastic[k] - before[k] - state.work;
-        if excess <= S::from_f64(SLACK) * (kinetic + elastic[k]) { S::ZERO } else { excess }
+        let slack = if is_rigid { ROUNDING } else { SLACK };
+        if excess <= S::from_f64(slack) * (kinetic + elastic[k]) { S::ZERO } else { excess }
     });
     if excess <= S::ZERO && less <= S::ZERO || kinetic == S::ZERO {
         return;
