@@ -111,12 +111,9 @@ fn what_hard_springs_hold_faster_than_can_be_seen_is_rigid() {
         }
         (largest, most / start)
     };
-    // 64 points of 1/64 kg: a bond swings with 110,000 rad/s, all of it with some thousand.
-    let (largest, gained) = dropped(1e8);
-    assert!(largest < 1e-9 && gained < 1e-3, "{largest:e} {gained}");
-    // As long as substeps resolve its springs, they are forces.
+    // 64 points of 1/64 kg: a bond swings with 11,000 rad/s, all of it with some hundred.
     let (largest, gained) = dropped(1e6);
-    assert!((1e-4..1e-2).contains(&largest) && gained < 1e-3, "{largest:e} {gained}");
+    assert!(largest < 1e-9 && gained < 1e-3, "{largest:e} {gained}");
     // What can be seen to wobble does.
     let (largest, _) = dropped(2e3);
     assert!(largest > 0.01, "{largest:e}");

@@ -56,12 +56,16 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         let mut field = field.show(ui);
         takes_words(&field.response);
         field.response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, hint));
-        if std::mem::take(&mut state.is_fresh) {
-            to_end(ui, &mut field, &state.path);
-            field.response.request_focus();
-        }
         if field.response.changed() {
             state.open_from.fault = None;
+            if let Some(path) = anew(&state.path) {
+                state.path = path;
+                to_end(ui, &mut field, &state.path);
+            }
+        }
+        if std::mem::take(&mut state.is_fresh) {
+            select(ui, &mut field, name(&state.path));
+            field.response.request_focus();
         }
         let is_entered = sheet::entered(ui, &field.response);
         let names = names(&mut state.open_from, &state.path);
@@ -169,6 +173,19 @@ fn split(path: &str) -> (&str, &str) {
     path.split_at(path.rfind('/').map_or(0, |place| place + 1))
 }
 
+/// Where in a path the name of its file stands, in letters: what is typed takes its place.
+fn name(path: &str) -> Range<usize> {
+    let (folder, name) = split(path);
+    let from = folder.chars().count();
+    from..from + name.chars().count()
+}
+
+/// A whole path that was put behind a folder is meant by itself.
+fn anew(path: &str) -> Option<String> {
+    let from = path.rfind("//").map(|at| at + 1).or_else(|| path.rfind("/~/").map(|at| at + 1))?;
+    Some(path[from..].to_owned())
+}
+
 /// A path as it is meant: `~/` is the home of the user.
 pub(in crate::app) fn meant(path: &str) -> PathBuf {
     match (path.strip_prefix("~/"), etcetera::home_dir()) {
@@ -258,6 +275,12 @@ mod tests {
         assert_eq!(completed(&path, &names(&mut kept, &path)), None, "ribbons and rims part there");
         assert_eq!(names(&mut kept, &format!("{base}.h")), [".hidden.json"]);
         assert!(names(&mut kept, "/no/such/folder/").is_empty());
+        assert_eq!((name("/a/ä/b.json"), name("/a/"), name("b.json")), (5..11, 3..3, 0..6));
+        for (typed, is_meant) in
+            [("/a//b/c.json", Some("/b/c.json")), ("/a/~/c.json", Some("~/c.json")), ("/a/b", None)]
+        {
+            assert_eq!(anew(typed).as_deref(), is_meant, "{typed}");
+        }
         assert_eq!(meant("~/x.json"), etcetera::home_dir().unwrap().join("x.json"));
         assert_eq!(meant("a/b.json"), PathBuf::from("a/b.json"));
     }

@@ -6,7 +6,7 @@ use super::bend::Bends;
 use super::body::{Area, Body, Edge, Link, Relaxed, Span};
 use super::cluster::{Cluster, Side};
 use super::drives::{Muscle, Turn};
-use super::gather::{MOST_SUBSTEPS, affordable};
+use super::gather::MOST_SUBSTEPS;
 use super::rig::Rig;
 use super::rigid::{Held, Shape};
 use super::skins::Skin;
@@ -32,13 +32,6 @@ const STIFF: f64 = 100.0;
 const BENDING: (f64, f64) = (1.0 / 960.0, 1.0);
 /// Oscillation beyond which a body of hard springs counts as rigid `[rad/s]`: of 30 Hz, more than 60 frames a second can show.
 const SEEN: f64 = 188.5;
-
-impl<S> Draft<S> {
-    /// Substeps of a frame that its bodies are given so that their springs can be forces, while all are awake.
-    fn affordable(&self) -> u32 {
-        affordable(super::work_of_a_substep([self.body_of.len(), self.bonds.len(), self.triangles.len()]))
-    }
-}
 
 /// All bodies of a group.
 #[derive(Clone, Debug, Default)]
@@ -152,7 +145,7 @@ impl<S: Real> Bodies<S> {
         let edge_length = if edges.is_empty() { S::ZERO } else { total / S::from_f64(edges.len() as f64) };
         let thin = thickness(&own.triangles, edges.iter().filter(|edge| edge.is_closed), place);
         let surface = if draft.contact.is_some() { &corners } else { &own.points };
-        let is_hard = own.is_hard((place, w)) && !own.can_swing((place, w), draft.affordable());
+        let is_hard = own.is_hard((place, w));
         let rigid = own.shape((local, points), surface, |bond| bond.holds() || is_hard && is_spring(bond));
         let straps = straps(&own.bonds, (&own.points, local), &draft.led, |i| w(i) == S::ZERO);
         // Joints that pins contradict have no solution: bonds are stretched there.
@@ -289,12 +282,6 @@ impl<S: Real> Own<S> {
         let across = extent(&places).map_or(0.0, |[low, high]| length(sub(high, low)).to_f64());
         let long = across / mean + 1.0;
         slowest * self.points.len() as f64 >= SEEN * long.powi(3)
-    }
-
-    /// Whether its springs can be forces in so many substeps of a frame.
-    fn can_swing(&self, at: (impl Fn(u32) -> [S; 2], impl Fn(u32) -> S), most: u32) -> bool {
-        let springs: Vec<&Bond> = self.bonds.iter().filter(|bond| is_spring(bond)).collect();
-        Bounds::new(&springs, at).substeps([bonds::MOST_BY_FORCES, 1.0], most)[0] > 0
     }
 
     /// The rigid bodies in joints that rigid bonds make of it, if they make any; or its points in a ring that bears a weight, where it meets no

@@ -39,6 +39,8 @@ const VIOLENT: f64 = 32.0;
 /// Counted work of a frame up to which there are more substeps than speeds ask for, so that springs can be forces; and of a substep for each
 /// pair that may touch, about.
 const AFFORDED: f64 = 8e6;
+/// The same of more than [`MOST_BY_SPEED`].
+const MANY: f64 = 4e6;
 const OF_A_PAIR: f64 = 120.0;
 
 /// Substeps of a frame at a speed `[m/s]`, with skins whose edges have this mean length `[m]`.
@@ -59,8 +61,8 @@ pub(super) fn enough(wanted: f64, least: u32) -> u32 {
 
 /// Substeps of a frame that bodies are given so that their springs can be forces, whose substep takes this counted work: few bodies, many.
 pub(super) fn affordable(work: f64) -> u32 {
-    let room = AFFORDED / work;
-    SUBSTEPS.into_iter().rev().find(|&count| f64::from(count) <= room).unwrap_or(SUBSTEPS[0])
+    let room = |count: u32| if count > MOST_BY_SPEED { MANY } else { AFFORDED };
+    SUBSTEPS.into_iter().rev().find(|&count| f64::from(count) * work <= room(count)).unwrap_or(SUBSTEPS[0])
 }
 
 /// Pairs of a cluster that might touch in the step before.
@@ -361,7 +363,9 @@ impl<S: Real> Cluster<S> {
         let affordable = f64::from(self.most_substeps);
         let of = |(body, swing, is_torn): (&Body<S>, &Swing, bool)| {
             let [few, fine] = tree::substeps(swing.known);
-            let most = if is_torn && !body.straps.is_empty() { 0.0 } else { fine.min(affordable) };
+            // What is in joints is struck through all of them.
+            let is_any = body.rig.is_none() && !(is_torn && !body.straps.is_empty());
+            let most = if is_any { fine.min(affordable) } else { 0.0 };
             most.max(few.min(f64::from(MOST_BY_SPEED))).ceil() as u32
         };
         let all = self.members(common).zip(self.swings.iter().zip(&self.tangle.torn));

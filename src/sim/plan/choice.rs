@@ -36,6 +36,10 @@ const TOUCHING_STRAIN: f64 = 1e-4;
 const EDGE: f64 = 2.8;
 /// What [`PHASE`] is for large meshes of springs: their fastest oscillations are of single cells, which nobody follows.
 const PHASE_MESH: f64 = 0.5;
+/// Counted work of a frame up to which stiff springs that surfaces may strike are moved by explicit steps, all bodies as stiff together, and that of
+/// a spring in a substep of order 4, about.
+const STRUCK: f64 = 2.4e7;
+const OF_A_SPRING: f64 = 160.0;
 /// Share of a decay that a substep of Verlet's method may span where springs only push: 2 would be the edge of stability.
 const DECAY_SHARE: f64 = 0.9;
 
@@ -95,12 +99,8 @@ pub(crate) fn choose(island: &Island, method: &Method, setting: Setting) -> Choi
     let way = bulk.map(|scheme| scheme.way);
     let solver = if way == Some(Way::Paths) { Solver::Path } else { solver };
     let plain = (method.solver == Solver::Auto && solver == Solver::Rk8)
-        .then(|| substep(island, (Solver::VelocityVerlet, false), setting));
-    let is_mesh = island.springs > MOST_TOUCHING || (method.solver == Solver::Auto && strikes_hard(island, setting));
-    let longest = || match plain {
-        Some(_) => fine_substep(island),
-        None => substep(island, (solver, is_mesh), setting),
-    };
+        .then(|| substep(island, Solver::VelocityVerlet, setting));
+    let longest = || if plain.is_some() { fine_substep(island) } else { substep(island, solver, setting) };
     let substep = match (way, method.substep) {
         (_, Some(given)) => given,
         (Some(Way::Paths), None) => FRAME,
@@ -152,8 +152,7 @@ fn scheme(island: &Island, method: &Method, setting: Setting, is_direct: bool) -
         // Large bodies know neither angles nor areas, nor drives, nor surfaces that push by depth.
         _ if island.bonds.is_empty() || island.has_form() || island.has_drives || island.is_pressed => None,
         Solver::Auto if are_springs && pick(island, method.substep, setting, is_direct) == Solver::VelocityVerlet => {
-            // Small ones are struck where and when they touch.
-            (island.springs > MOST_TOUCHING || setting.points > LARGE).then(|| given(Way::Forces))?
+            given(Way::Forces)
         }
         Solver::Verlet | Solver::VelocityVerlet if are_springs => {
             (is_large || (has_order && setting.points > LARGE)).then(|| given(Way::Forces))?
@@ -193,11 +192,11 @@ fn pick(island: &Island, given: Option<f64>, setting: Setting, is_direct: bool) 
     }
     let is_beyond = given.is_some_and(|given| given * island.frequency.max(0.5 * island.decay) > EDGE);
     let substeps = FRAME / PHASE * island.frequency.max(island.decay * PHASE / DECAY_SHARE);
-    let is_struck = setting.has_surfaces && island.springs > MOST_TOUCHING || strikes_hard(island, setting);
-    if is_struck && substeps <= MOST_TOUCHES && !is_beyond {
+    if setting.has_surfaces && island.springs > MOST_TOUCHING && substeps <= MOST_TOUCHES && !is_beyond {
         return Solver::VelocityVerlet;
     }
-    let is_implicit = (is_stiff(island) || is_beyond) && !island.is_pressed && !island.has_motors;
+    let is_implicit =
+        (is_stiff(island) && !strikes_hard(island, setting) || is_beyond) && !island.is_pressed && !island.has_motors;
     if is_implicit && (island.points.len() <= MOST_IMPLICIT || (setting.points <= LARGE && factors_pay(island))) {
         return Solver::ImplicitMidpoint;
     }
@@ -227,13 +226,13 @@ fn fine_substep(island: &Island) -> f64 {
     FRAME / (FRAME / wanted).ceil().min(MOST_SUBSTEPS)
 }
 
-/// Whether stiff springs that swing may be struck by surfaces: an implicit step rounds off what a blow makes of them, and a body bounces too low.
+/// Whether stiff springs that swing may be struck by surfaces, and explicit steps are affordable: an implicit one rounds off what a blow makes of
+/// them, and a body bounces too low.
 fn strikes_hard(island: &Island, setting: Setting) -> bool {
-    setting.has_surfaces
-        && island.springs > 0
-        && is_stiff(island)
-        && island.decay <= island.frequency
-        && !island.holds_areas
+    let share = setting.points as f64 / island.points.len().max(1) as f64;
+    let work = FRAME / PHASE_4 * island.frequency * OF_A_SPRING * island.springs as f64 * share;
+    let swings = island.springs > 0 && island.decay <= island.frequency && !island.holds_areas;
+    setting.has_surfaces && swings && work <= STRUCK
 }
 
 /// Whether springs are stiffer than explicit steps can serve at a bearable cost.
@@ -249,7 +248,7 @@ fn factors_pay(island: &Island) -> bool {
 }
 
 /// The substep that resolves the fastest motion of an island: a whole part of 1/60 s.
-fn substep(island: &Island, (solver, is_mesh): (Solver, bool), setting: Setting) -> f64 {
+fn substep(island: &Island, solver: Solver, setting: Setting) -> f64 {
     let longest = if island.rigid > 0 { LONGEST_RIGID } else { LONGEST };
     let push = setting.mouse.map_or(0.0, |strength| strength.abs().sqrt()).max(setting.gusts.unwrap_or(0.0));
     let push = push.max(island.drive_rate);
@@ -259,7 +258,7 @@ fn substep(island: &Island, (solver, is_mesh): (Solver, bool), setting: Setting)
         Solver::Rk4 | Solver::Pefrl | Solver::BlanesMoan4 | Solver::BlanesMoan6 | Solver::Rk8 => {
             (PHASE_4, island.frequency.max(push).max(0.5 * island.decay).max(0.5 * setting.drag_rate))
         }
-        Solver::VelocityVerlet if is_mesh => {
+        Solver::VelocityVerlet if island.springs > MOST_TOUCHING => {
             (PHASE_MESH, island.frequency.max(push).max(island.decay * PHASE_MESH / DECAY_SHARE))
         }
         _ => (PHASE, island.frequency.max(push).max(island.decay)),

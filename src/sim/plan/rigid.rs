@@ -153,7 +153,9 @@ fn pieces<S: Real, const D: usize>(
         let is_short = model.method.substep.is_none_or(|h| h <= LONGEST_IN_SPACE);
         let now = points.iter().map(|&point| embed(state_of(gathered, point))).collect();
         let held = || space::layout::Held { now, masses: masses(), bonds: lengths() };
-        let shape = (is_short && !is_led_any).then(held).and_then(space::shape::Shape::of)?;
+        // What a pin holds against surfaces that rub may have no way out of them.
+        let is_hindered = has_surfaces && points.iter().any(|&point| w(point) == 0.0);
+        let shape = (is_short && !is_led_any && !is_hindered).then(held).and_then(space::shape::Shape::of)?;
         Plan::Space(Arc::new(shape))
     } else {
         let joined = || may_swing.then(|| joined(island, (held(), &loose, most_alone), is_led)).flatten();
