@@ -118,8 +118,8 @@ fn rolled(corners: f64, (speed, slope): (f64, f64), t: f64) -> f64 {
 
 #[test]
 fn a_wheel_of_points_rolls_from_corner_to_corner() {
-    // Two rings of 64 points, on a slope.
-    let (count, angle) = (64, 0.1_f64);
+    // Two rings of six points, on a slope.
+    let (count, angle) = (6, 0.25_f64);
     let ring = |z: f64| {
         (0..count).map(move |k| {
             let turn = 2.0 * std::f64::consts::PI * (f64::from(k) + 0.5) / f64::from(count);
@@ -130,10 +130,12 @@ fn a_wheel_of_points_rolls_from_corner_to_corner() {
     let mut scene = body(&position, &moving(&position, [2.0, 0.0, 0.0], [0.0, 0.0, -2.0]));
     scene["gravity"] = json!([G * angle.sin(), -G * angle.cos(), 0]);
     scene["obstacles"] = json!([{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}, "friction": 0.8}]);
-    let (end, world) = run(&scene, 2.0);
-    assert!(is_a_body(&*world));
-    let (gone, expected) = (mean(&end.position)[0], rolled(64.0, (2.0, angle), 2.0));
-    assert!((gone - expected).abs() < 5e-4, "{gone} {expected}");
+    for (t, most) in [(0.5, 1e-5), (1.0, 2e-4)] {
+        let (end, world) = run(&scene, t);
+        assert!(is_a_body(&*world));
+        let (gone, expected) = (mean(&end.position)[0], rolled(6.0, (2.0, angle), t));
+        assert!((gone - expected).abs() < most, "{gone} {expected} at {t} s");
+    }
 }
 
 #[test]
@@ -162,15 +164,17 @@ fn a_ledger_says_where_the_energy_went() {
 }
 
 #[test]
-fn a_pendulum_on_one_pin_strikes_a_floor_and_rests_on_it() {
+fn among_planes_neither_pins_nor_many_corners_make_a_body() {
     let position = [[0.0, 0.5, 0.0], [1.0, 0.6, 0.0], [0.9, 0.5, 0.3], [0.9, 0.5, -0.2], [0.8, 0.4, 0.0]];
     let mut scene = body(&position, &[[0.0; 3]; 5]);
     scene["gravity"] = json!([0, -G, 0]);
+    scene["obstacles"] = json!([{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}, "friction": 0.4}]);
+    assert!(is_a_body(&*world(&scene)));
     scene["points"]["pinned"] = json!([0]);
-    scene["obstacles"] =
-        json!([{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}, "friction": 0.4, "restitution": 0.5}]);
-    let start = world(&scene).energy();
-    let (end, world) = run(&scene, 8.0);
-    assert!(is_a_body(&*world) && world.energy() < start && world.is_asleep());
-    assert!(end.position.iter().all(|x| x[1] > -1e-9));
+    assert!(!is_a_body(&*world(&scene)), "what a pin holds against friction may have no way out of a plane");
+    let many: Vec<[f64; 3]> = (0..2).flat_map(|k| corners(HALF, [0.0, 2.0 + 0.1 * f64::from(k), 0.0])).collect();
+    let mut scene = body(&many, &[[0.0; 3]; 16]);
+    assert!(is_a_body(&*world(&scene)));
+    scene["bounds"] = json!({"min": [-9, 0, -9], "max": [9, 9, 9]});
+    assert!(!is_a_body(&*world(&scene)));
 }

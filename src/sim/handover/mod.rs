@@ -46,12 +46,7 @@ pub(super) fn most_work<S: Real, const D: usize>(
     counters: &Counters,
 ) -> u64 {
     let (Some(budget), Some(watch)) = (budget, &group.watch) else { return u64::MAX };
-    let gives_up = match group.kernel() {
-        Some(Kernel::Joined(_)) => true,
-        Some(Kernel::Rigid(_)) => D == 3,
-        _ => false,
-    };
-    let is_bounded = !matches!(group.engine, Engine::Bulk(_)) || gives_up;
+    let is_bounded = !matches!(group.engine, Engine::Bulk(_)) || matches!(group.kernel(), Some(Kernel::Joined(_)));
     if !watch.may_go || !is_bounded {
         return u64::MAX;
     }
@@ -74,9 +69,9 @@ fn can_go<S: Real, const D: usize>(group: &Group<S, D>) -> bool {
     !group.is_live() && group.watch.as_ref().is_some_and(|watch| watch.may_go)
 }
 
-/// Whether the live step may take less than its own method: of a rigid body alone it never does in the plane.
+/// Whether the live step may take less than its own method: of a rigid body alone it never does.
 fn can_be_cheaper<S: Real, const D: usize>(group: &Group<S, D>) -> bool {
-    can_go(group) && (D == 3 || !matches!(group.kernel(), Some(Kernel::Rigid(_))))
+    can_go(group) && !matches!(group.kernel(), Some(Kernel::Rigid(_)))
 }
 
 /// Counted work of a frame that a group takes at least, of one that can go.

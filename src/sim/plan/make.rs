@@ -225,8 +225,8 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
         let are_alone =
             !islands.is_empty() && islands.iter().all(|island| island.pieces.as_ref().is_some_and(Pieces::is_one));
         let is_few = are_alone || bonds.len() <= most;
-        // The live step in space knows no drives, and stretches nets of rigid bonds by some percent; of a rigid body alone it makes do.
-        let stays = D == 3 && (rigid > 0 && !are_alone || islands.iter().any(|island| island.has_drives));
+        // The live step in space knows no drives, and stretches nets of rigid bonds by some percent.
+        let stays = D == 3 && (rigid > 0 || islands.iter().any(|island| island.has_drives));
         let may_go = count(|island| island.relaxed) == 0 && is_few && points > 0 && !stays;
         let surfaces = &self.obstacles.surfaces;
         let tracks = self.tracks();

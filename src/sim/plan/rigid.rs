@@ -18,7 +18,7 @@ use crate::sim::rigid::link::End;
 use crate::sim::rigid::shape::{FITS, Held, Shape};
 use crate::sim::rigid::ties::Ties;
 use crate::sim::rigid::{Rigid, space};
-use crate::sim::sizes::{MOST_RODS, MOST_SOUGHT};
+use crate::sim::sizes::{MOST_CORNERS, MOST_RODS, MOST_SOUGHT};
 use crate::sim::solver::Solver;
 use crate::sim::vector::{add, embed, flat, length, sub, widen};
 
@@ -153,8 +153,9 @@ fn pieces<S: Real, const D: usize>(
         let is_short = model.method.substep.is_none_or(|h| h <= LONGEST_IN_SPACE);
         let now = points.iter().map(|&point| embed(state_of(gathered, point))).collect();
         let held = || space::layout::Held { now, masses: masses(), bonds: lengths() };
-        // What a pin holds against surfaces that rub may have no way out of them.
-        let is_hindered = has_surfaces && points.iter().any(|&point| w(point) == 0.0);
+        // What a pin holds against surfaces that rub may have no way out of them, and each corner that lies on them feels all others.
+        let has_pins = points.iter().any(|&point| w(point) == 0.0);
+        let is_hindered = has_surfaces && (has_pins || points.len() > MOST_CORNERS);
         let shape = (is_short && !is_led_any && !is_hindered).then(held).and_then(space::shape::Shape::of)?;
         Plan::Space(Arc::new(shape))
     } else {

@@ -48,16 +48,13 @@ pub(crate) struct Rigid {
     bonds: usize,
     /// Points of those that left the finite numbers: they are where their step began.
     lost: Vec<u32>,
-    /// Work that the next step of one alone may take, and when the last one ended early for that `[s]`.
-    most_work: u64,
-    gave_up: Option<f64>,
 }
 
 impl Rigid {
     /// Of shapes, each with the places of its points in the group, made of so many bonds.
     pub(crate) fn new(shapes: Vec<(Arc<Shape>, Vec<u32>)>, bonds: usize) -> Self {
         let bodies = shapes.into_iter().map(|(shape, slots)| Body::new(shape, slots)).collect();
-        Rigid { bodies, bonds, lost: Vec::new(), most_work: u64::MAX, gave_up: None }
+        Rigid { bodies, bonds, lost: Vec::new() }
     }
 }
 
@@ -91,9 +88,6 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             let moving = || slots().map(|i| (points.position[i], points.velocity[i]));
             let parts = if is_reached { around.parts_near(moving(), (t, h)) } else { 1 };
             let mut log = Log::new(book.as_deref_mut());
-            if self.bodies.len() == 1 {
-                log.most_work = self.most_work;
-            }
             let (end, work) = {
                 let field = Field { pull, around, w: &points.inverse_mass, is_reached };
                 let lone = Lone::new(body, &field, &motion);
@@ -110,7 +104,6 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             } else {
                 self.lost.extend(&body.slots);
             }
-            self.gave_up = log.gave_up.map(|gone| t + gone);
             counters.substeps += 1;
             counters.points_moved += count;
             counters.mouse_points += if is_reached { count } else { 0 };
@@ -131,14 +124,6 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
 
     fn take_lost(&mut self) -> Vec<u32> {
         std::mem::take(&mut self.lost)
-    }
-
-    fn bound(&mut self, work: u64) {
-        self.most_work = work;
-    }
-
-    fn take_gave_up(&mut self) -> Option<f64> {
-        self.gave_up.take()
     }
 
     fn kernel(&self) -> Kernel {
