@@ -116,7 +116,7 @@ static GALLERY: [Entry; 53] = [
         72,
         "Ragdoll",
         "A figure tumbles down a flight of stairs and comes to rest; another one hangs by a hand and swings.",
-        "point at the pinned hand and press T: the figure falls 0.66 m in the first 0.4 s; throw the other one by a foot."
+        "point at the pinned hand and press T: the figure falls 0.63 m in the first 0.4 s; throw the other one by a foot."
     ),
     entry!(
         "ragdoll-as-printed",
@@ -369,7 +369,7 @@ static GALLERY: [Entry; 53] = [
         846,
         "Maze",
         "The walls of a round maze are one soft body: it sags, and springs back.",
-        "hold it up by its top: it hangs 0.87 m longer; cut one of its walls open and shake it."
+        "hold it up by its top: it hangs 0.72 m longer; cut one of its walls open and shake it."
     ),
     entry!(
         "pebble",
