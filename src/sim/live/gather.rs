@@ -364,7 +364,7 @@ impl<S: Real> Cluster<S> {
         let of = |(body, swing, is_torn): (&Body<S>, &Swing, bool)| {
             let [few, fine] = tree::substeps(swing.known);
             // What is in joints is struck through all of them.
-            let is_any = body.rig.is_none() && !(is_torn && !body.straps.is_empty());
+            let is_any = body.rig.is_none() && (!is_torn || body.straps.is_empty());
             let most = if is_any { fine.min(affordable) } else { 0.0 };
             most.max(few.min(f64::from(MOST_BY_SPEED))).ceil() as u32
         };
