@@ -79,13 +79,19 @@ mod tests {
     use crate::picture::Tint;
     use crate::scene::Scene;
 
-    #[test]
-    fn a_body_wears_another_picture_in_place_of_its_own_in_one_step_of_undo_and_in_files() {
+    /// A picture and nine points without one, and how many points there are.
+    fn picture_and_lattice() -> (Stage, u32) {
         let text = r#"{"wobble": 1, "bodies": [{"make": "picture", "file": "pictures/jelly.png", "height": 2, "spacing": 0.4,
             "material": {"kind": "spring", "stiffness": 400, "mass": 3}}, {"make": "lattice", "columns": 3, "rows": 3,
             "spacing": 0.5, "origin": [4, 0], "material": {"kind": "spring", "stiffness": 400, "mass": 3}}]}"#;
-        let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        let stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
         let count = stage.history().world().point_count() as u32;
+        (stage, count)
+    }
+
+    #[test]
+    fn a_body_wears_another_picture_in_place_of_its_own_in_one_step_of_undo_and_in_files() {
+        let (mut stage, count) = picture_and_lattice();
         let before = stage.history().skins().to_vec();
         let picture = Picture::new(4, 2, vec![200; 32]).unwrap();
         for points in [0..count - 9, count - 9..count] {
@@ -115,11 +121,7 @@ mod tests {
 
     #[test]
     fn a_matter_by_name_paints_bodies_and_leaves_pictures_as_they_are() {
-        let text = r#"{"wobble": 1, "bodies": [{"make": "picture", "file": "pictures/jelly.png", "height": 2, "spacing": 0.4,
-            "material": {"kind": "spring", "stiffness": 400, "mass": 3}}, {"make": "lattice", "columns": 3, "rows": 3,
-            "spacing": 0.5, "origin": [4, 0], "material": {"kind": "spring", "stiffness": 400, "mass": 3}}]}"#;
-        let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
-        let count = stage.history().world().point_count() as u32;
+        let (mut stage, count) = picture_and_lattice();
         let all = Among { points: (0..count).map(PointId).collect(), ..Among::default() };
         let ink = Arc::clone(&stage.history().skins()[0].picture);
         let leaf = Picture {

@@ -28,18 +28,17 @@ const BY_SPEED: [u32; 4] = [16, 32, 64, 128];
 const MOST_BY_SPEED: u32 = BY_SPEED[BY_SPEED.len() - 1];
 /// The same of what swings faster than those resolve: bodies that are small enough have more of them.
 pub(super) const SUBSTEPS: [u32; 13] = [16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024];
+pub(super) const MOST_SUBSTEPS: u32 = SUBSTEPS[SUBSTEPS.len() - 1];
 /// Most that rigid bonds which are swept are given: what they strain falls with the square of that number, to 1e-4 in a net of 9 by 9 with a weight.
 const FOR_SWEEPS: u32 = 256;
 /// Substeps that springs are given whatever they take.
 const LEAST_AFFORDED: u32 = 32;
-pub(super) const MOST_SUBSTEPS: u32 = SUBSTEPS[SUBSTEPS.len() - 1];
 
 /// Substeps that speed alone asks for from which on a blow is too hard for springs that are forces.
 const VIOLENT: f64 = 32.0;
-/// Counted work of a frame up to which there are more substeps than speeds ask for, so that springs can be forces; and of a substep for each
-/// pair that may touch, about.
+/// Counted work of a frame up to which there are more substeps than speeds ask for, so that springs can be forces, and up to which there
+/// are more than [`MOST_BY_SPEED`]; and of a substep for each pair that may touch, about.
 const AFFORDED: f64 = 8e6;
-/// The same of more than [`MOST_BY_SPEED`].
 const MANY: f64 = 4e6;
 const OF_A_PAIR: f64 = 120.0;
 

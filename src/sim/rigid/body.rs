@@ -314,16 +314,18 @@ pub(super) fn lift<S: Real, const D: usize>(x: [f64; 2]) -> [S; D] {
     std::array::from_fn(|k| if k < 2 { S::from_f64(x[k]) } else { S::ZERO })
 }
 
-/// A number and what rounding takes from it, where that is kept.
+/// A vector and what rounding takes from it, where that is kept, along the axes that both have.
 #[inline(always)]
-fn set<S: Real, const D: usize>(value: &mut [S; D], lost: Option<&mut [S; D]>, exact: [f64; 2]) {
-    for k in 0..2 {
-        value[k] = S::from_f64(exact[k]);
+pub(super) fn set<S: Real, const D: usize, const E: usize>(
+    value: &mut [S; D],
+    lost: Option<&mut [S; D]>,
+    exact: [f64; E],
+) {
+    for (value, exact) in value.iter_mut().zip(exact) {
+        *value = S::from_f64(exact);
     }
-    if let Some(lost) = lost {
-        for k in 0..2 {
-            lost[k] = S::from_f64(exact[k] - value[k].to_f64());
-        }
+    for (lost, (value, exact)) in lost.into_iter().flatten().zip(value.iter().zip(exact)) {
+        *lost = S::from_f64(exact - value.to_f64());
     }
 }
 

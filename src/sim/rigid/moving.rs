@@ -14,6 +14,7 @@ use super::linkage::{FITS, Linkage, ROUNDS, twists_of};
 use super::meeting::Meeting;
 use super::motion::Motion;
 use super::motion::Twist;
+use super::slide::BRIEF;
 use super::together::Together;
 use super::touch::{Among, Touch};
 use crate::sim::contact::coulomb::coupled::Speeds;
@@ -23,8 +24,6 @@ use crate::sim::ledger::Book;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, scale, sub};
 
-/// Parts of a step that are shorter mend no gaps `[s]`: over so short a time that would be speed.
-const BRIEF: f64 = 1e-6;
 /// A gap at which a part has failed, in those that count as none.
 const MISSES: f64 = 1e6;
 /// Share of its motion that drag takes in a part of a step, up to which a composition that goes back in time is of use.

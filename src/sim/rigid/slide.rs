@@ -15,7 +15,7 @@ use crate::sim::real::Real;
 use crate::sim::vector::{dot, scale, sub};
 
 /// Parts of a step that are shorter mend no gaps `[s]`: over so short a time that would be speed.
-const BRIEF: f64 = 1e-6;
+pub(super) const BRIEF: f64 = 1e-6;
 /// Rounds in which the first half of a part finds the impulses that lead to where nothing overlaps.
 const ROUNDS: u32 = 4;
 

@@ -7,6 +7,7 @@ use super::place::{Matrix, Place, Turn, times, unit};
 use super::shape::{Hold, Shape};
 use crate::sim::points::Points;
 use crate::sim::real::Real;
+use crate::sim::rigid::body::set;
 use crate::sim::vector::{add, cross3, dot, embed, length, scale, sub, widen};
 
 /// Rounds in which the turn is found that fits best: where bonds keep their lengths the first is there already.
@@ -160,17 +161,4 @@ fn exact<S: Real, const D: usize>(list: &[[S; D]], lost: &[[S; D]], slot: u32) -
     let i = slot as usize;
     let x = embed(widen(list[i]));
     if lost.is_empty() { x } else { add(x, embed(widen(lost[i]))) }
-}
-
-/// A vector and what rounding takes from it, where that is kept.
-#[inline(always)]
-fn set<S: Real, const D: usize>(value: &mut [S; D], lost: Option<&mut [S; D]>, exact: [f64; 3]) {
-    for k in 0..D {
-        value[k] = S::from_f64(exact[k]);
-    }
-    if let Some(lost) = lost {
-        for k in 0..D {
-            lost[k] = S::from_f64(exact[k] - value[k].to_f64());
-        }
-    }
 }

@@ -13,11 +13,10 @@ use crate::sim::contact::coulomb::disc::{OF_A_CONTACT, Trio, press_or_stop};
 use crate::sim::ledger::Book;
 use crate::sim::real::Real;
 use crate::sim::rigid::body::Field;
+use crate::sim::rigid::slide::BRIEF;
 use crate::sim::rigid::touch::Touch;
 use crate::sim::vector::{add, dot, length, scale, sub};
 
-/// Parts of a step that are shorter mend no gaps `[s]`: over so short a time that would be speed.
-const BRIEF: f64 = 1e-6;
 /// Rounds in which the first half of a part finds the impulses that lead to where nothing overlaps.
 const ROUNDS: u32 = 5;
 
