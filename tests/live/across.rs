@@ -1,6 +1,7 @@
 //! What is pinned across a wall, some of it above and some below: led out only as far as its bonds yield, and no energy from that.
 
 use serde_json::{Value, json};
+use wobble::sim::{Command, Motion, PointId};
 
 use super::world;
 
@@ -46,4 +47,32 @@ fn ropes_that_are_pinned_below_a_floor_keep_their_lengths() {
         assert!(most < start + 3.0, "{kind}: from {start} J to {most} J");
         assert!(strain < 0.06, "{kind}: {strain}");
     }
+}
+
+/// A disc that hangs on two threads lies across those of another one: contacts alone would push what is on both sides of a thread back and
+/// forth for ever, and no body can be led away from the other, for both hang on pins.
+#[test]
+fn what_hangs_across_the_thread_of_another_comes_down_beside_it() {
+    let disc = |x: f64| {
+        json!({"make": "disc", "radius": 0.2, "spacing": 0.1, "origin": [x, 0],
+            "material": {"kind": "spring", "stiffness": 5000, "damping": 0.2, "mass": 1}})
+    };
+    let thread = |a: u32, b: u32| json!({"a": a, "b": b, "kind": "spring", "stiffness": 5000, "limit": "max"});
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": {"friction": 0, "radius": 0.005},
+        "points": {"position": [[0, 1.5], [0.415, 1.5]], "pinned": [0, 1]},
+        "bonds": [thread(0, 4), thread(0, 6), thread(1, 24), thread(1, 26)],
+        "bodies": [disc(0.0), disc(0.415)], "method": {"settle": false}});
+    let mut world = world(&scene);
+    // The second one is lifted onto the threads of the first.
+    let lift = Motion { points: (22..42).map(PointId).collect(), by: [-0.35, 0.35, 0.0], ..Motion::default() };
+    world.apply(&Command::Move(lift)).unwrap();
+    let start = world.energy();
+    while world.time() < 12.0 {
+        world.step();
+        assert!(world.energy() < start + 1.0, "{} J at {} s, {start} at first", world.energy(), world.time());
+    }
+    let sample = world.sample(world.time());
+    let middle = |points: std::ops::Range<usize>| points.map(|i| sample.position[i][0]).sum::<f64>() / 20.0;
+    let [one, other] = [middle(2..22), middle(22..42)];
+    assert!(other - one > 0.35, "side by side: at {one} and {other} m");
 }

@@ -15,6 +15,10 @@ use crate::sim::vector::{add, dot, scale, sub, zero};
 
 /// How fast two bodies go apart, and how fast one may go at most `[m/s]`.
 const SPEED: f64 = 1.0;
+/// How long two bodies are led apart `[s]`, and how long those cross that are both held, which nothing leads. From then on they only go through
+/// each other, until they are apart by themselves: contacts of what lies on both sides of a thread would push it back and forth for ever.
+const LED: f64 = 10.0;
+const HELD: f64 = 1.0;
 /// What is parted waits while more is owed than all would have at this speed `[m/s]`: others would be squeezed.
 const OWED: f64 = 1.0;
 /// Directions that shadows are looked at along.
@@ -31,13 +35,19 @@ pub(super) struct Couple<S> {
     pub(super) bodies: [u32; 2],
     /// For how long `[s]`.
     pub(super) time: f64,
-    /// Where the second one goes; 0: they are not parted.
+    /// Where the second one goes; 0: nowhere, for nobody asked yet, or both are held.
     pub(super) out: [S; 2],
 }
 
 impl<S: Real> Couple<S> {
+    /// Whether they go through each other.
     pub(super) fn is_parted(&self) -> bool {
-        self.out != zero()
+        self.out != zero() || self.time >= HELD
+    }
+
+    /// Whether they are led apart meanwhile.
+    pub(super) fn is_led(&self) -> bool {
+        self.out != zero() && self.time < LED
     }
 }
 
@@ -141,14 +151,14 @@ fn along_shadows<S: Real>(state: &Cluster<S>, [a, b]: [u32; 2]) -> [S; 2] {
 
 /// Moves what is parted on by a substep of `h` `[s]`, and lets it go no deeper.
 pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S, gravity: [f64; 2]) {
-    if !state.tangle.couples.iter().any(Couple::is_parted) {
+    if !state.tangle.couples.iter().any(Couple::is_led) {
         return;
     }
     let speed = if owes(state) { 0.0 } else { SPEED };
     let couples = std::mem::take(&mut state.tangle.couples);
     let barriers = barriers(state);
     let mut shifts = vec![zero::<S, 2>(); state.bodies.len()];
-    for couple in couples.iter().filter(|couple| couple.is_parted()) {
+    for couple in couples.iter().filter(|couple| couple.is_led()) {
         let [(mass_a, v_a), (mass_b, v_b)] = couple.bodies.map(|body| motion(state, body));
         let Some(share) = shares([mass_a, mass_b]) else { continue };
         let Some(goes_by) = shares(inertia([mass_a, mass_b], (couple.bodies, couple.out), &barriers)) else { continue };

@@ -60,7 +60,7 @@ impl<S: Real> Cluster<S> {
 
     /// What is parted as a whole lies in another one too.
     pub(super) fn note_couples(&mut self) {
-        let parted = self.tangle.couples.iter().filter(|couple| couple.is_parted()).flat_map(|couple| couple.bodies);
+        let parted = self.tangle.couples.iter().filter(|couple| couple.is_led()).flat_map(|couple| couple.bodies);
         for body in parted.map(|body| body as usize) {
             self.sunk[body] |= self.lies[body] == Lies::Within;
         }
