@@ -271,12 +271,15 @@ impl<S: Real, const D: usize> Bulk<S, D> {
             }
             let before = ledger.as_ref().filter(|ledger| ledger.0.pulls_rigid).map(|_| self.middle(points, h));
             taut = taut.max(self.project((h, time), counters));
-            if let Some((account, around)) = &mut ledger {
-                let middle = begin + (f64::from(substep) + 0.5) * h;
-                self.book((points, pull, around), (middle, h), before, account);
+            if let (Some((account, _)), Some(before)) = (&mut ledger, before) {
+                self.book_pins(h, &before.1, account);
             }
             let account = ledger.as_mut().map(|(account, ..)| &mut **account);
             self.meet(outside, (scale(pull.gravity, h * h), h), counters, account);
+            if let Some((account, around)) = &mut ledger {
+                let middle = begin + (f64::from(substep) + 0.5) * h;
+                self.book((points, pull, around), (middle, h), account);
+            }
         }
         taut
     }
@@ -288,19 +291,20 @@ impl<S: Real, const D: usize> Bulk<S, D> {
         middle
     }
 
-    /// Books a substep of `h` whose middle is at a time `[s]`; `before` is its middle as it was before bonds pulled, where they pull at
-    /// pins that are led.
+    /// Books a substep of `h` whose middle is at a time `[s]`, with the motions that surfaces left: what lies on one goes nowhere.
     fn book(
         &mut self,
         (points, pull, around): (&Points<S, D>, &Pull<S, D>, &Environment<D>),
         (time, h): (f64, f64),
-        before: Option<Middle<S, D>>,
         account: &mut Account,
     ) {
         let (x, v) = self.middle(points, h);
         account.book_middle((pull, around), (time, h), (&x, &v, &points.inverse_mass));
-        for body in self.bodies.iter_mut().filter(|_| before.is_some()) {
-            let before = before.as_ref().map_or(&[][..], |before| &before.1);
+    }
+
+    /// Books what bonds do at pins that are led in a substep of `h` `[s]`; `before` are the velocities before they pulled.
+    fn book_pins(&mut self, h: f64, before: &[[S; D]], account: &mut Account) {
+        for body in &mut self.bodies {
             match body.work_at_pins(S::from_f64(1.0 / h), before) {
                 Some(work) => account.book.pins += work,
                 None => account.book.untold += 1,

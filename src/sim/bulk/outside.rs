@@ -151,12 +151,12 @@ impl<'a, S: Real, const D: usize> Outside<'a, S, D> {
         let (mut met, gentle) = (false, gentle(fall));
         let mut count = |bounce: &Bounce<S, D>, surface: &Surface<S, D>| {
             if let Some(toll) = &mut toll {
-                toll.add(bounce.toll(surface, from, gentle), 1.0);
+                toll.add(bounce.toll(surface, gentle), 1.0);
             }
         };
         let led = self.walls.as_ref().and_then(|walls| {
             walls.led(from, to, fall, |surface, left| {
-                let bounce = Bounce::of(motion, &walls.surfaces[surface], gentle, scale(fall, left));
+                let bounce = Bounce::of((from, motion), &walls.surfaces[surface], gentle, scale(fall, left));
                 motion = bounce.motion;
                 count(&bounce, &walls.surfaces[surface]);
                 [bounce.keep, bounce.back]
@@ -171,7 +171,7 @@ impl<'a, S: Real, const D: usize> Outside<'a, S, D> {
                 continue;
             }
             met = true;
-            let bounce = Bounce::of(motion, surface, gentle, [S::ZERO; D]);
+            let bounce = Bounce::of((from, motion), surface, gentle, [S::ZERO; D]);
             to = sub(sub(to, scale(surface.normal, gap)), bounce.rubbed);
             motion = bounce.motion;
             count(&bounce, surface);
@@ -193,16 +193,22 @@ struct Bounce<S, const D: usize> {
     back: S,
     /// The parts across and along that it had.
     parts: [S; 2],
+    /// The point lay on the surface: it is pressed, and no impact.
+    lies: bool,
 }
 
 impl<S: Real, const D: usize> Bounce<S, D> {
+    /// Of a point that began at `from`. What lay there bounces off what gives all back alone: bonds press it on again and again.
     /// `late` is what gravity added to the motion since `[m]`: what bounces did so without it.
-    fn of(motion: [S; D], surface: &Surface<S, D>, gentle: S, late: [S; D]) -> Self {
+    fn of((from, motion): ([S; D], [S; D]), surface: &Surface<S, D>, gentle: S, late: [S; D]) -> Self {
         let speed = dot(motion, surface.normal);
         if speed >= S::ZERO {
-            return Bounce { motion, rubbed: [S::ZERO; D], keep: S::ONE, back: S::ZERO, parts: [S::ZERO; 2] };
+            let parts = [S::ZERO; 2];
+            return Bounce { motion, rubbed: [S::ZERO; D], keep: S::ONE, back: S::ZERO, parts, lies: false };
         }
-        let back = if -speed > gentle { surface.restitution } else { S::ZERO };
+        let lies = surface.gap(from) <= -(S::from_f64(LAY) * speed);
+        let is_impact = -speed > gentle && (!lies || surface.restitution >= S::ONE);
+        let back = if is_impact { surface.restitution } else { S::ZERO };
         let late = if back > S::ZERO { late } else { [S::ZERO; D] };
         let motion = sub(motion, late);
         let speed = dot(motion, surface.normal).min(S::ZERO);
@@ -211,17 +217,20 @@ impl<S: Real, const D: usize> Bounce<S, D> {
         let keep = if size > most { (size - most) / size } else { S::ZERO };
         let kept = scale(along, keep);
         let motion = add(sub(kept, scale(surface.normal, back * speed)), late);
-        Bounce { motion, rubbed: sub(along, kept), keep, back, parts: [speed, size] }
+        Bounce { motion, rubbed: sub(along, kept), keep, back, parts: [speed, size], lies }
     }
 
-    /// What is taken of a motion that began at `from`. A gentle impact is none, nor is one of what lay there: that has by it as much as
-    /// gravity or bonds gave it in the substep.
-    fn toll(&self, surface: &Surface<S, D>, from: [S; D], gentle: S) -> Toll {
+    /// What is taken of the motion. A gentle impact is none, nor is what presses a point that lay there, or what friction takes of one that it
+    /// holds: that has by it as much as gravity or bonds gave it in the substep.
+    fn toll(&self, surface: &Surface<S, D>, gentle: S) -> Toll {
         let [across, along] = self.parts.map(|part| 0.5 * (part * part).to_f64());
         let left = |share: S| 1.0 - (share * share).to_f64();
-        let lay = surface.gap(from) <= -(S::from_f64(LAY) * self.parts[0]);
-        let is_impact = -self.parts[0] > gentle && surface.restitution < S::ONE && !lay;
-        Toll { impacts: if is_impact { across * left(self.back) } else { 0.0 }, friction: along * left(self.keep) }
+        let is_impact = -self.parts[0] > gentle && surface.restitution < S::ONE && !self.lies;
+        let is_held = self.lies && self.keep == S::ZERO;
+        Toll {
+            impacts: if is_impact { across * left(self.back) } else { 0.0 },
+            friction: if is_held { 0.0 } else { along * left(self.keep) },
+        }
     }
 }
 
