@@ -2,6 +2,7 @@
 
 use egui::{Area, ComboBox, Id, Rect, RichText, Slider, Ui};
 
+use super::choosing::choice;
 use super::folded::titled;
 use super::theme::{colors, floating};
 use super::{Facts, Wish, low, ranged, ticks};
@@ -119,19 +120,23 @@ fn slider(
 
 /// The keys that have to be held.
 fn keys(ui: &mut Ui, key: &mut Option<KeyName>, back: &mut Option<KeyName>) {
-    choice(ui, "key", "always on", key);
+    of_keys(ui, "key", "always on", key);
     if key.is_some() {
-        choice(ui, "key back", "none", back);
+        of_keys(ui, "key back", "none", back);
     }
 }
 
-fn choice(ui: &mut Ui, name: &str, none: &str, key: &mut Option<KeyName>) {
+fn of_keys(ui: &mut Ui, name: &str, none: &str, key: &mut Option<KeyName>) {
     let text = key.map_or(none, |key| key.name());
     ComboBox::new(("key of a drive", name), name).selected_text(text).height(260.0).show_ui(ui, |ui| {
-        ui.selectable_value(key, None, none);
+        if choice(ui, key.is_none(), none).clicked() {
+            *key = None;
+        }
         for other in KeyName::NAMES {
             let value = other.parse().ok();
-            ui.selectable_value(key, value, *other);
+            if choice(ui, *key == value, *other).clicked() {
+                *key = value;
+            }
         }
     });
 }

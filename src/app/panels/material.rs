@@ -228,7 +228,7 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     });
     ui.separator();
     if matter.points > 0 {
-        if let (Some(by), Some(preset)) = presets(ui, None) {
+        if let (Some(by), Some(preset)) = presets(ui, matter.preset()) {
             sink.set(&by, MatterChange::Preset(preset));
         }
         ui.separator();
