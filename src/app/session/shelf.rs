@@ -117,11 +117,6 @@ impl Shelf {
     pub(super) fn players_mut(&mut self) -> impl Iterator<Item = &mut Player> {
         self.before.iter_mut().chain(&mut self.after).map(|left| &mut left.player)
     }
-
-    /// The history after.
-    fn on(&mut self) -> Option<Left> {
-        self.after.pop()
-    }
 }
 
 /// Which way along the shelf.
