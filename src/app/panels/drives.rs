@@ -1,6 +1,6 @@
 //! What the tools for muscles and motors make, beside the tools.
 
-use egui::{Area, ComboBox, Id, Rect, RichText, Slider, Ui};
+use egui::{Area, ComboBox, Id, Label, Rect, RichText, Slider, Ui};
 
 use super::choosing::choice;
 use super::folded::titled;
@@ -78,16 +78,19 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
 
 fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     let motor = &mut drives.motor;
-    ui.label(RichText::new("click the middle of a wheel, or any body").color(colors(ui).weak));
+    let said = "a click hinges the body under it: to the other one where two overlap, else to the background";
+    ui.add(Label::new(RichText::new(said).color(colors(ui).weak)).wrap());
     let mut is_on = motor.is_on.unwrap_or(false);
     if ticks::check(ui, &mut is_on, "motor").changed() {
         motor.is_on = Some(is_on);
     }
     if motor.is_on.is_none() {
-        ui.label(RichText::new("a wheel with no other body beside it gets one by itself").color(colors(ui).weak));
+        let said = "unless you say: a wheel alone gets one, all else is just hinged";
+        ui.add(Label::new(RichText::new(said).color(colors(ui).weak)).wrap());
     }
     if motor.is_on != Some(false) {
-        slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s");
+        let said = "below 0 clockwise, as a wheel rolls to the right";
+        slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s").on_hover_text(said);
         torque(ui, &mut motor.torque);
         keys(ui, &mut motor.key, &mut motor.back);
     }

@@ -63,10 +63,7 @@ impl Room {
             Room::All => true,
             Room::Most => !matches!([panel, later], [Settings, Selection] | [Selection, Settings]),
             Room::NotBoth => {
-                !matches!(
-                    [panel, later],
-                    [Settings, Lessons | Selection] | [Lessons, Settings] | [Selection, Settings]
-                )
+                !matches!([panel, later], [Settings, Lessons | Selection] | [Lessons, Settings] | [Selection, Settings])
             }
             // They are one panel.
             Room::One => matches!([panel, later], [Tool, Selection] | [Selection, Tool]),

@@ -337,7 +337,7 @@ impl Session {
     /// Back to the start. While a step takes long it is left to itself, and the start is played anew at once.
     fn reset(&mut self) {
         if !self.player.is_open() {
-            return self.say("it is still opening: Esc stops that".to_owned());
+            return self.say("it is still opening".to_owned());
         }
         // What was built would not be in what is played anew.
         if self.player.is_busy() && !self.player.is_used() {
