@@ -295,7 +295,7 @@ const INNER_ROOM: f32 = 0.5;
 // Where light comes from in space; how bright what faces away from it and what faces it is, and what is seen from its side.
 const LIGHT: vec3<f32> = vec3(0.34, 0.82, 0.46);
 const BRIGHT: vec2<f32> = vec2(0.36, 1.22);
-const ASIDE: f32 = 0.7;
+const ASIDE: f32 = 0.82;
 // How much a cell of a net covers: its bonds, and what lies behind it, are seen as well, and strains are told apart.
 const CELL_OPACITY: vec2<f32> = vec2(0.4, 0.55);
 // The other side of a surface, beside the one that is seen from where its normal points.

@@ -44,7 +44,8 @@ pub(super) fn show(context: &egui::Context, opening: Opening, title: &str, wishe
                 }
             });
             if let Some(share) = share {
-                ui.add(ProgressBar::new(share).desired_width(LINE).text(worked_out(share)));
+                ui.add(ProgressBar::new(share).desired_width(LINE).desired_height(8.0));
+                ui.label(RichText::new(worked_out(share)).color(colors(ui).weak));
             }
         });
     });

@@ -232,7 +232,7 @@ fn while_paused_a_body_is_moved_with_the_pins_that_it_hangs_and_turns_on() {
         let [x, y, _] = seen.0.place(*point);
         (x - before[*point][0] + 1.0).abs() < 0.02 && (y - before[*point][1] - 1.0).abs() < 0.02
     };
-    let last = scope(&seen).body(crate::sim::PointId(count as u32 - 1));
+    let last = scope(&seen).body(PointId(count as u32 - 1));
     assert!(last.len() > 20 && last.iter().all(|point| moved(&point.index())), "its wheel and both pins");
     assert_eq!((0..count).filter(moved).count(), last.len(), "nothing else");
 }
