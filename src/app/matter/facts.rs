@@ -221,8 +221,8 @@ impl Matter {
         (self.area > 0.0).then(|| self.mass / self.area)
     }
 
-    /// The matter by name that all of it is of, if it is of one. How stiff its springs are depends on its size; how fast they calm down does
-    /// not.
+    /// The matter by name that all of it is of, if it is of one, whatever its colour is: what has a picture keeps that. How stiff its springs are
+    /// depends on its size; how fast they calm down does not.
     pub(in crate::app) fn preset(&self) -> Option<Preset> {
         Preset::ALL.into_iter().find(|preset| {
             let stuff = preset.stuff();
@@ -239,8 +239,7 @@ impl Matter {
                         Some([_, slow]) => rigid + relaxed == 0 && is(calm, slow),
                         None => springs + relaxed == 0,
                     };
-            self.color == Coloring::One(stuff.color)
-                && self.density().is_none_or(|density| Span { least: density, most: density }.is_all(stuff.density))
+            self.density().is_none_or(|density| Span { least: density, most: density }.is_all(stuff.density))
                 && is(self.friction, stuff.friction)
                 && is(self.restitution, stuff.restitution)
                 && is_bonded

@@ -147,7 +147,6 @@ fn presets_weigh_by_area_are_soft_by_weight_and_hold_their_shape() {
         assert_eq!(after.preset(), Some(preset));
         let touched = [
             Matter { mass: 1.01 * after.mass, ..after.clone() },
-            Matter { color: Coloring::Palette, ..after.clone() },
             Matter { kinds: [after.kinds[1], after.kinds[0], 0], ..after.clone() },
             Matter { friction: after.restitution, restitution: after.friction, ..after.clone() },
         ];
