@@ -63,9 +63,9 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
         let anchor = PopupAnchor::Position(at + vec2(0.0, 16.0));
         Tooltip::always_open(context.clone(), layer, id.with("said"), anchor).show(|ui| ui.label(words));
     }
-    // The row of what is stretched comes and goes with the bonds that are rigid: what lies below stays where it is.
-    let kept = if facts.stretch.is_none() { row } else { 0.0 };
-    places.right = all.bottom() + kept + APART;
+    places.right = all.bottom() + APART;
+    // The row of what is stretched comes and goes with the bonds that are rigid: whoever sets those is not to be moved by it.
+    places.kept = if facts.stretch.is_none() { row } else { 0.0 };
 }
 
 fn rows(facts: &Facts) -> Vec<(&'static str, String)> {
@@ -122,7 +122,7 @@ mod tests {
     use crate::app::player::Figures;
 
     #[test]
-    fn what_lies_below_the_figures_stays_where_it_is_as_rigid_bonds_come_and_go() {
+    fn what_is_selected_stays_where_it_is_as_rigid_bonds_come_and_go() {
         let low = |stretch: Option<f64>| {
             let facts = Facts { stretch, dimensions: 2, ..Facts::default() };
             let (context, mut low) = (egui::Context::default(), [0.0; 2]);
@@ -133,7 +133,8 @@ mod tests {
                     let mut places = Places::new(screen, false);
                     show(ui.ctx(), &mut places, &facts);
                     let figures = ui.memory(|memory| memory.area_rect(Id::unique("figures")));
-                    low = [figures.map_or(0.0, |at| at.bottom()), places.right];
+                    let selected = places.of_tools((None, None), 0.0).right;
+                    low = [figures.map_or(0.0, |at| at.bottom()), selected.top()];
                 });
                 output.textures_delta.clear();
             }
