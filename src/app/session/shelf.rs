@@ -225,6 +225,8 @@ impl Session {
     /// anywhere.
     pub(super) fn stay_where_one_was(&mut self) -> bool {
         let Some((way, far)) = self.came.take() else { return false };
+        // Nothing is asked of it after that.
+        self.take_leave();
         self.player.stay_folded();
         self.go_along(way.other(), far)
     }
