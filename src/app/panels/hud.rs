@@ -21,9 +21,6 @@ const OF_ENERGY: &str = "energy of motion, springs and gravity (0 at y = 0)";
 const RELAXED: &str = "relaxed";
 const OF_RELAXED: &str = "relaxed bonds give way like springs of this stiffness, by this substep and so many sweeps: measured as the scene begins";
 
-/// Between rows `[points]`.
-const LEADING: f32 = 1.0;
-
 /// Shows them at the right edge, below the buttons where those leave no place for them.
 pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) {
     let id = Id::unique("figures");
@@ -31,12 +28,12 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
     places.make_way(width);
     let place = Area::new(id).anchor(Align2::RIGHT_TOP, [-10.0, places.right]).interactable(false);
     let shown = place.show(context, |ui| {
-        let (mut said, mut row): (Vec<(Rect, &str)>, f32) = (Vec::new(), 0.0);
+        let (mut said, mut tops): (Vec<(Rect, &str)>, Vec<f32>) = (Vec::new(), Vec::new());
         floating(ui).show(ui, |ui| {
-            egui::Grid::new("figures").num_columns(2).spacing([14.0, LEADING]).show(ui, |ui| {
+            egui::Grid::new("figures").num_columns(2).spacing([14.0, 1.0]).show(ui, |ui| {
                 for (name, value) in rows(facts) {
                     let label = ui.weak(name);
-                    row = label.rect.height() + LEADING;
+                    tops.push(label.rect.top());
                     match name {
                         ENERGY => said.push((label.rect, OF_ENERGY)),
                         STRETCH => said.push((label.rect, OF_STRETCH)),
@@ -51,7 +48,7 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
                 }
             });
         });
-        (said, row)
+        (said, tops.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f32::max))
     });
     let (all, (said, row)) = (shown.response.rect, shown.inner);
     // Presses go through the figures, so that what is said of them is shown by hand.

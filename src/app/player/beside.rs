@@ -300,7 +300,7 @@ mod tests {
         assert!(!is_given_up(1.0, 20), "20 s behind: it is there in 20 s");
         assert!(is_given_up(0.0, 4) && is_given_up(-0.5, 4), "it never is");
         assert!(is_given_up(0.1, 4), "in 200 s");
-        assert!(!is_given_up(0.0, 3), "for so long nobody knows");
+        assert!(!is_given_up(0.0, 2), "for so long nobody knows");
         let mut late = Late::default();
         (0..25).for_each(|_| _ = late.is_hopeless(Some(1.0), 0.1));
         assert!(!late.is_hopeless(None, 0.1) && !(0..25).any(|_| late.is_hopeless(Some(1.0), 0.1)), "there between");
