@@ -139,7 +139,7 @@ mod tests {
         // A net of ten thousand points takes 4 ms by itself.
         assert_eq!(question(10_000, (10_000, false), (0.004, 1.0)), None);
         let words = question(10_000, (10_000, true), (0.004, 1.0)).unwrap_or_default();
-        assert!(words.ends_with("about 49 % of its speed, 34 ms of work a frame."), "{words}");
+        assert!(words.ends_with("about half speed, 34 ms of work a frame."), "{words}");
         assert_eq!(question(24, (24_000, true), (0.015, 1.0)), None, "a rim among a thousand");
     }
 
