@@ -14,7 +14,8 @@ struct Primitive {
 @group(0) @binding(3) var<storage, read> primitives: array<Primitive>;
 // Of each point red, green and blue of its own from the lowest byte on, then whether it has them.
 @group(0) @binding(5) var<storage, read> own: array<vec2<u32>>;
-// A row a point: its normal in space, the mean strain of its bonds. Not there where neither is shown.
+// A row a point: its normal in space, which is shorter the sharper an edge it is on, 0 where triangles are flat up to it, and the mean strain of
+// its bonds. Not there where neither is shown.
 @group(1) @binding(0) var<storage, read> shades: array<vec4<f32>>;
 
 const FILL: u32 = 0u;
@@ -56,6 +57,17 @@ fn color_at(ink: u32, point: u32) -> vec3<f32> {
     return select(color_of(ink), painted.rgb, painted.a > 0.5);
 }
 
+// The normal that a corner of a triangle in space is lit by: that of the surface, or that of the triangle where it has an edge.
+fn lit_by(normal: vec3<f32>, place: u32, corner: u32) -> vec3<f32> {
+    let first = select(0u, 3u, corner >= 3u);
+    let a = position_of(primitives[place].points[first]);
+    let b = position_of(primitives[place].points[first + 1u]);
+    let c = position_of(primitives[place].points[first + 2u]);
+    let face = cross(b - a, c - a);
+    let size = length(face);
+    return normal + select(vec3(0.0), face / max(size, 1e-30), size > 0.0) * max(1.0 - length(normal), 0.0);
+}
+
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Fill {
     let primitive = primitives[index / 6u];
@@ -77,6 +89,9 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
         out.share = select(vec3(0.0), vec3(1.0), vec3<bool>(corner % 3u == 0u, second.x, second.y));
         if DIMENSIONS == 3u || (MAPS && is_set(frame.strain_scale, place.x)) {
             out.shade = shades[point];
+        }
+        if DIMENSIONS == 3u {
+            out.shade = vec4(lit_by(out.shade.xyz, index / 6u, corner), out.shade.w);
         }
         if MAPS && is_set(frame.difference_scale, place.x) {
             out.shade.w = values[point];
@@ -280,7 +295,7 @@ const INNER_ROOM: f32 = 0.5;
 // Where light comes from in space; how bright what faces away from it and what faces it is, and what is seen from its side.
 const LIGHT: vec3<f32> = vec3(0.34, 0.82, 0.46);
 const BRIGHT: vec2<f32> = vec2(0.36, 1.22);
-const ASIDE: f32 = 0.7;
+const ASIDE: f32 = 0.82;
 // How much a cell of a net covers: its bonds, and what lies behind it, are seen as well, and strains are told apart.
 const CELL_OPACITY: vec2<f32> = vec2(0.4, 0.55);
 // The other side of a surface, beside the one that is seen from where its normal points.

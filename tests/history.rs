@@ -178,11 +178,11 @@ fn a_reset_is_undone_as_one() {
     history.reset();
     assert_eq!(history.world().time(), 0.0);
     play(&mut history, 30);
-    assert_eq!(history.undoes().as_deref(), Some("Reset"));
+    assert_eq!(history.undoes().as_deref(), Some("back to the start"));
     let undone = history.undo().unwrap();
-    assert_eq!((undone.name.as_str(), undone.seconds > 0.0), ("Reset", true));
+    assert_eq!((undone.name.as_str(), undone.seconds > 0.0), ("back to the start", true));
     assert_eq!(hash(&history), late);
-    assert_eq!(history.redo().unwrap().name, "Reset");
+    assert_eq!(history.redo().unwrap().name, "back to the start");
     assert_eq!(history.world().time(), 0.0);
     assert!(history.recording().commands.is_empty());
 }
@@ -204,9 +204,9 @@ fn a_reset_takes_along_what_was_built_at_the_start() {
         assert_eq!((history.world().time(), history.recording().commands.len()), (start, 1));
         assert!(history.world().grab().is_none() && hash(&history) == built);
         play(&mut history, 10);
-        assert_eq!(history.undo().unwrap().name, "Reset");
+        assert_eq!(history.undo().unwrap().name, "back to the start");
         assert_eq!(hash(&history), late);
-        assert_eq!(history.redo().unwrap().name, "Reset");
+        assert_eq!(history.redo().unwrap().name, "back to the start");
         assert_eq!((history.world().time(), history.recording().commands.len()), (start, 1));
         history.undo().unwrap();
     }
@@ -241,7 +241,7 @@ fn a_reset_keeps_what_was_set_and_takes_back_what_was_done() {
     assert_eq!(history.reset(), GoneBack::default(), "nothing was done since");
     play(&mut history, 20);
     assert_eq!(hash(&history), again);
-    assert_eq!([(); 2].map(|()| history.undo().unwrap().name), ["Reset"; 2]);
+    assert_eq!([(); 2].map(|()| history.undo().unwrap().name), ["back to the start"; 2]);
     assert_eq!(hash(&history), late);
 }
 

@@ -33,7 +33,7 @@ pub(super) struct Redo {
 }
 
 /// What going back to the start is called.
-const RESET: &str = "Reset";
+const RESET: &str = "back to the start";
 
 impl History {
     /// Goes back to just before the last edit. Nothing to undo is no error.
@@ -187,10 +187,17 @@ impl History {
     /// The state at the step that ends at or before `t` `[s]`, exactly. What comes after stays and is followed, until something
     /// new is given: then that is another branch.
     pub fn go_to(&mut self, t: f64) {
+        self.go_to_while(t, |_| true);
+    }
+
+    /// The same, as long as `goes_on` says so, which is told before each step what time it is `[s]`. Returns whether it is there: else it
+    /// stands at the step that it had come to.
+    pub fn go_to_while(&mut self, t: f64, mut goes_on: impl FnMut(f64) -> bool) -> bool {
         let t = if t.is_nan() { self.from() } else { t.clamp(self.from(), self.end().max(self.tree.end(self.branch))) };
         self.is_free = false;
         self.restore(Spot { branch: self.branch, place: usize::MAX, time: t });
-        loop {
+        let mut is_stopped = false;
+        while !is_stopped {
             let next = self.tree.entry(self.branch, self.frame.place).map(|entry| entry.at);
             match next {
                 Some(at) if self.frame.is_due(at) => self.pass(),
@@ -198,8 +205,10 @@ impl History {
                 _ if self.frame.ends_by(t) => self.frame.step(next, &self.scene),
                 _ => break,
             }
+            is_stopped = !goes_on(self.frame.world.time());
         }
         self.arrive();
+        !is_stopped
     }
 
     /// The keyframe at or before `t` `[s]`, to be shown at once.

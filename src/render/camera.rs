@@ -46,6 +46,8 @@ const FIELD_OF_VIEW: f64 = 0.8;
 const STEEPEST: f64 = 1.55;
 /// Least distance that is seen, as a share of the target's: nearer things would fill the picture.
 const NEAR: f64 = 0.01;
+/// How far off the middle a point behind the camera is pointed to, in sides of the picture `[1]`.
+const BEHIND: f64 = 100.0;
 /// How many times as far as the nearest the farthest is that is seen: more would cost depth its digits.
 const DEPTH_OF_VIEW: f64 = 1e4;
 /// Angle that a drag over one pixel turns the camera by `[rad]`.
@@ -229,6 +231,25 @@ impl Camera {
         }
         let ndc = clip.truncate().truncate() / clip.w;
         Some(((ndc * DVec2::new(0.5, -0.5) + 0.5) * self.viewport).to_array())
+    }
+
+    /// Which way a point lies from the middle of the picture `[px]`: where it is seen, or far beyond the edge where it would come into view
+    /// first as the camera turned to it. `None`: where it is not a number.
+    pub fn way_to(&self, point: DVec3) -> Option<[f64; 2]> {
+        if let Some(at) = self.screen_from_world(point) {
+            return Some(at);
+        }
+        let clip: DVec4 = self.clip_from_relative(self.focus()) * (point - self.focus()).extend(1.0);
+        let way = DVec2::new(clip.x, -clip.y).normalize_or(DVec2::Y);
+        clip.is_finite().then(|| (0.5 * self.viewport + BEHIND * self.viewport.max_element() * way).to_array())
+    }
+
+    /// Whether a point is as far ahead of the camera as what is drawn: not behind it, nor beyond all depth.
+    pub fn reaches(&self, point: DVec3) -> bool {
+        match self.pose {
+            Pose::Plane { .. } => true,
+            Pose::Orbit { .. } => (self.near()..=DEPTH_OF_VIEW * self.near()).contains(&self.depth(point)),
+        }
     }
 
     /// How far a point lies ahead of the camera `[m]`; in the plane 0.

@@ -5,11 +5,15 @@ use super::called::name_of;
 use super::extent::{areas, place};
 use super::former::Former;
 use super::joints::{Joint, coming, held};
+use super::preset::Preset;
 use crate::picture::Tint;
 use crate::sim::{Bond, BondKind, Dynamics, Knots, Limit, Obstacle, PointId};
 
 /// A strain at which bonds break that none comes to `[1]`: files have no word for never.
 pub(in crate::app) const NEVER: f64 = 1e9;
+
+/// Numbers that differ by a smaller share are the same in a world of 32 bits, sums of some hundred of them too `[1]`.
+const ALIKE: f64 = 1e-4;
 
 /// Pins whose ways are told at most.
 const MOST_PINS: usize = 6;
@@ -32,6 +36,11 @@ impl Span {
                 }),
             )
         })
+    }
+
+    /// Whether all of them are this number, as far as 32 bits tell.
+    fn is_all(self, x: f64) -> bool {
+        [self.least, self.most].into_iter().all(|own| (own - x).abs() <= ALIKE * x.abs())
     }
 
     /// The one number that they all are.
@@ -210,6 +219,31 @@ impl Matter {
     /// Mass by area `[kg/m^2]`; `None` where it covers nothing.
     pub(in crate::app) fn density(&self) -> Option<f64> {
         (self.area > 0.0).then(|| self.mass / self.area)
+    }
+
+    /// The matter by name that all of it is of, if it is of one, whatever its colour is: what has a picture keeps that. How stiff its springs are
+    /// depends on its size; how fast they calm down does not.
+    pub(in crate::app) fn preset(&self) -> Option<Preset> {
+        Preset::ALL.into_iter().find(|preset| {
+            let stuff = preset.stuff();
+            let is = |span: Option<Span>, x: f64| span.is_none_or(|span| span.is_all(x));
+            let [rigid, springs, relaxed] = self.kinds;
+            let calm = self.damping.zip(self.stiffness).map(|(damping, stiffness)| Span {
+                least: damping.least / stiffness.least,
+                most: damping.most / stiffness.most,
+            });
+            // Strings keep what they are made of.
+            let is_bonded = self.limits[0] < self.bonds
+                || is(self.breaks, stuff.breaks.unwrap_or(NEVER))
+                    && match stuff.springs {
+                        Some([_, slow]) => rigid + relaxed == 0 && is(calm, slow),
+                        None => springs + relaxed == 0,
+                    };
+            self.density().is_none_or(|density| Span { least: density, most: density }.is_all(stuff.density))
+                && is(self.friction, stuff.friction)
+                && is(self.restitution, stuff.restitution)
+                && is_bonded
+        })
     }
 }
 

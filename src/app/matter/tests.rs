@@ -144,6 +144,13 @@ fn presets_weigh_by_area_are_soft_by_weight_and_hold_their_shape() {
             assert!((after.stiffness.unwrap().least / (soft * after.mass) - 1.0).abs() < 1e-9);
         }
         assert_eq!(after.color, Coloring::One(stuff.color));
+        assert_eq!(after.preset(), Some(preset));
+        let touched = [
+            Matter { mass: 1.01 * after.mass, ..after.clone() },
+            Matter { kinds: [after.kinds[1], after.kinds[0], 0], ..after.clone() },
+            Matter { friction: after.restitution, restitution: after.friction, ..after.clone() },
+        ];
+        assert!(touched.iter().all(|other| other.preset().is_none()), "{preset:?} as long as nothing of it was set");
         assert_eq!(after.friction.unwrap().same(), Some(stuff.friction));
         // It falls two seconds long and lies, as wide as it was within what its softness gives.
         (0..120).for_each(|_| _ = stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));

@@ -30,7 +30,6 @@ type Part = [f64; 4];
 /// below what is in the upper right corner, of the part below that.
 pub fn beside_all(look: impl Fn(Free) -> Camera, seen: &View<'_>, (free, over): (Free, Over)) -> Camera {
     let camera = beside_corner(&look, seen, free, over.corner);
-    let Pose::Plane { .. } = camera.pose else { return camera };
     let Some((column, rest)) = over.column.and_then(|column| parted(free, column, over.low)) else { return camera };
     if !is_hidden(&camera, seen, &[column]) {
         return camera;
@@ -43,7 +42,6 @@ pub fn beside_all(look: impl Fn(Free) -> Camera, seen: &View<'_>, (free, over): 
 /// something is selected.
 pub fn beside_panels(camera: Camera, seen: &View<'_>, (free, over): (Free, Over), taken: &[Part]) -> Camera {
     let column = over.column.and_then(|column| parted(free, column, over.low)).map(|(column, _)| column);
-    let column = column.filter(|_| matches!(camera.pose, Pose::Plane { .. }));
     if !is_hidden(&camera, seen, &[taken, column.as_slice()].concat()) {
         return camera;
     }
@@ -79,7 +77,6 @@ fn parted(free: Free, [from, to]: [f64; 2], low: Option<f64>) -> Option<(Part, F
 fn beside_corner(look: impl Fn(Free) -> Camera, seen: &View<'_>, free: Free, corner: Option<[f64; 2]>) -> Camera {
     let camera = look(free);
     let Some([left, below]) = corner.filter(|corner| corner[1] > free[0][1]) else { return camera };
-    let Pose::Plane { .. } = camera.pose else { return camera };
     let has_room = below < 0.5 * (free[0][1] + free[1][1]);
     match has_room && is_hidden(&camera, seen, &[[left, 0.0, free[1][0], below]]) {
         true => look([[free[0][0], below], free[1]]),

@@ -54,7 +54,7 @@ pub fn opened(scene: &Scene, seen: &View<'_>, size: [u32; 2], (free, over): (Fre
         Pose::Orbit { .. } => {
             let target = look(scene.view.as_ref(), |height, _| height, seen, size).focus();
             let about = |camera: &Camera| mirrored(on_screen(camera, seen), camera.screen_from_world(target));
-            drawn_back(opened, free, about)
+            beside_all(|free| drawn_back(opened, free, about), seen, (free, over))
         }
     }
 }

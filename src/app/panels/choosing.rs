@@ -1,7 +1,7 @@
-//! What Enter chooses in a menu closes the menu, as a click does.
+//! What Enter chooses in a menu closes the menu, as a click does; arrows begin at what is chosen already.
 
 use egui::containers::menu::SubMenu;
-use egui::{Context, Id, Key, LayerId, Order, Plugin, Popup, Ui};
+use egui::{Context, Id, Key, LayerId, Order, Plugin, Popup, Response, Ui, WidgetText};
 
 /// Closes menus once something in them was chosen by Enter.
 #[derive(Default)]
@@ -40,6 +40,27 @@ fn has_menu(context: &Context, chosen: Id) -> bool {
     context.memory(|memory| memory.areas().is_visible(&layer))
 }
 
+/// One of a menu's choices, the present one or another: the first that arrows lead from, when the menu opens, is the present one.
+pub(super) fn choice(ui: &mut Ui, is_present: bool, words: impl Into<WidgetText>) -> Response {
+    let by = ui.selectable_label(is_present, words.into());
+    begin_at(&by, is_present);
+    by
+}
+
+/// The same of a choice that is there already.
+pub(super) fn begin_at(by: &Response, is_present: bool) {
+    // A menu is laid out twice as it opens: what is seen for the first or the second time was not there before.
+    let pass = by.ctx.cumulative_pass_nr();
+    let id = by.id.with("seen in a menu");
+    let [first, last] = by.ctx.data(|data| data.get_temp::<[u64; 2]>(id)).unwrap_or([pass; 2]);
+    let first = if pass > last + 1 { pass } else { first };
+    by.ctx.data_mut(|data| data.insert_temp(id, [first, pass]));
+    if is_present && pass <= first + 1 {
+        by.request_focus();
+        by.scroll_to_me(None);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use egui::{ComboBox, Event, Modifiers, RawInput, Rect, pos2, vec2};
@@ -51,12 +72,16 @@ mod tests {
     fn arrows_and_enter_choose_in_a_list_and_close_it() {
         let context = Context::default();
         super::super::listen(&context);
-        let (mut value, mut button) = (0, Rect::NOTHING);
+        let (mut value, mut button) = (1, Rect::NOTHING);
         let mut frame = |events: Vec<Event>| {
             let screen_rect = Some(Rect::from_min_size(pos2(0.0, 0.0), vec2(400.0, 300.0)));
             let mut output = context.run_ui(RawInput { events, screen_rect, ..RawInput::default() }, |ui| {
                 let list = ComboBox::from_id_salt("list").selected_text(value.to_string()).show_ui(ui, |ui| {
-                    (0..3).for_each(|number| _ = ui.selectable_value(&mut value, number, number.to_string()));
+                    for number in 0..5 {
+                        if choice(ui, value == number, number.to_string()).clicked() {
+                            value = number;
+                        }
+                    }
                 });
                 button = list.response.rect;
             });
@@ -76,9 +101,9 @@ mod tests {
             frame(key(pressed));
             frame(Vec::new());
         }
-        assert_eq!((frame(Vec::new()).0, frame(Vec::new()).2), (0, true), "nothing is chosen yet");
+        assert_eq!((frame(Vec::new()).0, frame(Vec::new()).2), (1, true), "nothing is chosen yet");
         frame(key(Key::Enter));
         let (value, _, is_open) = frame(Vec::new());
-        assert_eq!((value, is_open), (1, false));
+        assert_eq!((value, is_open), (3, false), "two below the one that was chosen");
     }
 }

@@ -1,7 +1,8 @@
 //! What the tools for muscles and motors make, beside the tools.
 
-use egui::{Area, ComboBox, Id, Rect, RichText, Slider, Ui};
+use egui::{Area, ComboBox, Id, Label, Rect, RichText, Slider, Ui};
 
+use super::choosing::choice;
 use super::folded::titled;
 use super::theme::{colors, floating};
 use super::{Facts, Wish, low, ranged, ticks};
@@ -77,16 +78,19 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
 
 fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     let motor = &mut drives.motor;
-    ui.label(RichText::new("click the middle of a wheel, or any body").color(colors(ui).weak));
+    let said = "a click hinges the body under it: to the other one where two overlap, else to the background";
+    ui.add(Label::new(RichText::new(said).color(colors(ui).weak)).wrap());
     let mut is_on = motor.is_on.unwrap_or(false);
     if ticks::check(ui, &mut is_on, "motor").changed() {
         motor.is_on = Some(is_on);
     }
     if motor.is_on.is_none() {
-        ui.label(RichText::new("a wheel with no other body beside it gets one by itself").color(colors(ui).weak));
+        let said = "unless you say: a wheel alone gets one, all else is just hinged";
+        ui.add(Label::new(RichText::new(said).color(colors(ui).weak)).wrap());
     }
     if motor.is_on != Some(false) {
-        slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s");
+        let said = "below 0 clockwise, as a wheel rolls to the right";
+        slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s").on_hover_text(said);
         torque(ui, &mut motor.torque);
         keys(ui, &mut motor.key, &mut motor.back);
     }
@@ -119,19 +123,23 @@ fn slider(
 
 /// The keys that have to be held.
 fn keys(ui: &mut Ui, key: &mut Option<KeyName>, back: &mut Option<KeyName>) {
-    choice(ui, "key", "always on", key);
+    of_keys(ui, "key", "always on", key);
     if key.is_some() {
-        choice(ui, "key back", "none", back);
+        of_keys(ui, "key back", "none", back);
     }
 }
 
-fn choice(ui: &mut Ui, name: &str, none: &str, key: &mut Option<KeyName>) {
+fn of_keys(ui: &mut Ui, name: &str, none: &str, key: &mut Option<KeyName>) {
     let text = key.map_or(none, |key| key.name());
     ComboBox::new(("key of a drive", name), name).selected_text(text).height(260.0).show_ui(ui, |ui| {
-        ui.selectable_value(key, None, none);
+        if choice(ui, key.is_none(), none).clicked() {
+            *key = None;
+        }
         for other in KeyName::NAMES {
             let value = other.parse().ok();
-            ui.selectable_value(key, value, *other);
+            if choice(ui, *key == value, *other).clicked() {
+                *key = value;
+            }
         }
     });
 }

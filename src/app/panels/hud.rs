@@ -28,11 +28,12 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
     places.make_way(width);
     let place = Area::new(id).anchor(Align2::RIGHT_TOP, [-10.0, places.right]).interactable(false);
     let shown = place.show(context, |ui| {
-        let mut said: Vec<(Rect, &str)> = Vec::new();
+        let (mut said, mut tops): (Vec<(Rect, &str)>, Vec<f32>) = (Vec::new(), Vec::new());
         floating(ui).show(ui, |ui| {
             egui::Grid::new("figures").num_columns(2).spacing([14.0, 1.0]).show(ui, |ui| {
                 for (name, value) in rows(facts) {
                     let label = ui.weak(name);
+                    tops.push(label.rect.top());
                     match name {
                         ENERGY => said.push((label.rect, OF_ENERGY)),
                         STRETCH => said.push((label.rect, OF_STRETCH)),
@@ -47,9 +48,9 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
                 }
             });
         });
-        said
+        (said, tops.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f32::max))
     });
-    let (all, said) = (shown.response.rect, shown.inner);
+    let (all, (said, row)) = (shown.response.rect, shown.inner);
     // Presses go through the figures, so that what is said of them is shown by hand.
     let is_under = |row: &Rect, at| Rect::from_x_y_ranges(all.x_range(), row.y_range()).contains(at);
     let at = context.pointer_hover_pos();
@@ -59,7 +60,9 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
         let anchor = PopupAnchor::Position(at + vec2(0.0, 16.0));
         Tooltip::always_open(context.clone(), layer, id.with("said"), anchor).show(|ui| ui.label(words));
     }
-    places.right = shown.response.rect.bottom() + APART;
+    places.right = all.bottom() + APART;
+    // The row of what is stretched comes and goes with the bonds that are rigid: whoever sets those is not to be moved by it.
+    places.kept = if facts.stretch.is_none() { row } else { 0.0 };
 }
 
 fn rows(facts: &Facts) -> Vec<(&'static str, String)> {
@@ -110,8 +113,34 @@ fn energy(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Facts, RELAXED, energy, percent, rows};
+    use egui::{Id, Rect};
+
+    use super::{Facts, Places, RELAXED, energy, percent, rows, show};
     use crate::app::player::Figures;
+
+    #[test]
+    fn what_is_selected_stays_where_it_is_as_rigid_bonds_come_and_go() {
+        let low = |stretch: Option<f64>| {
+            let facts = Facts { stretch, dimensions: 2, ..Facts::default() };
+            let (context, mut low) = (egui::Context::default(), [0.0; 2]);
+            let screen = Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 720.0));
+            for _ in 0..3 {
+                let input = egui::RawInput { screen_rect: Some(screen), ..egui::RawInput::default() };
+                let mut output = context.run_ui(input, |ui| {
+                    let mut places = Places::new(screen, false);
+                    show(ui.ctx(), &mut places, &facts);
+                    let figures = ui.memory(|memory| memory.area_rect(Id::unique("figures")));
+                    let selected = places.of_tools((None, None), 0.0).right;
+                    low = [figures.map_or(0.0, |at| at.bottom()), selected.top()];
+                });
+                output.textures_delta.clear();
+            }
+            low
+        };
+        let [with, without] = [Some(0.0), None].map(low);
+        assert!(with[0] > without[0] + 10.0, "they are a row higher: {with:?} {without:?}");
+        assert!((with[1] - without[1]).abs() < 0.5, "{with:?} {without:?}");
+    }
 
     #[test]
     fn how_stiff_relaxed_bonds_are_is_seen_at_once() {

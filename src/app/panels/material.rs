@@ -228,7 +228,7 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     });
     ui.separator();
     if matter.points > 0 {
-        if let (Some(by), Some(preset)) = presets(ui, None) {
+        if let (Some(by), Some(preset)) = presets(ui, matter.preset()) {
             sink.set(&by, MatterChange::Preset(preset));
         }
         ui.separator();
@@ -241,11 +241,11 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         }
         kinds(ui, matter, sink);
     }
-    number(ui, ("stiffness", " N/m"), matter.stiffness, sink, |x| Some(MatterChange::Stiffness(x)));
+    of_springs(ui, ("stiffness", " N/m"), (matter.stiffness, matter), sink, MatterChange::Stiffness);
     if facts.overload.as_deref().is_some_and(|overload| gives_way(ui, overload)) {
         sink.wishes.push(Wish::Bear);
     }
-    number(ui, ("damping", " N s/m"), matter.damping, sink, |x| Some(MatterChange::Damping(x)));
+    of_springs(ui, ("damping", " N s/m"), (matter.damping, matter), sink, MatterChange::Damping);
     let has_angles = matter.rest_angle.is_some() || matter.joints[1] > 0 || matter.bending.is_some();
     let has_surface = matter.friction.is_some() || matter.radius.is_some() || matter.points > 0;
     let moves = facts.figures.velocity.is_some() || !matter.pins.is_empty();
@@ -258,6 +258,20 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     group(ui, "Surface", has_surface, |ui| surface(ui, matter, facts, sink));
     group(ui, "Motion", moves, |ui| ways::show(ui, matter, facts, sink));
     group(ui, "Bonds", matter.bonds > 0, |ui| of_bonds(ui, matter, sink));
+}
+
+/// A number of springs: its row stays where it is when none are left of the bonds.
+fn of_springs(
+    ui: &mut Ui,
+    (name, unit): (&str, &str),
+    (span, matter): (Option<Span>, &Matter),
+    sink: &mut Sink<'_>,
+    change: fn(f64) -> MatterChange,
+) {
+    if span.is_none() && matter.bonds > 0 {
+        return row(ui, name, |ui, _| _ = ui.label(RichText::new("of springs alone").color(colors(ui).weak)));
+    }
+    number(ui, (name, unit), span, sink, |x| Some(change(x)));
 }
 
 /// Rows that belong together, where there are any.

@@ -105,6 +105,7 @@ pub(super) use settings::settings_search_id;
 pub(super) use settings::{Pushing, Setting, Settings};
 pub(super) use sheet::{said_below, show as sheet};
 pub(super) use transport::{at_end, speed};
+pub(super) use waiting::Opening;
 
 /// Room that the tools take at the left edge `[points]`.
 pub(super) const TOOLS: f32 = 66.0;
@@ -336,8 +337,8 @@ pub(super) struct Facts {
     pub(super) asks: bool,
     /// Another scene is being made.
     pub(super) is_opening: bool,
-    /// It has never been there: for how long it is being made `[s]`, and whether it can be given up.
-    pub(super) opening: Option<(f64, bool)>,
+    /// Nothing of it is there yet: for how long it is being made, and how far that is.
+    pub(super) opening: Option<Opening>,
     /// A step takes long.
     pub(super) is_busy: bool,
     pub(super) dimensions: usize,

@@ -20,7 +20,7 @@ const WIDTH: f32 = 290.0;
 const READ: f64 = 10.0;
 
 /// Said of what the program has seen to.
-const NOTHING: &str = "Nothing to do.";
+const NOTHING: &str = "You need not do anything.";
 
 /// What is said, the figures behind it, and what can be asked for beside it.
 #[derive(Clone, Debug, PartialEq)]
@@ -352,7 +352,8 @@ mod tests {
             // While the pointer rests on it all is read anyway.
             harness.remove_cursor();
             harness.run_steps(8);
-            let all = harness.query_by_label("Bodies that lie on each other are brought to rest. Nothing to do.");
+            let all =
+                harness.query_by_label("Bodies that lie on each other are brought to rest. You need not do anything.");
             assert_eq!(all.is_some(), is_open);
         }
     }
@@ -367,7 +368,9 @@ mod tests {
         });
         harness.run_steps(2);
         let is_open = |harness: &Harness<'_>| {
-            harness.query_by_label("Bodies that lie on each other are brought to rest. Nothing to do.").is_some()
+            harness
+                .query_by_label("Bodies that lie on each other are brought to rest. You need not do anything.")
+                .is_some()
         };
         let open = |harness: &mut Harness<'_>| {
             harness.get_by_label("physics: 1 note").click();
@@ -403,8 +406,8 @@ mod tests {
         assert_eq!(
             said,
             [
-                "2 of 4 bodies are moved by a faster, rougher method: an exact one would take longer than a frame. Nothing to do.",
-                "1 of 4 bodies can touch others, so it is moved by a method that knows collisions. Nothing to do.",
+                "2 of 4 bodies are moved by a faster, rougher method: an exact one would take longer than a frame. You need not do anything.",
+                "1 of 4 bodies can touch others, so it is moved by a method that knows collisions. You need not do anything.",
                 "1 of 4 bodies stands still: the motion grew beyond all numbers. Undo what came before, or grab or change it.",
             ]
         );

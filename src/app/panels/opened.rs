@@ -21,6 +21,8 @@ pub(in crate::app) enum Opened {
 
 /// Narrower windows, and lower ones, have room for one panel beside the world `[points]`.
 const ROOMY: [f32; 2] = [860.0, 480.0];
+/// Narrower ones have no room for settings beside what is selected: both would take more than a third of the world `[points]`.
+const WIDE: f32 = 1560.0;
 /// Those that are higher than wide have room for several below the world from this height on `[points]`.
 const HIGH: f32 = 960.0;
 
@@ -30,7 +32,9 @@ pub(in crate::app) enum Room {
     /// All of them.
     #[default]
     All,
-    /// All, but not settings beside lessons.
+    /// All, but not settings beside what is selected.
+    Most,
+    /// Nor settings beside lessons.
     NotBoth,
     /// One.
     One,
@@ -45,8 +49,10 @@ impl Room {
         };
         match is_roomy {
             false => Room::One,
-            true if lessons::has_room(room, settings::WIDTH + GAP) => Room::All,
-            true => Room::NotBoth,
+            true if !lessons::has_room(room, settings::WIDTH + GAP) => Room::NotBoth,
+            // Where it is higher than wide settings lie below.
+            true if is_upright || room.width() >= WIDE => Room::All,
+            true => Room::Most,
         }
     }
 
@@ -55,7 +61,10 @@ impl Room {
         use Opened::{Lessons, Selection, Settings, Tool};
         match self {
             Room::All => true,
-            Room::NotBoth => !matches!([panel, later], [Settings, Lessons] | [Lessons, Settings]),
+            Room::Most => !matches!([panel, later], [Settings, Selection] | [Selection, Settings]),
+            Room::NotBoth => {
+                !matches!([panel, later], [Settings, Lessons | Selection] | [Lessons, Settings] | [Selection, Settings])
+            }
             // They are one panel.
             Room::One => matches!([panel, later], [Tool, Selection] | [Selection, Tool]),
         }
@@ -104,6 +113,12 @@ impl PanelState {
         }
     }
 
+    /// Something else is selected: its panel is the one that was opened last.
+    pub(in crate::app) fn select(&mut self) {
+        self.has_selection = true;
+        self.bring(Opened::Selection);
+    }
+
     /// This tool is taken: its panel, if it has one, is the one that was opened last.
     pub(in crate::app) fn take(&mut self, tool: Tool) {
         self.tool = tool;
@@ -119,12 +134,16 @@ impl PanelState {
     /// Which panels are seen, where any of them is.
     pub(super) fn seen(&self, has_panels: bool) -> Seen {
         let is_seen = |panel| has_panels && self.is_seen(panel);
-        let is_roomy = has_panels && self.room != Room::One;
+        let waits = self.has_selection && !self.is_seen(Opened::Selection);
+        let has_tool = match self.room {
+            Room::One => is_seen(Opened::Tool) || is_seen(Opened::Selection),
+            _ => has_panels && !waits,
+        };
         Seen {
             has_settings: is_seen(Opened::Settings),
             has_lessons: is_seen(Opened::Lessons),
             has_plots: is_seen(Opened::Plots),
-            has_tool: is_roomy || is_seen(Opened::Tool) || is_seen(Opened::Selection),
+            has_tool,
         }
     }
 
@@ -225,6 +244,29 @@ mod tests {
         assert_eq!(seen(&state), [Opened::Settings, Opened::Lessons, Opened::Tool]);
         state.room = Room::NotBoth;
         assert_eq!(seen(&state), [Opened::Lessons, Opened::Tool], "these have no room beside settings");
+    }
+
+    #[test]
+    fn what_is_selected_and_settings_take_turns_but_in_wide_windows() {
+        let window = |width: f32| Room::of(Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(width, 720.0)), false);
+        assert_eq!([900.0, 1280.0, 1600.0].map(window), [Room::NotBoth, Room::Most, Room::All]);
+        for (room, both) in [(Room::NotBoth, false), (Room::Most, false), (Room::All, true)] {
+            let mut state = PanelState { room, tool: Tool::Select, ..PanelState::default() };
+            state.toggle_settings();
+            assert!(state.seen(true).has_settings && state.seen(true).has_tool, "how to select lies beside the tools");
+            state.select();
+            assert_eq!([state.seen(true).has_settings, state.seen(true).has_tool], [both, true], "{room:?}");
+            if both {
+                continue;
+            }
+            state.toggle_settings();
+            assert!(state.seen(true).has_settings && !state.seen(true).has_tool, "{room:?}: their button brings them");
+            state.select();
+            assert!(!state.seen(true).has_settings && state.seen(true).has_tool, "{room:?}: another body does");
+            state.has_selection = false;
+            state.keep_order();
+            assert!(state.seen(true).has_settings && state.seen(true).has_tool, "{room:?}: they were never closed");
+        }
     }
 
     #[test]

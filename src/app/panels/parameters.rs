@@ -2,9 +2,10 @@
 
 use std::ops::RangeInclusive;
 
-use egui::{Response, Slider, SliderClamping, Ui};
+use egui::{Response, RichText, Slider, SliderClamping, Ui};
 
 use super::settings::Sink;
+use super::theme::colors;
 use super::{ranged, ticks};
 use crate::app::alike::alike;
 use crate::app::player::{Scenery, Shown};
@@ -17,8 +18,9 @@ use crate::sim::{BondKind, Contact, MouseChange, SceneChange};
 /// A range whose ends are so far apart is gone through by factors `[1]`.
 const WIDE: f64 = 50.0;
 
-/// Said of bonds that a switch lets go and that what is filled lies over.
-const BELOW_FILLS: &str = "bonds that lie below what is filled: B shows which are there";
+/// Said of bonds across the cells of a cloth, which lie below what is filled.
+const BRACED: &str = "they keep its cells square; B shows them";
+const UNBRACED: &str = "its cells give way to a pull across; B shows its threads";
 
 /// The numbers that a scene names, each as it is now.
 pub(in crate::app) fn all(named: &[Parameter], shown: &Shown, push: Option<[f64; 2]>) -> Vec<(Parameter, Option<f64>)> {
@@ -85,9 +87,9 @@ pub(super) fn show(ui: &mut Ui, list: &[(Parameter, Option<f64>)], scene: &Scene
         let Some(mut to) = value.or(waits.then_some(least)) else { continue };
         if parameter.target.is_switch() {
             let mut meets = to > 0.0;
-            let mut by = ticks::check(ui, &mut meets, &parameter.label);
+            let by = ticks::check(ui, &mut meets, &parameter.label);
             if matches!(parameter.target, Target::Body(_, OfBody::Diagonals, _)) {
-                by = by.on_hover_text(BELOW_FILLS);
+                ui.label(RichText::new(if meets { BRACED } else { UNBRACED }).color(colors(ui).weak));
             }
             if by.changed() {
                 set(&by, &parameter.target, f64::from(u8::from(meets)), scene, sink);

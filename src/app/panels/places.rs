@@ -68,6 +68,8 @@ pub(super) struct Places {
     pub(super) bar: Option<Rect>,
     /// Where the next thing at the right edge begins.
     pub(super) right: f32,
+    /// Room above what is selected for a row of the figures that comes and goes with its bonds.
+    pub(super) kept: f32,
     /// Where what lies at the lower edge begins.
     pub(super) below: f32,
     /// A sheet lies over all of it.
@@ -84,6 +86,7 @@ impl Places {
             room,
             bar: None,
             right: room.top() + EDGE,
+            kept: 0.0,
             below: room.bottom() - NUMBERS,
             is_covered,
             has_numbers: false,
@@ -140,7 +143,7 @@ impl Places {
         let end = self.room.right() - EDGE - at_right;
         // Where the buttons go as far as what is selected is shown, that begins below them.
         let is_below = self.bar.is_some_and(|bar| bar.right() + APART > end - WHOLE);
-        let top = if is_below { self.right.max(high) } else { self.right };
+        let top = if is_below { self.right.max(high) } else { self.right } + self.kept;
         let right = left.with_max_x(end).with_min_y(top.min(left.bottom() - LEAST_HIGH));
         let lies_below = plots.filter(|plots| plots.left() < self.room.left() + TOOLS);
         let lowest = lies_below.map_or(low, |plots| low.min(plots.top() - APART));

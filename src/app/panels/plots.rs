@@ -6,6 +6,7 @@ use egui::{
 };
 use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Line, Plot, PlotPoints};
 
+use super::choosing::choice;
 use super::places::APART;
 use super::theme::{Colors, colors, floating};
 use super::{Wish, described};
@@ -363,12 +364,12 @@ fn quantities(ui: &mut Ui, plots: &mut Plots) {
     let menu = egui::ComboBox::from_id_salt("quantity").height(MENU).selected_text(shown).show_ui(ui, |ui| {
         for &quantity in &all {
             let is_chosen = !is_orbit && plots.quantity == quantity;
-            if ui.selectable_label(is_chosen, quantity.words()[0]).clicked() {
+            if choice(ui, is_chosen, quantity.words()[0]).clicked() {
                 plots.choose(quantity);
             }
         }
         for &quantity in all.iter().filter(|quantity| quantity.rate().is_some()) {
-            let label = ui.selectable_label(is_orbit && plots.quantity == quantity, orbit(quantity));
+            let label = choice(ui, is_orbit && plots.quantity == quantity, orbit(quantity));
             if label.on_hover_text(axes(quantity)).clicked() {
                 plots.choose_orbit(quantity);
             }

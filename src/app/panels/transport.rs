@@ -2,6 +2,7 @@
 
 use egui::{Align, Label, Layout, Rect, RichText, Role, Slider, WidgetInfo, vec2};
 
+use super::choosing::choice;
 use super::fewer::{shorter, that_fits};
 use super::icons::{self, Icon};
 use super::theme::colors;
@@ -74,7 +75,7 @@ fn pace(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     };
     let menu = egui::ComboBox::from_id_salt("pace").selected_text(name(facts.pace)).width(58.0).show_ui(ui, |ui| {
         for (value, _) in PACES {
-            if ui.selectable_label(value == facts.pace, name(value)).clicked() {
+            if choice(ui, value == facts.pace, name(value)).clicked() {
                 wishes.push(Wish::Pace(value));
             }
         }
@@ -109,7 +110,7 @@ fn branches(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     };
     let menu = egui::ComboBox::from_id_salt("branches").selected_text(shown).width(width).show_ui(ui, |ui| {
         for (place, branch) in list.iter().enumerate() {
-            if ui.selectable_label(branch.is_present, words(place, branch)).clicked() && !branch.is_present {
+            if choice(ui, branch.is_present, words(place, branch)).clicked() && !branch.is_present {
                 wishes.push(Wish::ToBranch(branch.number));
             }
         }

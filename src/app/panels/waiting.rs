@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use egui::{Align2, Area, Id, RichText};
+use egui::{Align2, Area, Id, ProgressBar, RichText};
 
 use super::Wish;
 use super::theme::{colors, floating};
@@ -12,8 +12,24 @@ const PATIENCE: f64 = 0.3;
 /// Time between two looks at how long it takes.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// Says in the middle that a scene opens, for so long already `[s]`, and offers to stop that, where something is there to go back to.
-pub(super) fn show(context: &egui::Context, (since, can_stop): (f64, bool), title: &str, wishes: &mut Vec<Wish>) {
+/// Width of the line that says how much is there `[points]`.
+const LINE: f32 = 260.0;
+
+/// A scene that is being made.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::app) struct Opening {
+    /// For how long already `[s]`.
+    pub(in crate::app) since: f64,
+    /// How much of what was done in it is worked out anew, 0 to 1; `None`: it begins at its start.
+    pub(in crate::app) share: Option<f32>,
+    /// Whether something is there to go back to.
+    pub(in crate::app) can_stop: bool,
+}
+
+/// Says in the middle that a scene opens, for how long already and how far it is, and offers to stop that, where something is there to go
+/// back to.
+pub(super) fn show(context: &egui::Context, opening: Opening, title: &str, wishes: &mut Vec<Wish>) {
+    let Opening { since, share, can_stop } = opening;
     context.request_repaint_after(LOOK);
     if since < PATIENCE {
         return;
@@ -27,6 +43,10 @@ pub(super) fn show(context: &egui::Context, (since, can_stop): (f64, bool), titl
                     wishes.push(Wish::StopOpening);
                 }
             });
+            if let Some(share) = share {
+                ui.add(ProgressBar::new(share).desired_width(LINE).desired_height(8.0));
+                ui.label(RichText::new(worked_out(share)).color(colors(ui).weak));
+            }
         });
     });
 }
@@ -36,28 +56,35 @@ fn words(title: &str, since: f64) -> String {
     if since < 1.0 { format!("Opening {title}") } else { format!("Opening {title}, {since:.0} s") }
 }
 
+/// "40 % of what was done is worked out again".
+fn worked_out(share: f32) -> String {
+    format!("{:.0} % of what was done is worked out again", (100.0 * share).floor())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn what_takes_long_is_said_and_can_be_stopped_where_there_is_a_way_back() {
-        let is_shown = |since: f64, can_stop: bool| {
+        let size = |since: f64, share: Option<f32>, can_stop: bool| {
             let context = egui::Context::default();
-            let mut width = 0.0;
+            let mut size = egui::Vec2::ZERO;
             for _ in 0..2 {
                 let mut shown = context.run_ui(egui::RawInput::default(), |ui| {
-                    show(ui.ctx(), (since, can_stop), "A million points", &mut Vec::new());
+                    show(ui.ctx(), Opening { since, share, can_stop }, "A million points", &mut Vec::new());
                 });
                 shown.textures_delta.clear();
-                width =
-                    context.memory(|memory| memory.area_rect(Id::unique("opening"))).map_or(0.0, |rect| rect.width());
+                let area = context.memory(|memory| memory.area_rect(Id::unique("opening")));
+                size = area.map_or(egui::Vec2::ZERO, |rect| rect.size());
             }
-            width
+            size
         };
-        assert!(is_shown(0.1, true) < 1.0);
-        let alone = is_shown(4.0, false);
-        assert!(alone > 100.0 && is_shown(4.0, true) > alone + 40.0, "with its button");
+        assert!(size(0.1, None, true).x < 1.0);
+        let alone = size(4.0, None, false);
+        assert!(alone.x > 100.0 && size(4.0, None, true).x > alone.x + 40.0, "with its button");
+        assert!(size(4.0, Some(0.4), false).y > alone.y + 10.0, "with how far it is");
+        assert_eq!(worked_out(0.409), "40 % of what was done is worked out again");
         assert_eq!(words("A million points", 4.2), "Opening A million points, 4 s");
     }
 }

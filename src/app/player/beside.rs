@@ -14,8 +14,10 @@ use crate::scene::{BesideKeys, BudgetKeys, MethodKeys, PrecisionName, SolverName
 const BUDGETS: [f64; 2] = [0.012, 0.030];
 /// Times that differ by less than this share of a step are the same.
 const SLACK: f64 = 1e-9;
-/// Wall time for which companions may stay behind a moving world until they wait for it to pause `[s]`.
+/// Wall time for which companions may stay behind a moving world, and come no nearer, until they wait for it to pause `[s]`.
 const PATIENCE: f64 = 3.0;
+/// What will be there within this wall time, at the pace of late, catches up `[s]`.
+const SOON: f64 = 60.0;
 /// Wall time for which the world may be late until they wait `[s]`.
 const OVERLOAD: f64 = 0.5;
 /// Wall time that they may be behind without being late `[s]`.
@@ -69,8 +71,7 @@ pub(super) struct Escort {
     still: Vec<Still>,
     sceneries: u64,
     motion: u64,
-    /// Wall time for which they have been late `[s]`.
-    late: f64,
+    late: Late,
     /// Wall time for which the world itself has been late `[s]`.
     overload: f64,
     /// They wait until the world pauses: it was said that they are too dear.
@@ -126,8 +127,7 @@ impl Escort {
         self.motion += u64::from(self.place(history) != before || !was_there || moves);
         let behind = history.companions().iter().map(|companion| time - companion.world().time()).fold(0.0, f64::max);
         let is_late = !self.is_there && moves && behind > LAG * pace.rate;
-        self.late = if is_late { self.late + wall } else { 0.0 };
-        self.waits = self.late > PATIENCE;
+        self.waits = self.late.is_hopeless(is_late.then_some(behind), wall);
         start.elapsed().as_secs_f64()
     }
 
@@ -197,6 +197,33 @@ impl Escort {
     }
 }
 
+/// For how long companions have been late.
+#[derive(Debug, Default)]
+struct Late {
+    /// Wall time of this look at them `[s]`.
+    wall: f64,
+    /// By how much they were behind when it began `[s]`; `None`: they were not late.
+    behind: Option<f64>,
+}
+
+impl Late {
+    /// They are `behind` by so much, if they are late, after another `wall` `[s]`. Returns whether they will not be there soon: nothing that
+    /// comes nearer fast enough is hopeless, however long it takes.
+    fn is_hopeless(&mut self, behind: Option<f64>, wall: f64) -> bool {
+        let Some((now, before)) = behind.map(|now| (now, self.behind.unwrap_or(now))) else {
+            *self = Late::default();
+            return false;
+        };
+        (self.wall, self.behind) = (self.wall + wall, Some(before));
+        if self.wall <= PATIENCE {
+            return false;
+        }
+        let comes = before - now >= now * self.wall / SOON;
+        *self = Late { wall: 0.0, behind: Some(now) };
+        !comes
+    }
+}
+
 /// What stays as near as this to where it was for so long rests `[m]`, `[s]`: as what sleeps does, which a reference never does.
 const REST: (f64, f64) = (5e-5, 0.5);
 
@@ -256,4 +283,26 @@ pub(super) fn reference(history: &History) -> [BesideKeys; 2] {
         BesideKeys { title: Some(format!("reference: {}", method.words())), method }
     };
     [by(SolverName::Rk8, FINER[0]), by(SolverName::Auto, FINER[1])]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Late;
+
+    /// Whether those that are 20 s behind at first, and come nearer at such a rate `[1]`, are given up within so many seconds.
+    fn is_given_up(rate: f64, seconds: u32) -> bool {
+        let mut late = Late::default();
+        (0..10 * seconds).any(|frame| late.is_hopeless(Some(20.0 - 0.1 * rate * f64::from(frame)), 0.1))
+    }
+
+    #[test]
+    fn what_catches_up_is_not_too_slow_however_long_that_takes() {
+        assert!(!is_given_up(1.0, 20), "20 s behind: it is there in 20 s");
+        assert!(is_given_up(0.0, 4) && is_given_up(-0.5, 4), "it never is");
+        assert!(is_given_up(0.1, 4), "in 200 s");
+        assert!(!is_given_up(0.0, 2), "for so long nobody knows");
+        let mut late = Late::default();
+        (0..25).for_each(|_| _ = late.is_hopeless(Some(1.0), 0.1));
+        assert!(!late.is_hopeless(None, 0.1) && !(0..25).any(|_| late.is_hopeless(Some(1.0), 0.1)), "there between");
+    }
 }

@@ -96,8 +96,9 @@ pub struct Player {
     waiting_since: Option<Instant>,
     /// The last file that was asked for, and by which order.
     written: Option<(u64, PathBuf)>,
-    /// Only its start and its log are kept.
+    /// Only its start and its log are kept, and that was so once.
     is_folded: bool,
+    was_folded: bool,
     /// Whether it is to play, and the order that said so last.
     playing: bool,
     played_by: u64,
@@ -131,6 +132,7 @@ impl Player {
             waiting_since: None,
             written: None,
             is_folded: false,
+            was_folded: false,
             playing,
             played_by: 0,
             advances: 0,
@@ -195,10 +197,14 @@ impl Player {
         News { is_new, opened, notes, failure: papers.failure.take() }
     }
 
-    /// Asks for something.
+    /// Asks for something. What is folded is worked out again for it, but for the bytes that copies of its world may take.
     pub fn ask(&mut self, order: Order) {
+        if self.is_folded && matches!(order, Order::Bound(_)) {
+            return;
+        }
         self.serial += 1;
-        self.is_folded = matches!(order, Order::Fold);
+        // A file needs no world.
+        self.is_folded = matches!(order, Order::Fold) || self.is_folded && matches!(order, Order::Save(_));
         self.waiting_since.get_or_insert_with(Instant::now);
         if let Order::Play(_) | Order::Step(_) | Order::Reset = order {
             self.played_by = self.serial;
@@ -239,6 +245,14 @@ impl Player {
         self.ask(Order::Play(playing));
     }
 
+    /// It is left: it pauses, and stays folded if it is.
+    pub fn stand_still(&mut self) {
+        self.playing = false;
+        if !self.is_folded {
+            self.play(false);
+        }
+    }
+
     /// The number of the last order: what is shown is after it once it has that number.
     pub fn serial(&self) -> u64 {
         self.serial
@@ -248,9 +262,26 @@ impl Player {
     pub fn fold(&mut self) {
         if !self.is_folded {
             self.ask(Order::Fold);
+            self.was_folded = true;
             let figures = self.shown.figures.clone();
             *self.shown = Shown { figures, ..Shown::default() };
         }
+    }
+
+    /// Whether it was folded and is worked out again, or is to be.
+    pub fn is_unfolding(&self) -> bool {
+        !self.is_folded && self.was_folded && !self.is_open()
+    }
+
+    /// How much of it is worked out again, 0 to 1.
+    pub fn worked_out(&self) -> f32 {
+        self.desk.worked_out()
+    }
+
+    /// It is not to be worked out again: it stays folded until something else is asked of it.
+    pub fn stay_folded(&mut self) {
+        self.desk.give_up_before(self.serial + 1);
+        self.fold();
     }
 
     /// The last state.

@@ -212,8 +212,19 @@ impl Pace {
 
     /// The state at a time that was seen already.
     pub fn go_to(&mut self, history: &mut History, time: f64, cursor: Option<Cursor>) {
-        history.go_to(time.max(0.0));
+        self.go_to_while((history, time), cursor, |_| true);
+    }
+
+    /// The same, as long as `goes_on` says so, as of [`History::go_to_while`].
+    pub fn go_to_while(
+        &mut self,
+        (history, time): (&mut History, f64),
+        cursor: Option<Cursor>,
+        goes_on: impl FnMut(f64) -> bool,
+    ) -> bool {
+        let is_there = history.go_to_while(time.max(0.0), goes_on);
         self.gone_to(history, cursor);
+        is_there
     }
 
     /// The history went elsewhere: what is drawn is where it is now.

@@ -371,3 +371,26 @@ fn pins_are_shown_in_ascending_order_however_they_came() {
     stage.show(&mut shown);
     assert_eq!(shown.scenery.pinned, [PointId(0), PointId(1)]);
 }
+
+#[test]
+fn what_is_worked_out_anew_tells_how_far_it_is_and_goes_no_further_than_it_is_wanted() {
+    let mut stage = Stage::new(scene().into()).unwrap();
+    (0..30).for_each(|_| _ = stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
+    let before = (stage.history().world().time(), positions(stage.history()));
+    let folded = stage.folded();
+    let mut told = Vec::new();
+    let unfolded = Stage::unfolded(&folded, |share| {
+        told.push(share);
+        share < 0.5
+    });
+    assert!(unfolded.unwrap().is_none() && told.len() > 100, "{} of 350 steps", told.len());
+    assert!((told[told.len() - 1] - 0.5).abs() < 0.01, "{told:?}");
+    told.clear();
+    let whole = Stage::unfolded(&folded, |share| {
+        told.push(share);
+        true
+    });
+    let whole = whole.unwrap().unwrap();
+    assert_eq!((whole.history().world().time(), positions(whole.history())), before);
+    assert!(told.is_sorted() && told.last() == Some(&1.0), "{told:?}");
+}

@@ -1,6 +1,6 @@
 //! The thread that steps: takes orders, hands out what there is to see, and never waits for the window.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -22,6 +22,10 @@ pub(super) struct Desk {
     keeper: Mutex<Keeper>,
     /// The window has done with the history: nothing of it need be left.
     is_dismissed: AtomicBool,
+    /// Orders before this one are not wanted any more, but for files: what is being worked out anew for them is left.
+    given_up: AtomicU64,
+    /// How much of a history is worked out that was folded, as the bits of a share, 0 to 1.
+    worked_out: AtomicU32,
 }
 
 /// What lies on the desk.
@@ -56,6 +60,29 @@ impl Desk {
 
     pub(super) fn dismiss(&self) {
         self.is_dismissed.store(true, Ordering::Release);
+    }
+
+    /// What was asked before this order is not wanted any more, but for files, where it would have to be worked out anew.
+    pub(super) fn give_up_before(&self, serial: u64) {
+        self.given_up.store(serial, Ordering::Release);
+    }
+
+    fn is_given_up(&self, serial: u64) -> bool {
+        self.is_dismissed.load(Ordering::Acquire) || serial < self.given_up.load(Ordering::Acquire)
+    }
+
+    /// How much of a history that was folded is worked out again, 0 to 1.
+    pub(super) fn worked_out(&self) -> f32 {
+        f32::from_bits(self.worked_out.load(Ordering::Relaxed))
+    }
+
+    /// Works out what was folded, for an order. `Ok(None)`: that was given up meanwhile.
+    fn unfold(&self, folded: &Folded, serial: u64) -> Result<Option<Stage>, HistoryError> {
+        self.worked_out.store(0, Ordering::Relaxed);
+        Stage::unfolded(folded, |share| {
+            self.worked_out.store((share as f32).to_bits(), Ordering::Relaxed);
+            !self.is_given_up(serial)
+        })
     }
 
     pub(super) fn lock(&self) -> MutexGuard<'_, Papers> {
@@ -153,9 +180,11 @@ pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wa
         let (mut notes, begun) = (Vec::new(), Instant::now());
         for (serial, order) in list {
             desk.keeper().hear(&order);
+            let is_edit = order.is_edit();
             let told = notes.len();
-            let Some(next) = seat.obey(order, desk, &mut notes) else { return wake() };
-            if notes[told..].iter().any(|note| matches!(note, Note::Refused(_) | Note::Held)) {
+            let Some(next) = seat.obey((serial, order), desk, &mut notes) else { return wake() };
+            let is_refused = notes[told..].iter().any(|note| matches!(note, Note::Refused(_) | Note::Held));
+            if is_refused || matches!(next, Seat::Folded(_)) && is_edit {
                 desk.lock().refused.push(serial);
             }
             seat = next;
@@ -179,7 +208,7 @@ enum Seat {
 
 impl Seat {
     /// Does what is asked. `None`: what was folded cannot be played any more.
-    fn obey(self, order: Order, desk: &Desk, notes: &mut Vec<Note>) -> Option<Seat> {
+    fn obey(self, (serial, order): (u64, Order), desk: &Desk, notes: &mut Vec<Note>) -> Option<Seat> {
         let mut stage = match (self, &order) {
             (seat @ Seat::Folded(_), Order::Fold) => return Some(seat),
             (Seat::Folded(folded), Order::Save(path)) => {
@@ -191,7 +220,12 @@ impl Seat {
                 desk.lock().fresh = None;
                 return Some(Seat::Folded(Box::new(stage.folded())));
             }
-            (Seat::Folded(folded), _) => Box::new(desk.open(Stage::unfolded(*folded))?),
+            (Seat::Folded(folded), _) if desk.is_given_up(serial) => return Some(Seat::Folded(folded)),
+            (Seat::Folded(folded), _) => match desk.unfold(&folded, serial) {
+                Ok(None) => return Some(Seat::Folded(folded)),
+                Ok(Some(stage)) => Box::new(desk.open(Ok(stage))?),
+                Err(error) => Box::new(desk.open(Err(error))?),
+            },
             (Seat::Played(stage), _) => stage,
         };
         notes.extend(stage.obey(order));

@@ -22,6 +22,8 @@ const PACES: [f64; 2] = [0.125, 4.0];
 const TAP: Duration = Duration::from_millis(400);
 /// Said as the panels go.
 const HIDDEN: &str = "the panels are hidden: Tab brings them back";
+/// Said of what cannot be done yet.
+const OPENING: &str = "it is still opening";
 /// What one press of a key makes the hover force larger by.
 const LARGER: f64 = 1.15;
 
@@ -60,6 +62,12 @@ impl Session {
             Action::Finish => {
                 let deed = self.with_scope(|hand, scope| hand.finish(scope));
                 self.do_deed(deed);
+            }
+            // What is on its way is not there to be changed: that it was opened is undone.
+            Action::Undo | Action::Redo if !self.player.is_open() => {
+                if action == Action::Redo || !self.stop_opening() {
+                    self.say(OPENING.to_owned());
+                }
             }
             Action::Undo => self.player.ask(Order::Undo(self.told)),
             Action::Redo => self.player.ask(Order::Redo(self.told)),
@@ -336,7 +344,11 @@ impl Session {
 
     /// Back to the start. While a step takes long it is left to itself, and the start is played anew at once.
     fn reset(&mut self) {
-        if self.player.is_busy() {
+        if !self.player.is_open() {
+            return self.say(OPENING.to_owned());
+        }
+        // What was built would not be in what is played anew.
+        if self.player.is_busy() && !self.player.is_used() {
             let start = self.player.start().clone();
             let playing = self.player.is_playing();
             let camera = self.camera;

@@ -285,8 +285,9 @@ impl Session {
             Ok(scene) => {
                 self.import = None;
                 // What one looked at is still there.
-                self.looks_again = (answer == Answer::Replace).then_some(self.camera);
+                let looks_again = (answer == Answer::Replace).then_some(self.camera);
                 self.open(scene.into());
+                self.looks_again = looks_again;
             }
             Err(error) => self.complain_of(Err(error)),
         }

@@ -122,6 +122,7 @@ impl Session {
             frame_meter: Meter::default(),
             frames: 0,
             looks_again: None,
+            came: None,
             opening_since: None,
             teaches: None,
             taught: None,

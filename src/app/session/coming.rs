@@ -1,13 +1,13 @@
 //! Scenes and recordings that come, and those that are left for them.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use super::fresh::seeded_as;
 use super::{Framing, Session};
 use crate::app::action::Tool;
 use crate::app::leftovers::title;
-use crate::app::panels::At;
+use crate::app::panels::{At, Opening};
 use crate::app::player::{Player, too_many_to_meet};
 use crate::app::tools::Chosen;
 use crate::app::warnings::seen;
@@ -41,7 +41,7 @@ impl Session {
         self.panels.notes.offer = None;
         self.take_leave();
         let last = self.exchange(player);
-        self.taught = None;
+        (self.taught, self.came, self.looks_again) = (None, None, None);
         let recorded = last.player.record().map(|path| path.display().to_string());
         // What nobody has seen yet is not gone back to, unless something is to be kept of it.
         if self.opening_since.is_none() || recorded.is_some() {
@@ -75,6 +75,9 @@ impl Session {
 
     /// A history that is being made is not waited for: the one before it is there again. Returns whether there is one.
     pub(in crate::app) fn stop_opening(&mut self) -> bool {
+        if self.opening_since.is_some() && self.stay_where_one_was() {
+            return true;
+        }
         if self.opening_since.is_none() || self.player.record().is_some() {
             return false;
         }
@@ -85,9 +88,11 @@ impl Session {
         true
     }
 
-    /// For how long a history is being made, and whether it can be given up for another.
-    pub(super) fn opening(&self) -> Option<(Duration, bool)> {
-        self.opening_since.map(|since| (since.elapsed(), self.shelf.has_before() && self.player.record().is_none()))
+    /// For how long a history is being made, how much of it is there, and whether it can be given up for another.
+    pub(super) fn opening(&self) -> Option<Opening> {
+        let can_stop = self.came.is_some() || self.shelf.has_before() && self.player.record().is_none();
+        let share = self.player.is_unfolding().then(|| self.player.worked_out());
+        self.opening_since.map(|since| Opening { since: since.elapsed().as_secs_f64(), share, can_stop })
     }
 
     /// The present history is left for another: nothing hangs on the hand in it.
@@ -118,7 +123,7 @@ impl Session {
 
     /// The history is there: its scene is shown as it opens.
     pub(super) fn arrive(&mut self, scene: Arc<Scene>) {
-        self.opening_since = None;
+        (self.opening_since, self.came) = (None, None);
         self.follows = false;
         self.canvas.forget_world(scene.dimensions());
         self.has_picture = scene.picture_body().is_some();

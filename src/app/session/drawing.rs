@@ -165,7 +165,7 @@ impl Session {
             waits: self.waits(),
             asks: self.asked.is_some() && self.import.is_none(),
             is_opening: !self.player.is_open(),
-            opening: self.opening().map(|(since, can_stop)| (since.as_secs_f64(), can_stop)),
+            opening: self.opening(),
             is_busy: self.player.is_busy(),
             dimensions: self.scene.dimensions(),
             seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },
@@ -461,7 +461,7 @@ fn shape(
         Mark::Words(corner, said) => words::written_beside(context, (at(corner), Anchor::Corner), said, (room, taken)),
         Mark::Label(foot, said, clip) => {
             let own = words::points(*clip, scale).shrink(words::APART).intersect(room.0);
-            words::written_apart(context, (at(foot), Anchor::Middle), said, (own, room.1), labels)
+            words::written_apart(context, (at(foot), Anchor::Middle), said, ((own, room.1), taken), labels)
         }
     }
 }

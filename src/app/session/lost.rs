@@ -86,7 +86,7 @@ impl Session {
 
     /// The arrow, if one is needed: off panels, and off the numbers of the grid beside the tools.
     pub(super) fn way_to_the_lost(&self, scope: Scope<'_>) -> Vec<Mark> {
-        let lost = self.lost.nearest.filter(|&point| scope.is_there(point)).and_then(|point| scope.pixel(point));
+        let lost = self.lost.nearest.filter(|&point| scope.is_there(point)).and_then(|point| way_to(scope, point));
         let [mut low, high] = self.free.map(DVec2::from);
         if self.look.has_grid {
             low.x = low.x.max(NUMBERS * scope.scale);
@@ -98,8 +98,18 @@ impl Session {
 /// Whether a bond between these may be in view: whether a point is, where they are one.
 fn crosses(scope: Scope<'_>, [low, high]: [DVec2; 2], [a, b]: [PointId; 2]) -> bool {
     let is_there = scope.is_there(a) && scope.is_there(b);
-    let ends = scope.pixel(a).zip(scope.pixel(b)).filter(|_| is_there);
+    let ends = scope.pixel(a).zip(scope.pixel(b)).filter(|_| is_there && [a, b].iter().any(|&end| reaches(scope, end)));
     ends.is_some_and(|(a, b)| a.min(b).cmple(high).all() && a.max(b).cmpge(low).all())
+}
+
+/// Whether a point is neither behind the camera nor too far ahead to be drawn.
+fn reaches(scope: Scope<'_>, point: PointId) -> bool {
+    scope.camera.reaches(scope.shown.place(point.index()).into())
+}
+
+/// Which way a point lies, behind the camera too `[px]`.
+fn way_to(scope: Scope<'_>, point: PointId) -> Option<DVec2> {
+    scope.camera.way_to(scope.shown.place(point.index()).into()).map(DVec2::from)
 }
 
 /// The point nearest to the middle of the view `[px]`, `None` where there is none.
@@ -109,8 +119,8 @@ fn nearest(scope: Scope<'_>, [low, high]: [DVec2; 2]) -> Result<Option<PointId>,
     let middle = 0.5 * (low + high);
     let mut nearest: Option<(f64, PointId)> = None;
     for point in (0..scope.shown.point_count() as u32).map(PointId).filter(|&point| scope.is_there(point)) {
-        let Some(at) = scope.pixel(point) else { continue };
-        if at.cmpge(low).all() && at.cmple(high).all() {
+        let Some(at) = way_to(scope, point) else { continue };
+        if at.cmpge(low).all() && at.cmple(high).all() && reaches(scope, point) {
             return Err([point; 2]);
         }
         let far = at.distance_squared(middle);
@@ -147,6 +157,7 @@ fn arrow([low, high]: [DVec2; 2], to: DVec2, scale: f64) -> Vec<Mark> {
 mod tests {
     use super::*;
     use crate::app::player::{Shown, Stage};
+    use crate::render::Pose;
     use crate::scene::Scene;
 
     #[test]
@@ -176,5 +187,34 @@ mod tests {
         assert!((to - DVec2::new(786.0, 300.0)).length() < 1.0 && from.x < to.x, "{from} to {to}");
         let Mark::Line(_, from, to, _) = arrow(view, DVec2::new(400.0, -5000.0), 1.0)[0] else { panic!("a line") };
         assert!((to - DVec2::new(400.0, 14.0)).length() < 1.0 && from.y > to.y, "up: {from} to {to}");
+    }
+
+    #[test]
+    fn in_space_the_arrow_points_to_what_is_beside_the_view_behind_the_camera_or_too_far_to_be_drawn() {
+        let pose = Pose::Orbit { target: glam::DVec3::ZERO, distance: 10.0, yaw: 0.0, pitch: 0.0 };
+        let camera = Camera::new(pose, [800, 600]);
+        let view = [DVec2::ZERO, DVec2::new(800.0, 600.0)];
+        // The camera is at z = 10 and looks back along z.
+        for (place, way) in [
+            ([0.0, 0.0, 0.0], None),
+            ([0.0, 0.0, -900.0], None),
+            ([90.0, 0.0, 0.0], Some(DVec2::X)),
+            ([2.0, 0.0, 12.0], Some(DVec2::X)),
+            ([0.0, 3.0, 40.0], Some(DVec2::NEG_Y)),
+            ([0.0, 0.0, -1e6], Some(DVec2::ZERO)),
+        ] {
+            let [x, y, z] = place;
+            let text = format!(r#"{{"wobble": 1, "dimensions": 3, "points": {{"position": [[{x}, {y}, {z}]]}}}}"#);
+            let mut shown = Shown::default();
+            Stage::new(Scene::parse(&text, "x.json").unwrap().into()).unwrap().show(&mut shown);
+            let scope = Scope { shown: &shown, camera: &camera, scale: 1.0, free: Scope::ANYWHERE };
+            let found = nearest(scope, view).ok().flatten().and_then(|point| way_to(scope, point));
+            let from_middle = found.map(|at| (at - DVec2::new(400.0, 300.0)).normalize_or_zero());
+            assert!(
+                from_middle.is_some() == way.is_some()
+                    && from_middle.zip(way).is_none_or(|(is, to)| (is - to).length() < 1e-3),
+                "{place:?}: {found:?}"
+            );
+        }
     }
 }

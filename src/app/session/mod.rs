@@ -67,7 +67,7 @@ use copies::{Copied, Row};
 use driving::Holder;
 use leaving::Leaving;
 use lost::Lost;
-use shelf::Shelf;
+use shelf::{Shelf, Way};
 
 /// The tag of scenes that are painted on.
 const BRUSH: &str = "brush";
@@ -221,6 +221,8 @@ pub(super) struct Session {
     frames: u64,
     /// Where to look from when the next history is there.
     looks_again: Option<Camera>,
+    /// Which way along the shelf, and how far, the history lies that is being worked out anew.
+    came: Option<(Way, usize)>,
     /// A history is being made that was never there: since when.
     opening_since: Option<Instant>,
     /// The step of a lesson that it is opened for.

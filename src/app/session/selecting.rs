@@ -85,6 +85,9 @@ impl Session {
             self.player.ask(Order::Inspect(Among { points, obstacles, bonds: None }));
             self.panels_dirty = true;
             self.panels.matter_at = MatterAt::default();
+            if !self.inspected.is_empty() {
+                self.panels.select();
+            }
         }
     }
 

@@ -25,7 +25,7 @@ impl Left {
     /// It is left now: it stands still until it is gone back to.
     pub(super) fn now(mut player: Player, camera: Camera) -> Self {
         let played = player.is_playing();
-        player.play(false);
+        player.stand_still();
         Left { player, camera, played, lesson: None, title: String::new() }
     }
 
@@ -78,6 +78,30 @@ impl Shelf {
         !self.before.is_empty()
     }
 
+    /// Takes the history that lies so far along a way, 1 for the nearest, and those between it and the present one, the nearest first; `None`:
+    /// the way is not that long.
+    fn take(&mut self, way: Way, far: usize) -> Option<(Left, Vec<Left>)> {
+        let list = if way == Way::Back { &mut self.before } else { &mut self.after };
+        let at = list.len().checked_sub(far.max(1))?;
+        let mut between = list.split_off(at + 1);
+        between.reverse();
+        Some((list.pop()?, between))
+    }
+
+    /// The present history and those between it and the one that is gone to, which way.
+    fn pass(&mut self, way: Way, present: Left, between: Vec<Left>) {
+        let list = if way == Way::Back { &mut self.after } else { &mut self.before };
+        list.push(present);
+        list.extend(between);
+    }
+
+    /// Which way the nearest history with work lies that was not saved, and how far: one before the present one, else one after it.
+    fn nearest_unsaved(&self) -> Option<(Way, usize)> {
+        let far = |list: &[Left]| list.iter().rev().position(|left| left.player.is_unsaved()).map(|place| place + 1);
+        let back = far(&self.before).map(|far| (Way::Back, far));
+        back.or_else(|| far(&self.after).map(|far| (Way::On, far)))
+    }
+
     /// All that are kept.
     pub(super) fn players(&self) -> impl Iterator<Item = &Player> {
         self.before.iter().chain(&self.after).map(|left| &left.player)
@@ -93,10 +117,20 @@ impl Shelf {
     pub(super) fn players_mut(&mut self) -> impl Iterator<Item = &mut Player> {
         self.before.iter_mut().chain(&mut self.after).map(|left| &mut left.player)
     }
+}
 
-    /// The history after.
-    fn on(&mut self) -> Option<Left> {
-        self.after.pop()
+/// Which way along the shelf.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Way {
+    /// To what was left before.
+    Back,
+    /// To what was opened after.
+    On,
+}
+
+impl Way {
+    fn other(self) -> Way {
+        if self == Way::Back { Way::On } else { Way::Back }
     }
 }
 
@@ -154,41 +188,47 @@ impl Session {
 
     /// The history before is there again. It is left only by whoever asks for that.
     fn leave_back(&mut self) {
-        let Some(left) = self.shelf.back() else { return };
-        let (from, to) = (self.title(), left.title.clone());
-        let left = self.bring_back(left);
-        self.shelf.after.push(left);
-        self.player.say_used(true);
-        self.settle();
-        self.say(format!("Back to {to}: redo opens {from} again"));
+        self.go_along(Way::Back, 1);
     }
 
     /// There is nothing to redo in this history: another was opened from it.
     pub(super) fn go_on(&mut self) {
-        match self.shelf.on() {
-            Some(left) => {
-                let to = left.title.clone();
-                let left = self.bring_back(left);
-                self.shelf.before.push(left);
-                self.player.say_used(false);
-                self.settle();
-                self.say(format!("{to} is open again"));
-            }
-            None => self.say("there is nothing to redo".to_owned()),
+        if !self.go_along(Way::On, 1) {
+            self.say("there is nothing to redo".to_owned());
         }
     }
 
     /// The nearest history with work that was not saved is there again: one before the present one, else one after it.
     pub(super) fn go_to_unsaved(&mut self) {
-        if self.shelf.before.iter().any(|left| left.player.is_unsaved()) {
-            while !self.player.is_unsaved() && self.shelf.has_before() {
-                self.leave_back();
-            }
-        } else {
-            while !self.player.is_unsaved() && !self.shelf.after.is_empty() {
-                self.go_on();
-            }
+        if let Some((way, far)) = self.shelf.nearest_unsaved() {
+            self.go_along(way, far);
         }
+    }
+
+    /// The history that lies so far along a way is there again; those between stay as they are. Returns whether there is one.
+    fn go_along(&mut self, way: Way, far: usize) -> bool {
+        let Some((left, between)) = self.shelf.take(way, far) else { return false };
+        let (from, to) = (self.title(), left.title.clone());
+        let left = self.bring_back(left);
+        self.shelf.pass(way, left, between);
+        self.came = Some((way, far)).filter(|_| self.player.is_unfolding());
+        self.player.say_used(way == Way::Back);
+        self.settle();
+        self.say(match way {
+            Way::Back => format!("Back to {to}: redo opens {from} again"),
+            Way::On => format!("{to} is open again"),
+        });
+        true
+    }
+
+    /// What is worked out anew is not waited for: it stays folded, and where one came from is there again. Returns whether one came from
+    /// anywhere.
+    pub(super) fn stay_where_one_was(&mut self) -> bool {
+        let Some((way, far)) = self.came.take() else { return false };
+        // Nothing is asked of it after that.
+        self.take_leave();
+        self.player.stay_folded();
+        self.go_along(way.other(), far)
     }
 
     /// The present history is left for this player's: it stands still, with the step of a lesson that lies beside it.
@@ -204,22 +244,28 @@ impl Session {
         self.player.ask(Order::Bound(bytes));
     }
 
-    /// Plays a history that was left, as it was left; returns the one before it.
+    /// Plays a history that was left, as it was left, at once or as soon as it is worked out anew; returns the one before it.
     pub(super) fn bring_back(&mut self, left: Left) -> Left {
         let lesson = left.lesson;
         let (player, camera) = left.again(self.player.is_playing());
         self.take_leave();
         let last = self.exchange(player);
-        (self.teaches, self.taught) = (lesson, None);
-        let scene = self.player.start().scene().clone();
-        self.begin();
-        self.arrive(std::sync::Arc::new(scene));
-        self.import = None;
-        if !self.player.is_open() {
-            self.looks_again = Some(camera);
+        (self.teaches, self.taught, self.came) = (lesson, None, None);
+        self.looks_again = Some(camera);
+        match self.player.is_open() {
+            true => {
+                let scene = self.player.start().scene().clone();
+                self.begin();
+                self.arrive(std::sync::Arc::new(scene));
+            }
+            false => {
+                self.await_it();
+                self.begin();
+                (self.camera, self.framing, self.follows) = (camera, Framing::Free, false);
+                self.camera.resize(self.area);
+            }
         }
-        (self.camera, self.framing, self.follows) = (camera, Framing::Free, false);
-        self.camera.resize(self.area);
+        self.import = None;
         last
     }
 }
@@ -279,11 +325,24 @@ mod tests {
         }
         let folded = shelf.players().filter(|player| !player.is_open()).count();
         assert_eq!(folded, 5, "their worlds are gone");
-        let back = std::iter::from_fn(|| shelf.back()).last();
-        let mut player = back.unwrap().player;
-        player.play(false);
+        assert_eq!(shelf.nearest_unsaved(), Some((Way::Back, 8)));
+        let (left, between) = shelf.take(Way::Back, 8).unwrap();
+        assert!(between.len() == 7 && !shelf.has_before() && shelf.take(Way::Back, 1).is_none());
+        shelf.pass(Way::Back, Left::now(open(), camera), between);
+        let (mut player, _) = left.again(false);
+        // Who does not wait for it has it folded as before.
+        assert!(player.is_unfolding());
+        player.stay_folded();
+        assert!(!player.is_unfolding() && !player.is_open());
+        let left = Left::now(player, camera);
+        let (present, between) = shelf.take(Way::On, 8).unwrap();
+        assert!(between.len() == 7 && present.player.is_open() && between.iter().all(|left| !left.player.is_unsaved()));
+        shelf.pass(Way::On, left, between);
+        assert_eq!(shelf.nearest_unsaved(), Some((Way::Back, 8)), "all of it lies as before");
+        let (mut player, _) = shelf.take(Way::Back, 8).unwrap().0.again(false);
         wait_for(&mut player, |player, _| player.is_open());
         assert_eq!((player.shown().figures.time, place(&player)), (time, seen));
+        assert_eq!(player.worked_out(), 1.0);
         player.ask(Order::Undo(None));
         wait_for(&mut player, |_, notes| matches!(notes, [Note::Undone(name, _)] if name == "pin"));
     }

@@ -21,10 +21,10 @@ const SAME_TORQUE: f64 = 0.1;
 /// Said where nothing is clicked that could be hinged.
 const NO_BODY: &str = "no body lies here that could be hinged";
 /// Said of a hinge without a motor where the switch asks for none.
-const HINGED: &str = "a hinge is here already; with Shift it goes, with the switch \"motor\" it gets one";
+const HINGED: &str = "a hinge is here already: tick \"motor\" to give it one, Shift+click to take it away";
 
 /// Said of a hinge that no other body holds.
-const TO_BACKGROUND: &str = "its axle is pinned to the background, where it stays; where two bodies overlap it joins them, and a wheel drives the other";
+const TO_BACKGROUND: &str = "its axle is pinned to the background, so what it is on turns in place; clicked where two bodies overlap it joins them";
 
 /// What a hinge gets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +92,7 @@ impl Drives {
         if takes_away {
             let points = std::iter::once(hub.point).chain(props).map(|point| point.0).collect();
             return (
-                "the hinge goes".into(),
+                "a click takes the hinge away".into(),
                 Deed::edit("hinge away", Do::Delete(DeleteKeys { points, ..DeleteKeys::default() })),
             );
         }
@@ -104,9 +104,10 @@ impl Drives {
         let hinge = Hinge::of(scope, hub);
         let is_off = self.motor.is_on == Some(false);
         match hub.motors.is_empty() {
-            false if is_off || self.is_set(scope, hub, &hinge) => {
-                ("a click: motor off; with Shift the hinge goes".into(), Deed::edit("motor off", without))
-            }
+            false if is_off || self.is_set(scope, hub, &hinge) => (
+                "a click takes the motor off; Shift+click takes the hinge away".into(),
+                Deed::edit("motor off", without),
+            ),
             true if is_off => (HINGED.into(), Deed::words(HINGED.to_owned())),
             has_none => {
                 if let Some(why) = no_motors(scope.shown.driving) {
@@ -125,9 +126,9 @@ impl Drives {
                     deed.commands.insert(0, without);
                 }
                 let words = if has_none {
-                    "a click: motor on; with Shift the hinge goes"
+                    "a click gives it a motor; Shift+click takes the hinge away"
                 } else {
-                    "a click: this motor instead"
+                    "a click gives it this motor instead"
                 };
                 (words.into(), deed)
             }
@@ -168,11 +169,12 @@ impl Drives {
         let mut marks = hinge.marks(scope, [Role::Come, Role::Hold]);
         let what = if hinge.has_motor { "a motor" } else { "a hinge" };
         let on = match hinge.struts.is_empty() {
-            false => "between both bodies",
+            false => "joins both bodies",
             true if hinge.has_motor && hinge.rests(scope) => {
-                "on the ground: its axle is pinned to the background here, and it turns just above"
+                "on the ground: its axle is pinned to the background, just high enough to turn freely in place"
             }
-            true => "pinned to the background here",
+            true if hinge.has_motor => "pinned to the background: it turns in place",
+            true => "pinned to the background: it swings about it",
         };
         let strength = if hinge.has_motor { self.strength(scope, &hinge) } else { String::new() };
         marks.push(Mark::Words(beside(scope, at), format!("{what} {on}{strength}")));

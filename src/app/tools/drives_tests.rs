@@ -5,6 +5,7 @@ use glam::DVec2;
 
 use super::drives::MotorChoice;
 use super::marks::Mark;
+use super::pick::Scope;
 use super::tests::{scope, shown};
 use super::{Deed, Drives, Hand};
 use crate::app::action::Tool;
@@ -12,7 +13,7 @@ use crate::app::player::{Order, Shown, Stage};
 use crate::history::Do;
 use crate::render::Camera;
 use crate::scene::Scene;
-use crate::sim::AngleDrive;
+use crate::sim::{AngleDrive, PointId};
 
 const WHEELS: &str = r#"{"wobble": 1, "gravity": [0, 0], "view": {"center": [0, 0], "height": 10},
     "bodies": [{"make": "disc", "radius": 1, "spacing": 0.4, "origin": [-2, 0],
@@ -57,6 +58,16 @@ fn a_click_hinges_a_wheel_to_the_body_beside_it_or_to_the_ground_and_it_turns() 
         assert_eq!((points.pinned.len(), keys.angles.len(), deed.edit), (pins, 3, Some("motor")));
         let mut stage = stage();
         give(&mut stage, deed);
+        if pins == 2 {
+            // What the motor pushes against is seen as one with the hub, and no click means it.
+            let mut later = Shown::default();
+            stage.show(&mut later);
+            let scope = Scope { shown: &later, camera: &seen.1, scale: 1.0, free: Scope::ANYWHERE };
+            let [hub, prop] = [0, 1].map(|k| PointId((seen.0.point_count() + k) as u32));
+            let [at_hub, at_prop] = [hub, prop].map(|point| scope.pixel(point).unwrap());
+            assert!(at_hub.distance(at_prop) < 4.0, "{at_hub} and {at_prop}");
+            assert_ne!(scope.nearest(at_prop).unwrap().point, prop);
+        }
         let world = stage.history().world();
         let most: f64 = world
             .angles()
@@ -166,16 +177,16 @@ fn a_click_on_a_hinge_that_is_there_switches_its_motor_and_with_shift_takes_it_a
         // Near the rim, too, its own hinge is meant, and no body far off.
         for by in [0.0, 0.35] {
             assert_eq!(click(&mut seen, &mut hand, by), ("motor", [3, all + 1 + props]));
-            assert!(said(&seen, &hand, at(&seen, by)).contains("motor off"));
+            assert!(said(&seen, &hand, at(&seen, by)).contains("takes the motor off"));
             assert_eq!(click(&mut seen, &mut hand, by), ("motor off", [0, all + 1]), "nothing is left of it");
         }
         click(&mut seen, &mut hand, 0.0);
         let back = MotorChoice { speed: 5.0, ..drives.motor };
         hand.set_drives(Drives { motor: back, ..drives });
-        assert_eq!(said(&seen, &hand, at(&seen, 0.0)), "a click: this motor instead");
+        assert_eq!(said(&seen, &hand, at(&seen, 0.0)), "a click gives it this motor instead");
         assert_eq!(click(&mut seen, &mut hand, 0.0), ("motor", [3, all + 1 + props]));
         hand.hold([true, false]);
-        assert!(said(&seen, &hand, at(&seen, 0.0)).contains("the hinge goes"));
+        assert!(said(&seen, &hand, at(&seen, 0.0)).contains("takes the hinge away"));
         assert_eq!(click(&mut seen, &mut hand, 0.0), ("hinge away", [0, all]), "and the body is as it was");
     }
 }
@@ -221,7 +232,7 @@ fn while_paused_a_body_is_moved_with_the_pins_that_it_hangs_and_turns_on() {
         let [x, y, _] = seen.0.place(*point);
         (x - before[*point][0] + 1.0).abs() < 0.02 && (y - before[*point][1] - 1.0).abs() < 0.02
     };
-    let last = scope(&seen).body(crate::sim::PointId(count as u32 - 1));
+    let last = scope(&seen).body(PointId(count as u32 - 1));
     assert!(last.len() > 20 && last.iter().all(|point| moved(&point.index())), "its wheel and both pins");
     assert_eq!((0..count).filter(moved).count(), last.len(), "nothing else");
 }
@@ -261,14 +272,14 @@ fn a_box_on_two_discs_with_motors_drives_and_stays_upright() {
             }
             seen.0.point_count()
         };
-        let hubs = click(&mut stage, "between both bodies", None) - 2;
+        let hubs = click(&mut stage, "joins both bodies", None) - 2;
         let first = if is_later { 0 } else { hubs - 44 };
         if is_later {
             // The wheels are round no more under what they carry, and turn all the same.
             for _ in 0..60 {
                 stage.obey(Order::Step(None));
             }
-            click(&mut stage, "motor on", Some(hubs));
+            click(&mut stage, "gives it a motor", Some(hubs));
         }
         let place = |stage: &Stage, k: usize| {
             DVec2::from([0, 1].map(|axis| stage.history().world().positions().get(2 * k + axis)))

@@ -42,6 +42,8 @@ const SNAP: f64 = 12.0;
 /// What is lifted off a floor to be turned stands so far above it, and is lifted no further, in its radius `[1]`.
 const CLEAR: f64 = 0.02;
 const MOST_LIFT: f64 = 0.25;
+/// How far what a motor on the background pushes against is off the middle of its hub, in its arm `[1]`.
+const IN_HUB: f64 = 0.05;
 /// Said in space.
 pub(super) const IN_SPACE: &str = "in the plane only: this scene is in space";
 /// Said where something holds the body already.
@@ -167,10 +169,10 @@ impl Hinge {
         Hinge { at: place(scope, hub.point), spokes: side(turning), struts, has_motor: true }
     }
 
-    /// What a motor on the background pushes against: a pin beside the hub `[m]`.
+    /// What a motor on the background pushes against: a pin in the hub, so near that both are seen and meant as one `[m]`.
     pub(super) fn prop(scope: Scope<'_>, hinge: &Hinge, is_pinned: bool) -> Vec<DVec2> {
         let arm = hinge.spokes.first().map_or(1.0, |&spoke| place(scope, spoke).distance(hinge.at));
-        is_pinned.then_some(hinge.at + DVec2::new(0.5 * arm, 0.0)).into_iter().collect()
+        is_pinned.then_some(hinge.at + DVec2::new(IN_HUB * arm, 0.0)).into_iter().collect()
     }
 
     /// Its lines and its hub: what turns and what holds it.

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::app::player::Shown;
 use crate::picture::Tint;
 use crate::render::{Camera, Pose};
-use crate::sim::{PointId, segments_meet};
+use crate::sim::{Angle, AngleDrive, PointId, segments_meet};
 
 /// What is taken by a press: how near its points are to the pixel at least `[logical px]`.
 const GRIP: f64 = 14.0;
@@ -82,7 +82,10 @@ impl Scope<'_> {
         if let Some(foremost) = near.iter().map(|hit| hit.depth).min_by(f64::total_cmp) {
             // What lies behind by more than is seen across is not meant.
             let across = 4.0 * REACH * self.scale / self.camera.pixels_per_metre();
+            let hubs: Vec<PointId> = near.iter().map(|hit| hit.point).collect();
             let front = near.into_iter().filter(|hit| hit.depth <= foremost + across);
+            // What a motor pushes against lies in its hub.
+            let front = front.filter(|hit| !self.props_one_of(hit.point, &hubs));
             return front.min_by(|a, b| a.distance.total_cmp(&b.distance));
         }
         let corners = self.triangle(at).map(|corners| corners.to_vec());
@@ -95,6 +98,13 @@ impl Scope<'_> {
             })
         };
         corners.into_iter().filter_map(hit).min_by(|a, b| a.distance.total_cmp(&b.distance))
+    }
+
+    /// Whether the motor of one of these hubs pushes against a pin.
+    fn props_one_of(&self, pin: PointId, hubs: &[PointId]) -> bool {
+        let is_motor = |angle: &Angle| matches!(angle.drive, Some(AngleDrive::Motor { .. }));
+        let props = |angle: &&Angle| angle.points[0] == pin && hubs.contains(&angle.points[1]) && is_motor(angle);
+        self.is_pinned(pin) && self.shown.scenery.angles.iter().any(|angle| props(&angle))
     }
 
     /// The point that a pixel lies on, or is near to: not those of what it lies on.

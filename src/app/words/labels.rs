@@ -66,7 +66,7 @@ impl<'a> Labels<'a> {
     fn shapes(&self, panes: &[Pane<'_>]) -> Vec<ClippedShape> {
         let of_pane = |pane: &Pane<'_>| {
             let clip_rect = points(pane.clip, self.scale);
-            let room = (clip_rect.shrink(APART), None);
+            let room = ((clip_rect.shrink(APART), None), &[][..]);
             let mut others = Vec::new();
             let shape = |(at, words): (glam::DVec2, &str)| {
                 let at = Pos2::new(at.x as f32 / self.scale, at.y as f32 / self.scale);

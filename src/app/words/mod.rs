@@ -43,18 +43,39 @@ pub(super) fn written(
     painted(context, galley, kept_in(ground, pointer, room))
 }
 
-/// The same of one of several labels, above or below those that lie in its place; its own place is one of them then.
+/// The same of one of several labels: beside the panels that are `taken` there, above or below those labels that lie in its place; its own place
+/// is one of them then.
 pub(super) fn written_apart(
     context: &Context,
     (at, anchor): (Pos2, Anchor),
     words: &str,
-    (room, pointer): (Rect, Option<Pos2>),
+    ((room, pointer), taken): ((Rect, Option<Pos2>), &[Rect]),
     others: &mut Vec<Rect>,
 ) -> Shape {
     let (galley, ground) = laid(context, (at, anchor), words, room);
-    let ground = apart_from(others, kept_in(ground, pointer, room), room);
+    let ground = off_panels(taken, kept_in(ground, pointer, room), room);
+    let ground = apart_from(others, ground, room);
     others.push(ground);
     painted(context, galley, ground)
+}
+
+/// The place in a room nearest to one that lies below a panel where it lies below none; the same place where there is no such near it.
+fn off_panels(taken: &[Rect], place: Rect, room: Rect) -> Rect {
+    let ways = |panel: &Rect| {
+        [
+            Vec2::new(panel.right() + APART - place.left(), 0.0),
+            Vec2::new(panel.left() - APART - place.right(), 0.0),
+            Vec2::new(0.0, panel.bottom() + APART - place.top()),
+            Vec2::new(0.0, panel.top() - APART - place.bottom()),
+        ]
+    };
+    let is_below = |place: Rect| taken.iter().any(|panel| panel.intersects(place));
+    if !is_below(place) {
+        return place;
+    }
+    let all = taken.iter().filter(|panel| panel.intersects(place)).flat_map(ways);
+    let free = all.filter(|way| room.contains_rect(place.translate(*way)) && !is_below(place.translate(*way)));
+    free.min_by(|a, b| a.length().total_cmp(&b.length())).map_or(place, |way| place.translate(way))
 }
 
 /// A place in a room, as near above others as there is room, else below them.
@@ -183,6 +204,20 @@ mod tests {
         assert_eq!(apart_from(&[at(45.0)], at(40.0), room), at(23.0));
         assert_eq!(apart_from(&[at(45.0), at(24.0)], at(40.0), room), at(2.0));
         assert_eq!(apart_from(&[at(15.0)], at(10.0), room), at(37.0), "above it there is no room");
+    }
+
+    #[test]
+    fn labels_lie_beside_panels_where_there_is_room() {
+        let room = Rect::from_min_max(Pos2::ZERO, Pos2::new(200.0, 100.0));
+        let at = |x: f32, y: f32| Rect::from_min_size(Pos2::new(x, y), Vec2::new(80.0, 20.0));
+        let tools = Rect::from_min_max(Pos2::new(0.0, 10.0), Pos2::new(40.0, 100.0));
+        assert_eq!(off_panels(&[tools], at(50.0, 40.0), room), at(50.0, 40.0), "it lies below none");
+        assert_eq!(off_panels(&[tools], at(20.0, 40.0), room), at(44.0, 40.0), "beside the tools");
+        let beside = Rect::from_min_max(Pos2::new(41.0, 30.0), Pos2::new(60.0, 100.0));
+        assert_eq!(off_panels(&[tools, beside], at(50.0, 40.0), room), at(64.0, 40.0));
+        let wide = Rect::from_min_max(Pos2::ZERO, Pos2::new(190.0, 70.0));
+        assert_eq!(off_panels(&[wide], at(20.0, 40.0), room), at(20.0, 74.0), "below it");
+        assert_eq!(off_panels(&[room], at(20.0, 40.0), room), at(20.0, 40.0), "there is no such place");
     }
 
     #[test]

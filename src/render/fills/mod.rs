@@ -85,6 +85,8 @@ pub(super) struct Fills {
     parts: [Vec<Row>; 2],
     /// What is filled of each of both, but for cells.
     triangles: [Vec<[u32; 3]>; 2],
+    /// In space those that enclose a volume, whose edges are seen as such.
+    enclosing: Vec<[u32; 3]>,
     /// Triangles that cells are filled with.
     cell_triangles: usize,
     bindings: Option<[wgpu::BindGroup; 2]>,
@@ -116,6 +118,7 @@ impl Fills {
             shades: storage("shades"),
             parts: Default::default(),
             triangles: Default::default(),
+            enclosing: Vec::new(),
             cell_triangles: 0,
             bindings: None,
             topology: None,
@@ -155,11 +158,14 @@ impl Fills {
         let ([bare, worn, nets], open) = if view.triangles.len() > MOST { Default::default() } else { bodies(view) };
         let mut list = nets_of(&runs(&nets), &open);
         self.cell_triangles = nets.iter().map(|net| net.triangles.len()).sum();
+        self.enclosing.clear();
         let mut counts = [0; 2];
         for (place, bodies) in [bare, worn].iter().enumerate() {
             self.triangles[place] = bodies.iter().flat_map(|body| body.triangles.iter().copied()).collect();
             let lines = Lines { inner: inner(view, bodies), limbs: limbs(view, bodies) };
             list.extend(primitives(bodies, &lines, view.dimensions));
+            let solid = runs(bodies).into_iter().filter(|run| view.dimensions == 3 && encloses(&run.triangles));
+            self.enclosing.extend(solid.flat_map(|run| run.triangles));
             counts[place] = list.len();
         }
         let of_bare = counts[0] as u32;
@@ -189,7 +195,8 @@ impl Fills {
         self.shaded = None;
         let bonds: Vec<GpuBond> =
             if shows_strain { view.bonds.iter().map(GpuBond::from).collect() } else { Vec::new() };
-        let triangles = self.triangles.each_ref().map(Vec::as_slice);
+        let [bare, worn] = self.triangles.each_ref().map(Vec::as_slice);
+        let triangles = [bare, worn, self.enclosing.as_slice()];
         if view.dimensions == 3 {
             shades(flat.as_chunks::<3>().0, triangles, &bonds, &mut self.rows);
         } else {
@@ -340,6 +347,14 @@ impl<'a> Run<'a> {
     }
 }
 
+/// Whether triangles enclose a volume, but for what was torn open: what they have of free sides is short beside what they cover, which of a sheet
+/// it is not. So many sides a triangle, squared `[1]`; those of a square sheet are 8.
+fn encloses(triangles: &[[u32; 3]]) -> bool {
+    const MOST: usize = 6;
+    let sides = outline(triangles).len();
+    sides * sides < MOST * triangles.len()
+}
+
 fn runs(bodies: &[Filled]) -> Vec<Run<'_>> {
     bodies.chunk_by(|a, b| a.body == b.body).map(Run::of).collect()
 }
@@ -461,6 +476,24 @@ fn ink(kind: u32, [red, green, blue]: [u8; 3]) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn boxes_enclose_a_volume_also_torn_and_sheets_do_not() {
+        let at = |x: u32, y: u32| 5 * y + x;
+        let cell = |k: u32| (k % 4, k / 4);
+        let of_cell = |(x, y): (u32, u32)| {
+            let [a, b, c, d] = [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)];
+            [[a, b, c], [a, c, d]]
+        };
+        let sheet: Vec<[u32; 3]> = (0..16).map(cell).flat_map(of_cell).collect();
+        assert!(!encloses(&sheet) && !encloses(&sheet[..8]));
+        // Two sheets sewn together along their rims.
+        let is_rim = |point: u32| [0, 4].contains(&(point % 5)) || [0, 4].contains(&(point / 5));
+        let back = |corners: &[u32; 3]| corners.map(|point| if is_rim(point) { point } else { point + 100 });
+        let whole: Vec<[u32; 3]> =
+            sheet.iter().copied().chain(sheet.iter().map(back).map(|[a, b, c]| [a, c, b])).collect();
+        assert!(encloses(&whole) && encloses(&whole[2..]), "a hole makes it no sheet");
+    }
 
     #[test]
     fn a_second_diagonal_is_drawn_on_its_body_and_sides_are_not_again() {

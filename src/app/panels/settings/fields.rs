@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use egui::{ComboBox, DragValue, Response, Slider, SliderClamping, Ui};
 
+use super::super::choosing::{begin_at, choice};
 use super::super::theme::as_high_as_buttons;
 use super::super::{Facts, Wish, dial, ranged, ticks};
 use super::Sink;
@@ -307,7 +308,7 @@ fn of_order(ui: &mut Ui, method: &Method, sink: &mut Sink<'_>) {
             (Order::Coloured, OrderName::Coloured),
             (Order::Shuffled, OrderName::Shuffled),
         ] {
-            let by = ui.selectable_label(method.order == order, words(order));
+            let by = choice(ui, method.order == order, words(order));
             if by.clicked() && method.order != order {
                 sink.method(&by, MethodSetting::Order(name));
             }
@@ -339,7 +340,7 @@ fn of_fixed(ui: &mut Ui, (precision, tolerance): (PrecisionName, Option<f64>), s
     };
     let shown = ComboBox::from_label("precision").selected_text(words(precision)).truncate().show_ui(ui, |ui| {
         for name in [PrecisionName::Auto, PrecisionName::F32, PrecisionName::F64] {
-            if ui.selectable_label(precision == name, words(name)).clicked() && precision != name {
+            if choice(ui, precision == name, words(name)).clicked() && precision != name {
                 sink.wishes.push(Wish::Begin(name, tolerance));
             }
         }
@@ -351,9 +352,9 @@ fn of_fixed(ui: &mut Ui, (precision, tolerance): (PrecisionName, Option<f64>), s
     });
     let shown = ComboBox::from_label("tolerance").selected_text(named).truncate().show_ui(ui, |ui| {
         let choices = TOLERANCES.map(|(own, name)| (Some(own), name));
-        for (choice, name) in [(None, "none")].into_iter().chain(choices) {
-            if ui.selectable_label(tolerance == choice, name).clicked() && tolerance != choice {
-                sink.wishes.push(Wish::Begin(precision, choice));
+        for (other, name) in [(None, "none")].into_iter().chain(choices) {
+            if choice(ui, tolerance == other, name).clicked() && tolerance != other {
+                sink.wishes.push(Wish::Begin(precision, other));
             }
         }
     });
@@ -394,6 +395,7 @@ fn of_solver(ui: &mut Ui, solver: Solver, facts: &Facts, sink: &mut Sink<'_>) {
             let why = super::super::beside::why_not(facts, choice);
             let label = egui::Button::selectable(now == Some(choice), choice.words());
             let by = ui.add_enabled(why.is_none(), label);
+            begin_at(&by, now == Some(choice));
             if by.clicked() && now != Some(choice) {
                 sink.wishes.push(Wish::Solver(choice));
             }

@@ -180,15 +180,21 @@ impl Stage {
         Folded { recording: self.recording(), time: self.history.world().time(), rate, playing }
     }
 
-    /// The same history again, where it was folded: worked out from its start.
+    /// The same history again, where it was folded: worked out from its start, as long as `goes_on` says so, which is told how much of it
+    /// is worked out, 0 to 1. `None`: it does not go on.
     ///
     /// Errors: as of [`History::new`].
-    pub fn unfolded(folded: Folded) -> Result<Self, HistoryError> {
-        let mut stage = Stage::new(folded.recording.into())?;
-        stage.pace.go_to(&mut stage.history, folded.time, None);
+    pub fn unfolded(folded: &Folded, mut goes_on: impl FnMut(f64) -> bool) -> Result<Option<Self>, HistoryError> {
+        let mut stage = Stage::new(folded.recording.clone().into())?;
+        let from = stage.history.world().time();
+        let length = (folded.time - from).max(f64::MIN_POSITIVE);
+        let goes_on = |time: f64| goes_on(((time - from) / length).clamp(0.0, 1.0));
+        if !stage.pace.go_to_while((&mut stage.history, folded.time), None, goes_on) {
+            return Ok(None);
+        }
         stage.keep_time();
         (stage.pace.rate, stage.pace.playing) = (folded.rate, folded.playing);
-        Ok(stage)
+        Ok(Some(stage))
     }
 
     /// How this moment is seen: what came to its end was not paused by anybody.
