@@ -2,7 +2,7 @@
 
 use super::course::{DRIVEN, LYING, PHASE, within};
 use super::motion::{Axial, Pose};
-use super::solid::{Parts, Solid, SpinOf, lift};
+use super::solid::{MotionOf, Parts, Solid, SpinOf, lift};
 use crate::sim::environment::Environment;
 use crate::sim::force::mouse;
 use crate::sim::ledger::Book;
@@ -113,6 +113,17 @@ impl<S: Real, const D: usize> Field<'_, S, D> {
         }
         sum(body, place, |slot, _| Some(pushes[slot as usize]))
     }
+}
+
+/// Whether the mouse may push some of a body's points within `h` from `t` on `[s]`.
+pub(super) fn is_reached<S: Real, const D: usize, B: Solid<N>, const N: usize>(
+    (body, motion): (&B, &MotionOf<B, N>),
+    (pull, around): (&Pull<S, D>, &Environment<D>),
+    (t, h): (f64, f64),
+) -> bool {
+    let pushed = length(pull.gravity) + pull.most_push() + around.most_push();
+    let far = body.reach() + motion.way(h, pushed);
+    around.may_reach([-far, far].map(|far| lift::<S, D, N>(motion.place.middle().map(|x| x + far))), (t, h))
 }
 
 /// Force and torque of accelerations of a body's points, by their slots and places.

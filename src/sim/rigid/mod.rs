@@ -52,12 +52,12 @@ use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
 use super::swept::{Span, Swept};
-use super::vector::{add, length};
+use super::vector::add;
 use alone::Lone;
 use blueprint::Blueprint;
 use body::Body;
 use course::{Log, advance};
-use field::Field;
+use field::{Field, is_reached};
 use link::{Clock, are_led};
 use linkage::Linkage;
 use motion::Motion;
@@ -126,12 +126,8 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
                 let by = if is_driven && !are_led(&anchors) { &mut book.drives } else { &mut book.pins };
                 *by += given;
             }
-            let is_reached = linkage.bodies.iter().zip(&motions).any(|(body, motion)| {
-                let far = body.reach + motion.way(h, length(pull.gravity) + pull.most_push() + around.most_push());
-                let middle = motion.place.middle;
-                let bounds = [-far, far].map(|far| lift::<S, D, _>([middle[0] + far, middle[1] + far]));
-                around.may_reach(bounds, (t, h))
-            });
+            let mut all = linkage.bodies.iter().zip(&motions);
+            let is_reached = all.any(|of| is_reached(of, (pull, around), (t, h)));
             let field = Field { pull, around, w: &points.inverse_mass, is_reached };
             let slots = || linkage.bodies.iter().flat_map(|body| &body.slots).map(|&slot| slot as usize);
             let moving = || slots().map(|i| (points.position[i], points.velocity[i]));

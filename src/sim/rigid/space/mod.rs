@@ -25,9 +25,9 @@ use std::sync::Arc;
 
 use super::alone::Lone;
 use super::course::{Log, advance};
-use super::field::Field;
+use super::field::{Field, is_reached};
 use super::motion;
-use super::solid::{Solid, lift};
+use super::solid::Solid;
 use crate::sim::account::Account;
 use crate::sim::bulk::kernel::Kernel;
 use crate::sim::bulk::mover::Mover;
@@ -36,7 +36,6 @@ use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::vector::length;
 use body::Body;
 use place::Place;
 use shape::Shape;
@@ -86,9 +85,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
         let mut book = account.map(|account| &mut account.book);
         for body in self.bodies.iter() {
             let motion = body.read(points);
-            let far = body.reach + motion.way(h, length(pull.gravity) + pull.most_push() + around.most_push());
-            let bounds = [-far, far].map(|far| lift::<S, D, _>(motion.place.middle.map(|x| x + far)));
-            let is_reached = around.may_reach(bounds, (t, h));
+            let is_reached = is_reached((body, &motion), (pull, around), (t, h));
             let slots = || body.slots.iter().map(|&slot| slot as usize);
             let moving = || slots().map(|i| (points.position[i], points.velocity[i]));
             let parts = if is_reached { around.parts_near(moving(), (t, h)) } else { 1 };
@@ -96,7 +93,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             let (end, work) = {
                 let field = Field { pull, around, w: &points.inverse_mass, is_reached };
                 let lone = Lone::new(body, &field, &motion);
-                let longest = field.longest(h).min(h / f64::from(parts));
+                let longest = body.longest(&field, h).min(h / f64::from(parts));
                 let end = advance(&lone, motion, (t, h, longest), &mut log);
                 (end, lone.spent())
             };
