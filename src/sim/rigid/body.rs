@@ -158,30 +158,37 @@ impl Solid<2> for Body {
     type Place = Place;
     type Inertia<'a> = Inertia;
 
+    #[inline]
     fn parts(&self) -> Parts<'_, 2> {
         Parts { slots: &self.slots, places: &self.shape.places, masses: &self.shape.masses }
     }
 
+    #[inline]
     fn reach(&self) -> f64 {
         self.reach
     }
 
+    #[inline]
     fn corners(&self) -> &[u32] {
         &self.hull
     }
 
+    #[inline]
     fn meets(&self, point: u32) -> bool {
         self.deaf.binary_search(&point).is_err()
     }
 
+    #[inline]
     fn is_pinned(&self) -> bool {
         self.shape.pin.is_some()
     }
 
+    #[inline]
     fn inertia(&self, _place: &Place) -> Inertia {
         self.inertia
     }
 
+    #[inline]
     fn frame(normal: [f64; 2]) -> [[f64; 2]; 2] {
         [normal, [-normal[1], normal[0]]]
     }

@@ -26,7 +26,11 @@ impl<const N: usize> Contact<N> {
     /// A vector along the normal and the tangents.
     #[inline(always)]
     pub(super) fn seen(&self, v: [f64; N]) -> [f64; N] {
-        self.ways.map(|way| dot(way, v))
+        let mut seen = [0.0; N];
+        for (seen, way) in seen.iter_mut().zip(&self.ways) {
+            *seen = dot(*way, v);
+        }
+        seen
     }
 
     /// Its velocity along the normal and the tangents.
@@ -38,11 +42,15 @@ impl<const N: usize> Contact<N> {
     /// A vector along the normal and the tangents, in the world.
     #[inline(always)]
     fn out(&self, v: [f64; N]) -> [f64; N] {
-        let last = scale(self.ways[N - 1], v[N - 1]);
-        (0..N - 1).rev().fold(last, |sum, k| add(scale(self.ways[k], v[k]), sum))
+        let mut sum = scale(self.ways[N - 1], v[N - 1]);
+        for k in (0..N - 1).rev() {
+            sum = add(scale(self.ways[k], v[k]), sum);
+        }
+        sum
     }
 
     /// The motion after an impulse, along the normal and the tangents.
+    #[inline(always)]
     pub(super) fn pushed<I: Inertial<N>>(
         &self,
         inertia: &I,
@@ -61,7 +69,10 @@ impl<const N: usize> Contact<N> {
         let mut along = self.speeds(twist);
         along[0] = 0.0;
         let speed = dot(along, along).sqrt();
-        if speed > still { along.map(|x| x / speed) } else { [0.0; N] }
+        for x in &mut along {
+            *x = if speed > still { *x / speed } else { 0.0 };
+        }
+        along
     }
 }
 
@@ -82,22 +93,25 @@ impl<I: Inertial<N>, const N: usize> Answers<N> for Alone<'_, I, N> {
     type Motion = Twist<I::Spin, N>;
     type Friction = I::Friction;
 
+    #[inline]
     fn speeds(&self, contact: usize, twist: &Self::Motion) -> [f64; N] {
         self.contacts[contact].speeds(twist)
     }
 
     fn gives(&self, contact: usize) -> [[f64; N]; N] {
         let Contact { arm, ways, .. } = &self.contacts[contact];
-        let moments = ways.map(|way| I::Spin::moment(*arm, way));
-        let spins = moments.map(|moment| self.inertia.spun(moment));
-        std::array::from_fn(|r| {
-            std::array::from_fn(|c| {
+        let mut gives = [[0.0; N]; N];
+        for (c, way) in ways.iter().enumerate() {
+            let spin = self.inertia.spun(I::Spin::moment(*arm, *way));
+            for (r, other) in ways.iter().enumerate() {
                 let ease = if r == c { self.inertia.ease() } else { 0.0 };
-                ease + moments[r].dot(spins[c])
-            })
-        })
+                gives[r][c] = ease + I::Spin::moment(*arm, *other).dot(spin);
+            }
+        }
+        gives
     }
 
+    #[inline]
     fn pushed(&self, contact: usize, impulse: [f64; N], twist: Self::Motion) -> Self::Motion {
         self.contacts[contact].pushed(&self.inertia, &twist, impulse)
     }

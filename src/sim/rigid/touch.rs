@@ -65,21 +65,25 @@ impl<'a, S: Real, const D: usize, B: Solid<N>, const N: usize> Among<'a, S, D, B
         Near { planes, has_walls: self.obstacles.has_walls_near(bounds) }
     }
 
+    #[inline]
     fn normal(&self, surface: usize) -> [f64; N] {
         resized(widen(self.obstacles.surfaces[surface].normal))
     }
 
     /// A place of the body, by the number of a point.
+    #[inline]
     fn place(&self, point: u32) -> [f64; N] {
         self.body.parts().places[point as usize]
     }
 
     /// Where a point of the body is.
+    #[inline]
     pub(super) fn at(&self, motion: &MotionOf<B, N>, point: u32) -> [f64; N] {
         motion.place.out(self.place(point))
     }
 
     /// How far off a surface a point is `[m]`.
+    #[inline]
     pub(super) fn gap(&self, motion: &MotionOf<B, N>, touch: Touch) -> f64 {
         self.obstacles.surfaces[touch.surface].gap_of(self.at(motion, touch.point))
     }
@@ -99,6 +103,7 @@ impl<'a, S: Real, const D: usize, B: Solid<N>, const N: usize> Among<'a, S, D, B
     }
 
     /// A point on a surface, as the law has it.
+    #[inline]
     pub(super) fn contact(&self, motion: &MotionOf<B, N>, touch: Touch) -> Contact<N> {
         let surface = &self.obstacles.surfaces[touch.surface];
         let (friction, restitution) = (surface.friction.to_f64(), surface.restitution.to_f64());
@@ -110,6 +115,7 @@ impl<'a, S: Real, const D: usize, B: Solid<N>, const N: usize> Among<'a, S, D, B
     }
 
     /// How fast a point goes across and along a surface `[m/s]`.
+    #[inline]
     pub(super) fn speeds(&self, motion: &MotionOf<B, N>, touch: Touch) -> [f64; N] {
         self.contact(motion, touch).speeds(&motion.twist)
     }

@@ -23,7 +23,10 @@ impl Friction<3> for Disc {
             return old;
         }
         // What it lacks without an impulse of its own.
-        let lacks: Trio = std::array::from_fn(|k| rub.target[k] - speed[k] + dot(gives[k], old));
+        let mut lacks = [0.0; 3];
+        for k in 0..3 {
+            lacks[k] = rub.target[k] - speed[k] + dot(gives[k], old);
+        }
         if rub.is_sliding() {
             let [_, x, y] = rub.slides;
             let eased = across - rub.friction * (gives[0][1] * x + gives[0][2] * y);

@@ -49,8 +49,9 @@ impl<const N: usize> Rub<N> {
     pub(crate) const SMOOTH: Self = Rub { friction: 0.0, restitution: 0.0, slides: [0.0; N], target: [0.0; N] };
 
     /// Whether it slides for all of the moment.
+    #[inline]
     pub(crate) fn is_sliding(&self) -> bool {
-        self.slides != [0.0; N]
+        self.slides.iter().any(|x| *x != 0.0)
     }
 }
 
@@ -258,7 +259,9 @@ fn press<A: Answers<N>, const N: usize>(
             let change = sub(new, *impulse);
             motion = body.pushed(contact, change, motion);
             *impulse = new;
-            (0..N).for_each(|k| largest = largest.max((change[k] * gives[contact][k][k]).abs()));
+            for k in 0..N {
+                largest = largest.max((change[k] * gives[contact][k][k]).abs());
+            }
         }
         passes += 1;
         has_converged = largest <= NOTHING * fastest;
@@ -267,7 +270,9 @@ fn press<A: Answers<N>, const N: usize>(
     for (contact, impulse) in impulses.iter().enumerate() {
         let mean = scale(add(body.speeds(contact, before), body.speeds(contact, &motion)), 0.5);
         taken[0] -= impulse[0] * mean[0];
-        taken[1] -= (1..N).map(|k| impulse[k] * mean[k]).sum::<f64>();
+        for k in 1..N {
+            taken[1] -= impulse[k] * mean[k];
+        }
     }
     Pressed { motion, impulses, taken, passes, has_converged, is_stopped: false, share: 1.0 }
 }

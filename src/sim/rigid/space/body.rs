@@ -63,11 +63,13 @@ impl Body {
     }
 
     /// The spin that an angular momentum about the origin makes, in the world.
+    #[inline]
     pub(super) fn spin(&self, place: &Place, turning: [f64; 3]) -> [f64; 3] {
         place.turned(times(&self.shape.inverse, self.shape.left(place.back(turning))))
     }
 
     /// The angular momentum about the origin.
+    #[inline]
     pub(super) fn turning(&self, place: &Place, spin: [f64; 3]) -> [f64; 3] {
         place.turned(times(&self.shape.inertia, place.back(spin)))
     }

@@ -123,6 +123,7 @@ impl Shape {
     }
 
     /// What of an angular momentum or a torque pins do not take, seen in the shape.
+    #[inline]
     pub(super) fn left(&self, v: [f64; 3]) -> [f64; 3] {
         match self.hold {
             Hold::Free | Hold::Point => v,

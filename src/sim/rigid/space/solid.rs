@@ -27,22 +27,27 @@ impl Solid<3> for Body {
     type Place = Place;
     type Inertia<'a> = Inertia<'a>;
 
+    #[inline]
     fn parts(&self) -> Parts<'_, 3> {
         Parts { slots: &self.slots, places: &self.shape.places, masses: &self.shape.masses }
     }
 
+    #[inline]
     fn reach(&self) -> f64 {
         self.reach
     }
 
+    #[inline]
     fn corners(&self) -> &[u32] {
         &self.shape.corners
     }
 
+    #[inline]
     fn meets(&self, point: u32) -> bool {
         self.shape.pins.binary_search(&point).is_err()
     }
 
+    #[inline]
     fn is_pinned(&self) -> bool {
         self.shape.hold != Hold::Free
     }
@@ -51,10 +56,12 @@ impl Solid<3> for Body {
         self.shape.hold == Hold::Fixed
     }
 
+    #[inline]
     fn inertia<'a>(&'a self, place: &'a Place) -> Inertia<'a> {
         Inertia { body: self, place }
     }
 
+    #[inline]
     fn frame(normal: [f64; 3]) -> [[f64; 3]; 3] {
         let [x, y] = tangents(normal);
         [normal, x, y]
