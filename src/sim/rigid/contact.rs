@@ -65,6 +65,7 @@ impl<const N: usize> Contact<N> {
     }
 
     /// Which way it slides along its tangents, as a unit vector; 0: at no speed that counts `[m/s]`.
+    #[inline]
     pub(super) fn direction<W: Axial<N>>(&self, twist: &Twist<W, N>, still: f64) -> [f64; N] {
         let mut along = self.speeds(twist);
         along[0] = 0.0;
@@ -98,6 +99,7 @@ impl<I: Inertial<N>, const N: usize> Answers<N> for Alone<'_, I, N> {
         self.contacts[contact].speeds(twist)
     }
 
+    #[inline]
     fn gives(&self, contact: usize) -> [[f64; N]; N] {
         let Contact { arm, ways, .. } = &self.contacts[contact];
         let mut gives = [[0.0; N]; N];

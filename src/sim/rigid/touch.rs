@@ -193,10 +193,13 @@ impl<'a, S: Real, const D: usize, B: Solid<N>, const N: usize> Among<'a, S, D, B
             let contact = self.contact(motion, *touch);
             let start = contact.direction(&motion.twist, still);
             let speed = dot(start, contact.speeds(&motion.twist));
+            if speed == 0.0 {
+                continue;
+            }
             let latest = first.unwrap_or(h);
             let ahead = |motion: &MotionOf<B, N>| dot(start, self.speeds(motion, *touch));
             let last = if latest < h { ahead(&path(latest)) } else { ahead(end) };
-            if speed == 0.0 || last >= -0.5 * still {
+            if last >= -0.5 * still {
                 continue;
             }
             let root = Root::between((0.0, speed), (latest, last));

@@ -17,6 +17,7 @@ impl Friction<3> for Disc {
     const MOST_PASSES: u32 = 300;
     const OF_A_CONTACT: u64 = 150;
 
+    #[inline]
     fn solve(gives: &[Trio; 3], rub: &Rub<3>, old: Trio, speed: Trio) -> Trio {
         let across = gives[0][0];
         if across <= 0.0 {

@@ -9,6 +9,7 @@ impl Friction<2> for Line {
     const MOST_PASSES: u32 = 100;
     const OF_A_CONTACT: u64 = 40;
 
+    #[inline]
     fn solve(gives: &[Impulse; 2], rub: &Rub, old: Impulse, [normal, speed]: [f64; 2]) -> Impulse {
         let [[across, _], [both, along]] = *gives;
         if across <= 0.0 {
