@@ -6,6 +6,7 @@ mod cloth;
 mod obstacles;
 mod pace;
 mod rest;
+mod solids;
 mod tops;
 
 use serde_json::Value;

@@ -95,6 +95,16 @@ pub fn embed<const D: usize>(a: [f64; D]) -> [f64; 3] {
     std::array::from_fn(|k| if k < D { a[k] } else { 0.0 })
 }
 
+/// The vector in so many dimensions: what it has more is dropped, what it lacks is zero.
+#[inline(always)]
+pub(crate) fn resized<const D: usize, const N: usize>(a: [f64; D]) -> [f64; N] {
+    let mut resized = [0.0; N];
+    for (to, from) in resized.iter_mut().zip(a) {
+        *to = from;
+    }
+    resized
+}
+
 /// From which share of a way on to which one it lies in a box along the axes, of all shares from 0 to `most`; `None`: nowhere.
 ///
 /// Shapes: where the way begins and how it leads on from there; the lower and the upper corner of the box, in the same unit.

@@ -67,6 +67,21 @@ fn stiff_springs_go_over_to_an_implicit_method() {
         .check_methods(["pefrl", "implicit-midpoint"]);
 }
 
+#[test]
+fn stiff_springs_that_are_struck_go_over_to_an_implicit_method() {
+    let of_work = |work: f64| {
+        let net = net([12, 12], 1.0);
+        // 160 operations a spring and substep.
+        let substeps = work / (160.0 * net.bonds.len() as f64);
+        let k = (substeps * 0.5 / FRAME).powi(2) / 12.0;
+        keys(&thrown(0.5, of(spring(k), net)), &floor(-1.15))
+    };
+    let [below, above] = [0.999, 1.001].map(|share| of_work(share * sizes::MOST_STIFF_STRUCK));
+    let fine = fine("pefrl", 2048);
+    Across { size: "MOST_STIFF_STRUCK", below, above, fine, seconds: 0.15, points: 144 }
+        .check_methods(["pefrl", "implicit-midpoint"]);
+}
+
 /// A net and bonds 50 m off, so that one more makes so many points, at so many substeps a frame.
 fn large_net(points: usize, substeps: f64) -> [Value; 2] {
     let k = stiff(substeps) / 3.0;

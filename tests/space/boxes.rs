@@ -172,7 +172,11 @@ fn among_planes_neither_pins_nor_many_corners_make_a_body() {
     assert!(is_a_body(&*world(&scene)));
     scene["points"]["pinned"] = json!([0]);
     assert!(!is_a_body(&*world(&scene)), "what a pin holds against friction may have no way out of a plane");
-    let many: Vec<[f64; 3]> = (0..2).flat_map(|k| corners(HALF, [0.0, 2.0 + 0.1 * f64::from(k), 0.0])).collect();
+    let wheel = |k: u32| {
+        let turn = 0.25 * std::f64::consts::PI * f64::from(k);
+        [turn.cos(), 2.0 + turn.sin(), if k < 8 { -0.3 } else { 0.3 }]
+    };
+    let many: Vec<[f64; 3]> = (0..16).map(wheel).collect();
     let mut scene = body(&many, &[[0.0; 3]; 16]);
     assert!(is_a_body(&*world(&scene)));
     scene["bounds"] = json!({"min": [-9, 0, -9], "max": [9, 9, 9]});

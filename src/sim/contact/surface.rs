@@ -2,7 +2,7 @@
 
 use super::penalty::Penalty;
 use crate::sim::real::Real;
-use crate::sim::vector::{convert, dot, embed, flat, widen};
+use crate::sim::vector::{convert, dot, resized, widen};
 
 /// A half-space that points cannot enter; the free side is where the normal points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,16 +69,10 @@ impl<S: Real, const D: usize> Surface<S, D> {
         x
     }
 
-    /// [`Surface::gap`] in the plane in `f64`, whatever the world's scalar.
+    /// [`Surface::gap`] in `f64`, whatever the world's scalar; in a plane of a world in space, too.
     #[inline(always)]
-    pub(crate) fn gap_of(&self, x: [f64; 2]) -> f64 {
-        dot(flat(widen(self.normal)), x) - self.offset.to_f64()
-    }
-
-    /// The same in space.
-    #[inline(always)]
-    pub(crate) fn gap_in_space(&self, x: [f64; 3]) -> f64 {
-        dot(embed(widen(self.normal)), x) - self.offset.to_f64()
+    pub(crate) fn gap_of<const N: usize>(&self, x: [f64; N]) -> f64 {
+        dot(resized(widen(self.normal)), x) - self.offset.to_f64()
     }
 
     /// The gap of the nearest corner of a box `[m]`.

@@ -16,7 +16,7 @@ use crate::sim::rigid::blueprint::{Blueprint, BodyPlan};
 use crate::sim::rigid::inertia::Inertia;
 use crate::sim::rigid::joints::{Joints, Pull, Rows};
 use crate::sim::rigid::link::{Anchor, End, Link, Stand};
-use crate::sim::rigid::motion::{Motion, Twist};
+use crate::sim::rigid::motion::{Motion, Pose, Twist};
 use crate::sim::rigid::place::Place;
 use crate::sim::rigid::shape::Shape;
 use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::cluster::Cluster;
 use super::substep::SHORT;
 use crate::sim::real::Real;
-use crate::sim::rigid::motion::Twist;
+use crate::sim::rigid::motion::{Pose, Twist};
 pub(super) use crate::sim::rigid::place::Place;
 pub(super) use crate::sim::rigid::shape::{Held, Shape};
 use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};

@@ -5,8 +5,8 @@ use crate::sim::bulk::Way;
 use crate::sim::bulk::control::FRAME;
 use crate::sim::model::Method;
 use crate::sim::sizes::{
-    LARGE, MOST_COUPLINGS, MOST_DIRECT, MOST_FINE_RODS, MOST_IMPLICIT, MOST_LOCATED_RODS, MOST_SUBSTEPS,
-    MOST_SWEPT_TREE, MOST_TOUCHES, MOST_TOUCHING, STIFF, STIFF_OF_A_NET,
+    LARGE, MOST_COUPLINGS, MOST_DIRECT, MOST_FINE_RODS, MOST_IMPLICIT, MOST_LOCATED_RODS, MOST_STIFF_STRUCK,
+    MOST_SUBSTEPS, MOST_SWEPT_TREE, MOST_TOUCHES, MOST_TOUCHING, STIFF, STIFF_OF_A_NET,
 };
 use crate::sim::solver::{Order, Solver};
 
@@ -36,9 +36,7 @@ const TOUCHING_STRAIN: f64 = 1e-4;
 const EDGE: f64 = 2.8;
 /// What [`PHASE`] is for large meshes of springs: their fastest oscillations are of single cells, which nobody follows.
 const PHASE_MESH: f64 = 0.5;
-/// Counted work of a frame up to which stiff springs that surfaces may strike are moved by explicit steps, all bodies as stiff together, and that of
-/// a spring in a substep of order 4, about.
-const STRUCK: f64 = 2.4e7;
+/// Counted work of a spring in a substep of order 4, about.
 const OF_A_SPRING: f64 = 160.0;
 /// Share of a decay that a substep of Verlet's method may span where springs only push: 2 would be the edge of stability.
 const DECAY_SHARE: f64 = 0.9;
@@ -232,7 +230,7 @@ fn strikes_hard(island: &Island, setting: Setting) -> bool {
     let share = setting.points as f64 / island.points.len().max(1) as f64;
     let work = FRAME / PHASE_4 * island.frequency * OF_A_SPRING * island.springs as f64 * share;
     let swings = island.springs > 0 && island.decay <= island.frequency && !island.holds_areas;
-    setting.has_surfaces && swings && work <= STRUCK
+    setting.has_surfaces && swings && work <= MOST_STIFF_STRUCK
 }
 
 /// Whether springs are stiffer than explicit steps can serve at a bearable cost.

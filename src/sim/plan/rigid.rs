@@ -154,9 +154,9 @@ fn pieces<S: Real, const D: usize>(
         let now = points.iter().map(|&point| embed(state_of(gathered, point))).collect();
         let held = || space::layout::Held { now, masses: masses(), bonds: lengths() };
         // What a pin holds against surfaces that rub may have no way out of them, and each corner that lies on them feels all others.
-        let has_pins = points.iter().any(|&point| w(point) == 0.0);
-        let is_hindered = has_surfaces && (has_pins || points.len() > MOST_CORNERS);
+        let is_hindered = has_surfaces && points.iter().any(|&point| w(point) == 0.0);
         let shape = (is_short && !is_led_any && !is_hindered).then(held).and_then(space::shape::Shape::of)?;
+        let shape = if has_surfaces { shape.with_corners(MOST_CORNERS)? } else { shape };
         Plan::Space(Arc::new(shape))
     } else {
         let joined = || may_swing.then(|| joined(island, (held(), &loose, most_alone), is_led)).flatten();

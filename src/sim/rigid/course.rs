@@ -77,8 +77,8 @@ pub(super) trait Assembly {
     fn stopped(&self, motion: Self::Motion) -> Self::Motion;
     /// What touches at `t` `[s]`: points on surfaces, and strings that are taut.
     fn touching(&self, motion: &Self::Motion, t: f64, near: &Self::Near) -> Vec<Self::Touch>;
-    /// How fast that goes across and along its surface at `t` `[m/s]`.
-    fn speeds(&self, motion: &Self::Motion, t: f64, touch: Self::Touch) -> [f64; 2];
+    /// How fast that goes across its surface at `t` `[m/s]`: below 0 into it.
+    fn speed(&self, motion: &Self::Motion, t: f64, touch: Self::Touch) -> f64;
     /// A speed that counts as none `[m/s]`.
     fn still(&self, motion: &Self::Motion) -> f64;
     /// A speed of hits that give nothing back `[m/s]`.
@@ -189,13 +189,13 @@ pub(super) fn advance<A: Assembly>(
         part = part.min(turned).min(if locates { f64::INFINITY } else { LYING.0 });
         let touching = of.touching(&motion, now, &near);
         log.work += of.work(Some(&near));
-        if touching.iter().any(|&touch| of.speeds(&motion, now, touch)[0] < -of.still(&motion)) {
+        if touching.iter().any(|&touch| of.speed(&motion, now, touch) < -of.still(&motion)) {
             hits += 1.0;
             motion = of.strike(&motion, now, &touching, (gentle, hits > many * frames), log);
         }
         let most = gentle.max(of.still(&motion));
         let lying: Vec<A::Touch> =
-            touching.into_iter().filter(|&touch| of.speeds(&motion, now, touch)[0] <= most).collect();
+            touching.into_iter().filter(|&touch| of.speed(&motion, now, touch) <= most).collect();
         let spent = Cell::new(0);
         let go = |time: f64, book: Option<&mut Book>| {
             let ways = (now, time);

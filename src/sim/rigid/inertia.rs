@@ -1,114 +1,69 @@
-//! How a rigid body answers to impulses at the points that touch something.
+//! What resists impulses on a rigid body.
 
-use super::motion::Twist;
-use crate::sim::contact::coulomb::{Answers, Impulse, Rub};
-use crate::sim::vector::{add, cross, dot, scale};
+use super::motion::{Axial, Twist};
+use crate::sim::contact::coulomb::Friction;
+use crate::sim::contact::coulomb::line::Line;
+use crate::sim::vector::dot;
 
-/// What the impulses move: a body's velocities and what resists them.
+/// What resists them in the plane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Inertia {
     /// Inverse mass `[1/kg]` and inverse moment of inertia `[1/(kg m^2)]`.
     pub(crate) inverse: [f64; 2],
 }
 
-/// A point of the body on a surface.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Contact {
-    /// From the origin `[m]`.
-    pub(super) arm: [f64; 2],
-    /// Away from the surface.
-    pub(super) normal: [f64; 2],
-    pub(super) rub: Rub,
-}
+/// What resists impulses on a body where it is.
+pub(super) trait Inertial<const N: usize> {
+    type Spin: Axial<N>;
+    type Friction: Friction<N>;
 
-impl Contact {
-    #[inline(always)]
-    pub(super) fn tangent(&self) -> [f64; 2] {
-        [-self.normal[1], self.normal[0]]
-    }
-
-    /// Velocities across and along the surface.
-    #[inline(always)]
-    pub(super) fn speeds(&self, twist: &Twist) -> [f64; 2] {
-        let v = twist.at(self.arm);
-        [dot(v, self.normal), dot(v, self.tangent())]
-    }
-}
-
-impl Inertia {
+    /// Inverse mass `[1/kg]`; 0 of what a pin holds.
+    fn ease(&self) -> f64;
+    /// The change of a spin that an angular momentum about the origin makes, as pins allow.
+    fn spun(&self, moment: Self::Spin) -> Self::Spin;
     /// Kinetic energy, but for what cannot move `[J]`.
-    pub(super) fn energy(&self, twist: &Twist) -> f64 {
+    fn energy(&self, twist: &Twist<Self::Spin, N>) -> f64;
+    /// A mass and a moment of inertia that are no less than those of what moves.
+    fn heaviest(&self) -> f64;
+}
+
+impl Inertial<2> for Inertia {
+    type Spin = f64;
+    type Friction = Line;
+
+    #[inline(always)]
+    fn ease(&self) -> f64 {
+        self.inverse[0]
+    }
+
+    #[inline(always)]
+    fn spun(&self, moment: f64) -> f64 {
+        moment * self.inverse[1]
+    }
+
+    fn energy(&self, twist: &Twist) -> f64 {
         let of = |inverse: f64, square: f64| if inverse > 0.0 { 0.5 * square / inverse } else { 0.0 };
         of(self.inverse[0], dot(twist.velocity, twist.velocity)) + of(self.inverse[1], twist.spin * twist.spin)
     }
 
-    /// What an impulse of 1 changes of the contact's own velocity: across by across, along by along, and one by the other `[1/kg]`.
-    fn gives(&self, contact: &Contact) -> [f64; 3] {
-        let [lever, hold] = [contact.normal, contact.tangent()].map(|way| cross(contact.arm, way));
-        let [ease, swing] = self.inverse;
-        [ease + swing * lever * lever, ease + swing * hold * hold, swing * lever * hold]
-    }
-
-    /// The motion after an impulse, along the normal and across it.
-    pub(super) fn pushed(&self, twist: &Twist, contact: &Contact, [normal, along]: Impulse) -> Twist {
-        let impulse = add(scale(contact.normal, normal), scale(contact.tangent(), along));
-        Twist {
-            velocity: add(twist.velocity, scale(impulse, self.inverse[0])),
-            spin: twist.spin + cross(contact.arm, impulse) * self.inverse[1],
-        }
-    }
-}
-
-/// One body and where it touches.
-pub(super) struct Alone<'a>(pub(super) &'a Inertia, pub(super) &'a [Contact]);
-
-impl Alone<'_> {
-    /// What the law asks of each contact.
-    pub(super) fn rubs(&self) -> Vec<Rub> {
-        self.1.iter().map(|contact| contact.rub).collect()
-    }
-}
-
-impl Answers for Alone<'_> {
-    type Motion = Twist;
-
-    fn speeds(&self, contact: usize, twist: &Twist) -> [f64; 2] {
-        self.1[contact].speeds(twist)
-    }
-
-    fn gives(&self, contact: usize) -> [f64; 3] {
-        self.0.gives(&self.1[contact])
-    }
-
-    fn pushed(&self, contact: usize, impulse: Impulse, twist: Twist) -> Twist {
-        self.0.pushed(&twist, &self.1[contact], impulse)
-    }
-
-    fn energy(&self, twist: &Twist) -> f64 {
-        self.0.energy(twist)
-    }
-
-    fn stopped(&self, _twist: &Twist) -> Twist {
-        Twist::STILL
-    }
-
     fn heaviest(&self) -> f64 {
-        self.0.inverse.iter().filter(|inverse| **inverse > 0.0).fold(0.0, |sum, inverse| sum + 1.0 / inverse)
+        self.inverse.iter().filter(|inverse| **inverse > 0.0).fold(0.0, |sum, inverse| sum + 1.0 / inverse)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sim::contact::coulomb::{Pressed, strike};
+    use crate::sim::contact::coulomb::{Pressed, Rub, strike};
+    use crate::sim::rigid::contact::{Alone, Contact};
 
     fn on_floor(arm: [f64; 2], friction: f64, restitution: f64) -> Contact {
-        let rub = Rub { friction, restitution, slides: 0.0, target: [0.0; 2] };
-        Contact { arm, normal: [0.0, 1.0], rub }
+        let rub = Rub { friction, restitution, ..Rub::SMOOTH };
+        Contact { arm, ways: [[0.0, 1.0], [-1.0, 0.0]], rub }
     }
 
-    fn struck(body: Inertia, before: Twist, contacts: &[Contact]) -> Pressed<Twist> {
-        let body = Alone(&body, contacts);
+    fn struck(inertia: Inertia, before: Twist, contacts: &[Contact]) -> Pressed<Twist> {
+        let body = Alone { inertia, contacts };
         strike(&body, &before, &body.rubs())
     }
 
@@ -174,7 +129,7 @@ mod tests {
         let before = Twist { velocity: [1.0, -1.0], spin: 0.0 };
         let end = |friction: f64, slides: f64| {
             let mut contact = on_floor([-1.0, 0.0], friction, 0.0);
-            contact.rub.slides = slides;
+            contact.rub.slides = [0.0, slides];
             struck(ROD, before, &[contact]).motion.at([-1.0, 0.0])
         };
         // Level: what presses is 1 kg m/s, and friction moves both points.

@@ -9,10 +9,12 @@ use super::link::End;
 use super::linkage::twists_of;
 use super::motion::{Motion, Twist};
 use super::moving::{Moving, Spot};
+use super::solid::Solid;
 use super::strings::Strand;
 use super::together::Together;
-use super::touch::{Near, Touch, closing, narrowed, way};
-use crate::sim::contact::coulomb::{OF_A_CONTACT, strike};
+use super::touch::{Near, Touch, closing, narrowed};
+use crate::sim::contact::coulomb::line::Line;
+use crate::sim::contact::coulomb::{Friction, strike};
 use crate::sim::ledger::Book;
 use crate::sim::real::Real;
 use crate::sim::solve::root::Root;
@@ -171,7 +173,7 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
     fn near(&self, motions: &Vec<Motion>, (t, h): (f64, f64)) -> Option<Vec<Near>> {
         let pushed = self.field.pushed()[0];
         // Joints pull bodies along.
-        let far = motions.iter().map(|motion| way(motion, h, pushed)).fold(0.0, f64::max);
+        let far = motions.iter().map(|motion| motion.way(h, pushed)).fold(0.0, f64::max);
         let near: Vec<Near> =
             self.among.iter().zip(motions).map(|(among, motion)| among.near(motion, 2.0 * far)).collect();
         let stand = self.stand(motions, t);
@@ -206,13 +208,14 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
         spots
     }
 
-    fn speeds(&self, motions: &Vec<Motion>, t: f64, spot: Spot) -> [f64; 2] {
-        match spot {
+    fn speed(&self, motions: &Vec<Motion>, t: f64, spot: Spot) -> f64 {
+        let [across, _] = match spot {
             Spot::Lies { body, touch } => self.among[body as usize].speeds(&motions[body as usize], touch),
             Spot::Taut(k) => {
                 self.linkage.strings[k as usize].meeting(self.stand(motions, t)).speeds(&twists_of(motions))
             }
-        }
+        };
+        across
     }
 
     fn still(&self, motions: &Vec<Motion>) -> f64 {
@@ -236,7 +239,7 @@ impl<S: Real, const D: usize> Assembly for Moving<'_, S, D> {
         let together = Together::new(&joints, &contacts);
         let pressed = strike(&together.coupled, &together.seen(&twists), &together.rubs());
         log.hits += 1;
-        log.work += OF_A_CONTACT * u64::from(pressed.passes) * (contacts.len() * contacts.len()) as u64;
+        log.work += Line::OF_A_CONTACT * u64::from(pressed.passes) * (contacts.len() * contacts.len()) as u64;
         log.work += contacts.len() as u64 * self.linkage.joints.work();
         book_strike(log.book.as_deref_mut(), pressed.taken, is_elastic);
         let after = together.moved(&twists, &pressed);

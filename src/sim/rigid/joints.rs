@@ -10,8 +10,7 @@
 
 use super::inertia::Inertia;
 use super::link::{Anchor, Clock, End, Link, Stand, are_led};
-use super::motion::Motion;
-use super::motion::Twist;
+use super::motion::{Motion, Pose, Twist};
 use super::place::Place;
 use crate::sim::solve::elimination::{self, Pattern};
 use crate::sim::solve::ldl::Ldl;

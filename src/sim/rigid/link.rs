@@ -1,6 +1,6 @@
 //! What joins rigid bodies, and where its ends are: joints and rods, whose lengths may follow drives, and points that do not move by themselves.
 
-use super::motion::Motion;
+use super::motion::{Motion, Pose};
 use crate::sim::drive::{Drive, Keys};
 use crate::sim::vector::{add, scale};
 

@@ -1,12 +1,13 @@
 //! Bodies that joints hold together: what they are made of, and how their motion is read from points.
 
 use super::blueprint::{Blueprint, BodyPlan};
-use super::body::{Body, lift};
-use super::inertia::Inertia;
+use super::body::Body;
+use super::inertia::{Inertia, Inertial};
 use super::joints::Joints;
 use super::link::{Anchor, Clock, Stand};
 use super::motion::Motion;
 use super::motion::Twist;
+use super::solid::lift;
 use super::strings::Strand;
 use super::ties::Ties;
 use crate::sim::points::Points;

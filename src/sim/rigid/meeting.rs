@@ -1,11 +1,9 @@
 //! Where bodies meet something: a point of one on a surface, or two of them each other by a string that is taut.
 
-use super::inertia::{Contact, Inertia};
+use super::contact::Contact;
+use super::inertia::Inertia;
 use super::motion::Twist;
 use crate::sim::contact::coulomb::{Impulse, Rub};
-
-/// A string has no friction and gives nothing back.
-pub(super) const SMOOTH: Rub = Rub { friction: 0.0, restitution: 0.0, slides: 0.0, target: [0.0; 2] };
 
 /// A contact of one body, or of two that push each other by as much.
 #[derive(Clone, Debug)]
@@ -26,7 +24,7 @@ impl Meeting {
 
     /// Ends of a string on bodies, with normals in which it pulls them; `lead`: how fast that of no body goes away `[m/s]`.
     pub(super) fn string(legs: Vec<(u32, Contact)>, lead: f64) -> Self {
-        Meeting { rub: SMOOTH, legs, lead, is_string: true }
+        Meeting { rub: Rub::SMOOTH, legs, lead, is_string: true }
     }
 
     /// Whether it is a string: without friction, and one of several that may be taut at once.
@@ -50,7 +48,7 @@ impl Meeting {
     pub(super) fn push(&self, inertias: &[Inertia], twists: &mut [Twist], impulse: Impulse) {
         for (body, contact) in &self.legs {
             let twist = &mut twists[*body as usize];
-            *twist = inertias[*body as usize].pushed(twist, contact, impulse);
+            *twist = contact.pushed(&inertias[*body as usize], twist, impulse);
         }
     }
 

@@ -5,7 +5,7 @@
 //! read       place, angle, velocity and spin from the points: best fit, momentum and angular momentum
 //! part       of the step: all of it in flight, shorter near surfaces, under the mouse, on a pin
 //! flight     in closed form, or a composition of order 4 (`body.rs`)
-//! hit        the moment when a point gets to a surface is located (`course.rs`, `touch.rs`); the impact is Coulomb's law (`law.rs`)
+//! hit        the moment when a point gets to a surface is located (`course.rs`, `touch.rs`); the impact is Coulomb's law (`contact.rs`)
 //! rest       what lies on surfaces slides, rolls, tips or stays (`slide.rs`); where sliding ends is located
 //! joined     bodies that share points, or that bonds join, are solved together: flight and rest (`moving.rs`), impacts (`together.rs`); strings between them are contacts (`strings.rs`)
 //! write      points follow, once a step
@@ -16,7 +16,11 @@
 mod alone;
 pub(crate) mod blueprint;
 mod body;
+mod contact;
 mod course;
+mod fall;
+mod field;
+mod hull;
 pub(crate) mod inertia;
 mod joined;
 pub(crate) mod joints;
@@ -30,6 +34,7 @@ pub(crate) mod pieces;
 pub(crate) mod place;
 pub(crate) mod shape;
 mod slide;
+mod solid;
 pub(crate) mod space;
 mod strings;
 pub(crate) mod ties;
@@ -47,17 +52,18 @@ use super::points::Points;
 use super::pull::Pull;
 use super::real::Real;
 use super::swept::{Span, Swept};
-use super::vector::{add, length};
+use super::vector::add;
 use alone::Lone;
 use blueprint::Blueprint;
-use body::{Body, Field, lift};
+use body::Body;
 use course::{Log, advance};
+use field::{Field, is_reached};
 use link::{Clock, are_led};
 use linkage::Linkage;
 use motion::Motion;
 use moving::Moving;
+use solid::{Solid, lift};
 use ties::Ties;
-use touch::way;
 
 /// Rigid bodies that step together, alone or joined.
 #[derive(Clone, Debug)]
@@ -120,12 +126,8 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
                 let by = if is_driven && !are_led(&anchors) { &mut book.drives } else { &mut book.pins };
                 *by += given;
             }
-            let is_reached = linkage.bodies.iter().zip(&motions).any(|(body, motion)| {
-                let far = body.reach + way(motion, h, length(pull.gravity) + pull.most_push() + around.most_push());
-                let middle = motion.place.middle;
-                let bounds = [-far, far].map(|far| lift::<S, D>([middle[0] + far, middle[1] + far]));
-                around.may_reach(bounds, (t, h))
-            });
+            let mut all = linkage.bodies.iter().zip(&motions);
+            let is_reached = all.any(|of| is_reached(of, (pull, around), (t, h)));
             let field = Field { pull, around, w: &points.inverse_mass, is_reached };
             let slots = || linkage.bodies.iter().flat_map(|body| &body.slots).map(|&slot| slot as usize);
             let moving = || slots().map(|i| (points.position[i], points.velocity[i]));
@@ -135,7 +137,10 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             let ends = match linkage.alone() {
                 Some(body) => {
                     let span = (t, h, body.longest(&field, h).min(most));
-                    vec![advance(&Lone::new(body, &field, &motions[0]), motions[0], span, &mut log)]
+                    let lone = Lone::new(body, &field, &motions[0]);
+                    let end = advance(&lone, motions[0], span, &mut log);
+                    log.work += lone.spent();
+                    vec![end]
                 }
                 None => {
                     // Of several none can be ahead of the others.

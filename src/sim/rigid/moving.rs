@@ -7,18 +7,20 @@
 
 use std::cell::Cell;
 
-use super::body::{Body, Field, Push};
+use super::body::Body;
+use super::field::{Field, Push};
 use super::joints::Factored;
 use super::link::{Anchor, Clock, End, Stand, are_led};
 use super::linkage::{FITS, Linkage, ROUNDS, twists_of};
 use super::meeting::Meeting;
-use super::motion::Motion;
-use super::motion::Twist;
+use super::motion::{Motion, Pose, Twist};
 use super::slide::BRIEF;
+use super::solid::Solid;
 use super::together::Together;
 use super::touch::{Among, Touch};
 use crate::sim::contact::coulomb::coupled::Speeds;
-use crate::sim::contact::coulomb::{OF_A_CONTACT, Pressed, Rub};
+use crate::sim::contact::coulomb::line::Line;
+use crate::sim::contact::coulomb::{Friction, Pressed, Rub};
 use crate::sim::integrate::composed::COMPOSED_4;
 use crate::sim::ledger::Book;
 use crate::sim::real::Real;
@@ -149,7 +151,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         let pushed = self.kicked(motions, (t, 0.5 * h), &joints, book.as_deref_mut());
         let ways: Vec<f64> = lying.iter().map(|spot| self.way_of(motions, *spot)).collect();
         let mut first = self.contacts((motions, t), lying);
-        first.iter_mut().zip(&ways).for_each(|(contact, way)| contact.rub.slides = *way);
+        first.iter_mut().zip(&ways).for_each(|(contact, way)| contact.rub.slides = [0.0, *way]);
         let rubs = first.iter().map(|contact| contact.rub).collect();
         let together = Together::new(&joints, &first);
         let (half, pressed, passes) = self.arrive((motions, &pushed), (t, h), &together, (lying, rubs));
@@ -157,11 +159,11 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
         let joints = self.factored(&half, t + h);
         let arrived = self.kicked(&half, (t + h, 0.5 * h), &joints, book.as_deref_mut());
         let mut second = self.contacts((&half, t + h), lying);
-        second.iter_mut().zip(&ways).for_each(|(contact, way)| contact.rub.slides = *way);
+        second.iter_mut().zip(&ways).for_each(|(contact, way)| contact.rub.slides = [0.0, *way]);
         let together = Together::new(&joints, &second);
         let (twists, last) = together.press((&arrived, &joints.leads), &together.rubs(), &pressed.impulses);
         let count = lying.len() as u64;
-        let of_contacts = OF_A_CONTACT * u64::from(passes + last.passes) * count * count;
+        let of_contacts = Line::OF_A_CONTACT * u64::from(passes + last.passes) * count * count;
         spent.set(spent.get() + of_contacts);
         if let Some(book) = book {
             let rubbed = |k: usize| {
@@ -212,7 +214,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
                 }
                 let rub = &mut rubs[k];
                 rub.target[0] -= if gap > 0.5 * touch { off[0] / h } else { 0.0 };
-                rub.target[1] -= if rub.slides == 0.0 { off[1] / h } else { 0.0 };
+                rub.target[1] -= if rub.is_sliding() { 0.0 } else { off[1] / h };
             }
             let fits = apart <= self.fits && largest <= 0.5 * touch;
             // Rounding is all that is left where it comes no nearer.
@@ -360,7 +362,7 @@ impl<'a, S: Real, const D: usize> Moving<'a, S, D> {
             let together = Together::new(&joints, &contacts);
             let (ways, pressed) = together.press((&rest, &targets), &together.rubs(), &[]);
             let count = spots.len() as u64;
-            let of_contacts = OF_A_CONTACT * u64::from(pressed.passes) * count * count;
+            let of_contacts = Line::OF_A_CONTACT * u64::from(pressed.passes) * count * count;
             self.spent.set(self.spent.get() + of_contacts + (count + 1) * self.linkage.joints.work());
             for (motion, way) in motions.iter_mut().zip(ways) {
                 motion.place = motion.place.moved(way.velocity, way.spin);

@@ -1,5 +1,6 @@
 //! Where a rigid body is, and how it is turned.
 
+use super::motion::Pose;
 use crate::sim::vector::{add, dot, scale};
 
 /// Angle below which what is left out of its cosine is below rounding `[rad]`.
@@ -22,19 +23,6 @@ impl Place {
         Place { middle, angle: 0.0, turn: [1.0, 0.0] }
     }
 
-    /// Where a place of the shape is.
-    #[inline(always)]
-    pub(crate) fn out(&self, q: [f64; 2]) -> [f64; 2] {
-        add(self.middle, self.turned(q))
-    }
-
-    /// The way from the origin of the shape to a place of it.
-    #[inline(always)]
-    pub(crate) fn turned(&self, q: [f64; 2]) -> [f64; 2] {
-        let [c, s] = self.turn;
-        [c * q[0] - s * q[1], s * q[0] + c * q[1]]
-    }
-
     /// Moved on, and turned by an angle.
     #[inline(always)]
     pub(crate) fn moved(&self, by: [f64; 2], angle: f64) -> Self {
@@ -43,6 +31,36 @@ impl Place {
         // Rounding must not make it grow.
         let turn = scale(turn, 1.5 - 0.5 * dot(turn, turn));
         Place { middle: add(self.middle, by), angle: self.angle + angle, turn }
+    }
+}
+
+impl Pose<2> for Place {
+    type Spin = f64;
+
+    #[inline(always)]
+    fn middle(&self) -> [f64; 2] {
+        self.middle
+    }
+
+    #[inline(always)]
+    fn turned(&self, q: [f64; 2]) -> [f64; 2] {
+        let [c, s] = self.turn;
+        [c * q[0] - s * q[1], s * q[0] + c * q[1]]
+    }
+
+    #[inline(always)]
+    fn back(&self, v: [f64; 2]) -> [f64; 2] {
+        let [c, s] = self.turn;
+        [c * v[0] + s * v[1], c * v[1] - s * v[0]]
+    }
+
+    #[inline(always)]
+    fn shifted(&self, by: [f64; 2]) -> Self {
+        self.moved(by, 0.0)
+    }
+
+    fn is_finite(&self) -> bool {
+        self.middle.iter().chain(&self.turn).all(|x| x.is_finite())
     }
 }
 

@@ -8,9 +8,13 @@
 //! That is a contact without friction: where it gets to its length is located, it gives nothing back, and it lets go when it would have to act
 //! the other way.
 
-use super::inertia::Contact;
+use super::body::Body;
+use super::contact::Contact;
 use super::link::{End, Stand};
-use super::meeting::{Meeting, SMOOTH};
+use super::meeting::Meeting;
+use super::motion::Pose;
+use super::solid::Solid;
+use crate::sim::contact::coulomb::Rub;
 use crate::sim::vector::{add, cross, dot, scale, sub};
 
 /// A string, or a strut that may part.
@@ -49,7 +53,7 @@ impl Strand {
             match end {
                 End::On { body, place } => {
                     let arm = stand.motions[body as usize].place.turned(place);
-                    legs.push((body, Contact { arm, normal, rub: SMOOTH }));
+                    legs.push((body, Contact { arm, ways: Body::frame(normal), rub: Rub::SMOOTH }));
                 }
                 End::Fixed(_) => lead += dot(stand.velocity(end), normal),
             }

@@ -1,6 +1,6 @@
 //! Springs and angles between the bodies of a linkage, as forces on them.
 
-use super::body::{From, Push};
+use super::field::{From, Push};
 use super::link::{Clock, End, Stand};
 use crate::sim::bond::Bond;
 use crate::sim::force::angle::Angle;

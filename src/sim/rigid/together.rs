@@ -1,6 +1,6 @@
 //! How bodies that joints hold together answer to impulses where they meet something.
 
-use super::inertia::Inertia;
+use super::inertia::{Inertia, Inertial};
 use super::joints::Factored;
 use super::meeting::Meeting;
 use super::motion::Twist;

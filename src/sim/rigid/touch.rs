@@ -1,14 +1,14 @@
 //! What a rigid body touches: points on surfaces, and when the next one gets there.
 
-use super::body::{Body, lift};
-use super::inertia::Contact;
-use super::motion::Motion;
-use super::place::Place;
+use super::body::Body;
+use super::contact::Contact;
+use super::motion::Pose;
+use super::solid::{MotionOf, Solid, lift};
 use crate::sim::contact::coulomb::Rub;
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::real::Real;
 use crate::sim::solve::root::Root;
-use crate::sim::vector::{cross, dot, flat, scale, sub, widen};
+use crate::sim::vector::{dot, resized, scale, widen};
 
 /// A distance that counts as none, as a share of where things are `[1]`.
 const TOUCH: f64 = 1e-11;
@@ -31,125 +31,125 @@ pub(super) struct Touch {
 /// The surfaces that a body may meet in a part of a step.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Near {
-    planes: Vec<usize>,
-    has_walls: bool,
+    pub(super) planes: Vec<usize>,
+    /// Some polygon.
+    pub(super) has_walls: bool,
 }
 
 impl Near {
-    pub(super) fn has_walls(&self) -> bool {
-        self.has_walls
-    }
-
     pub(super) fn is_empty(&self) -> bool {
         self.planes.is_empty() && !self.has_walls
     }
 }
 
 /// A body among obstacles.
-pub(super) struct Among<'a, S: Real, const D: usize> {
-    pub(super) body: &'a Body,
+pub(super) struct Among<'a, S: Real, const D: usize, B: Solid<N> = Body, const N: usize = 2> {
+    pub(super) body: &'a B,
     pub(super) obstacles: &'a Obstacles<S, D>,
     /// A distance that counts as none `[m]`.
     pub(super) touch: f64,
 }
 
-impl<'a, S: Real, const D: usize> Among<'a, S, D> {
-    pub(super) fn new(body: &'a Body, obstacles: &'a Obstacles<S, D>, motion: &Motion) -> Self {
-        let middle = motion.place.middle;
-        let size = 1.0 + body.reach + middle[0].abs() + middle[1].abs();
+impl<'a, S: Real, const D: usize, B: Solid<N>, const N: usize> Among<'a, S, D, B, N> {
+    pub(super) fn new(body: &'a B, obstacles: &'a Obstacles<S, D>, motion: &MotionOf<B, N>) -> Self {
+        let size = motion.place.middle().iter().fold(1.0 + body.reach(), |sum, x| sum + x.abs());
         Among { body, obstacles, touch: TOUCH * size }
     }
 
     /// What it may meet on a way of so many metres.
-    pub(super) fn near(&self, motion: &Motion, way: f64) -> Near {
-        let (middle, far) = (motion.place.middle, self.body.reach + way + self.touch);
+    pub(super) fn near(&self, motion: &MotionOf<B, N>, way: f64) -> Near {
+        let (middle, far) = (motion.place.middle(), self.body.reach() + way + self.touch);
         let planes = self.obstacles.planes().iter().enumerate();
         let planes = planes.filter(|(_, plane)| plane.gap_of(middle) < far).map(|(surface, _)| surface).collect();
-        let bounds = [-far, far].map(|far| lift([middle[0] + far, middle[1] + far]));
+        let bounds = [-far, far].map(|far| lift(middle.map(|x| x + far)));
         Near { planes, has_walls: self.obstacles.has_walls_near(bounds) }
     }
 
-    fn at(&self, motion: &Motion, point: u32) -> [f64; 2] {
-        motion.place.out(self.body.shape.places[point as usize])
+    #[inline]
+    fn normal(&self, surface: usize) -> [f64; N] {
+        resized(widen(self.obstacles.surfaces[surface].normal))
+    }
+
+    /// A place of the body, by the number of a point.
+    #[inline]
+    fn place(&self, point: u32) -> [f64; N] {
+        self.body.parts().places[point as usize]
+    }
+
+    /// Where a point of the body is.
+    #[inline]
+    pub(super) fn at(&self, motion: &MotionOf<B, N>, point: u32) -> [f64; N] {
+        motion.place.out(self.place(point))
     }
 
     /// How far off a surface a point is `[m]`.
-    pub(super) fn gap(&self, motion: &Motion, touch: Touch) -> f64 {
+    #[inline]
+    pub(super) fn gap(&self, motion: &MotionOf<B, N>, touch: Touch) -> f64 {
         self.obstacles.surfaces[touch.surface].gap_of(self.at(motion, touch.point))
     }
 
-    /// Points of the hull that may be no more than so far off a plane `[m]`, and no others that are clearly further off: the normal is turned
+    /// Corners of the hull that may be no more than so far off a plane `[m]`, and no others that are clearly further off: the normal is turned
     /// into the shape once instead of each place out of it.
-    fn low(&self, motion: &Motion, surface: usize, most: f64) -> impl Iterator<Item = Touch> {
-        let (plane, Place { middle, turn: [c, s], .. }) = (&self.obstacles.surfaces[surface], motion.place);
-        let [x, y] = flat(widen(plane.normal));
-        let (normal, room) = ([c * x + s * y, c * y - s * x], most + self.touch - plane.gap_of(middle));
-        let is_low = move |&&point: &&u32| dot(normal, self.body.shape.places[point as usize]) <= room;
-        self.body.hull.iter().filter(is_low).map(move |&point| Touch { point, surface })
+    fn low(&self, motion: &MotionOf<B, N>, surface: usize, most: f64) -> impl Iterator<Item = Touch> {
+        let normal = motion.place.back(self.normal(surface));
+        let room = most + self.touch - self.obstacles.surfaces[surface].gap_of(motion.place.middle());
+        let is_low = move |&&point: &&u32| dot(normal, self.place(point)) <= room && self.body.meets(point);
+        self.body.corners().iter().filter(is_low).map(move |&point| Touch { point, surface })
+    }
+
+    /// All points that may meet something.
+    fn points(&self) -> impl Iterator<Item = u32> {
+        (0..self.body.parts().places.len() as u32).filter(|&point| self.body.meets(point))
     }
 
     /// A point on a surface, as the law has it.
-    pub(super) fn contact(&self, motion: &Motion, touch: Touch) -> Contact {
+    #[inline]
+    pub(super) fn contact(&self, motion: &MotionOf<B, N>, touch: Touch) -> Contact<N> {
         let surface = &self.obstacles.surfaces[touch.surface];
+        let (friction, restitution) = (surface.friction.to_f64(), surface.restitution.to_f64());
         Contact {
-            arm: motion.place.turned(self.body.shape.places[touch.point as usize]),
-            normal: flat(widen(surface.normal)),
-            rub: Rub {
-                friction: surface.friction.to_f64(),
-                restitution: surface.restitution.to_f64(),
-                slides: 0.0,
-                target: [0.0; 2],
-            },
+            arm: motion.place.turned(self.place(touch.point)),
+            ways: B::frame(self.normal(touch.surface)),
+            rub: Rub { friction, restitution, ..Rub::SMOOTH },
         }
     }
 
     /// How fast a point goes across and along a surface `[m/s]`.
-    pub(super) fn speeds(&self, motion: &Motion, touch: Touch) -> [f64; 2] {
+    #[inline]
+    pub(super) fn speeds(&self, motion: &MotionOf<B, N>, touch: Touch) -> [f64; N] {
         self.contact(motion, touch).speeds(&motion.twist)
     }
 
-    fn points(&self) -> std::ops::Range<u32> {
-        0..self.body.shape.places.len() as u32
-    }
-
-    fn is_free(&self, point: u32) -> bool {
-        self.body.deaf.binary_search(&point).is_err()
-    }
-
-    /// The points that lie on surfaces: of those on one, the two that are furthest apart.
-    pub(super) fn touching(&self, motion: &Motion, near: &Near) -> Vec<Touch> {
+    /// The points that lie on surfaces: of those on one, those that hold the others.
+    pub(super) fn touching(&self, motion: &MotionOf<B, N>, near: &Near) -> Vec<Touch> {
         let mut list: Vec<Touch> = Vec::new();
         for &surface in &near.planes {
             let touches = self.low(motion, surface, self.touch);
-            list.extend(touches.filter(|&touch| self.is_free(touch.point) && self.gap(motion, touch) <= self.touch));
+            list.extend(touches.filter(|&touch| self.gap(motion, touch) <= self.touch));
         }
         if near.has_walls {
             let slacks = self.touch / self.obstacles.slack();
-            for point in self.points().filter(|&point| self.is_free(point)) {
+            for point in self.points() {
                 let see = |surface: usize| list.push(Touch { point, surface });
                 self.obstacles.touching(lift(self.at(motion, point)), slacks, see);
             }
         }
         list.sort_by_key(|touch| touch.surface);
-        list.chunk_by(|a, b| a.surface == b.surface).flat_map(|of_one| self.ends(motion, of_one)).collect()
+        list.chunk_by(|a, b| a.surface == b.surface).flat_map(|of_one| self.outermost(motion, of_one)).collect()
     }
 
-    /// The first and the last along the surface that they all are on.
-    fn ends(&self, motion: &Motion, touches: &[Touch]) -> Vec<Touch> {
-        let Some(first) = touches.first() else { return Vec::new() };
-        let normal = flat(widen(self.obstacles.surfaces[first.surface].normal));
-        let along = |touch: &&Touch| dot([-normal[1], normal[0]], self.at(motion, touch.point));
-        let by = |a: &&Touch, b: &&Touch| along(a).total_cmp(&along(b));
-        let (low, high) = (touches.iter().min_by(by), touches.iter().max_by(by));
-        let both = low.into_iter().chain(high.filter(|high| Some(*high) != low));
-        both.copied().collect()
+    /// Of points on one surface those that hold the others.
+    fn outermost(&self, motion: &MotionOf<B, N>, on: &[Touch]) -> Vec<Touch> {
+        let points: Vec<u32> = on.iter().map(|touch| touch.point).collect();
+        let frame = B::frame(self.normal(on[0].surface));
+        self.body.outermost(&motion.place, &frame, &points).into_iter().map(|k| on[k]).collect()
     }
 
     /// When within `h` `[s]` the first point gets to a surface along a path, whose ends are given; `lying` are on theirs already.
     pub(super) fn first_hit(
         &self,
-        path: impl Fn(f64) -> Motion,
-        (start, end, h): (&Motion, &Motion, f64),
+        path: impl Fn(f64) -> MotionOf<B, N>,
+        (start, end, h): (&MotionOf<B, N>, &MotionOf<B, N>, f64),
         (near, lying): (&Near, &[Touch]),
     ) -> Option<f64> {
         let mut candidates: Vec<Touch> = Vec::new();
@@ -165,8 +165,7 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
                 }
             }
         }
-        let is_meant =
-            |touch: &Touch| self.is_free(touch.point) && !lying.contains(touch) && self.gap(end, *touch) < -self.touch;
+        let is_meant = |touch: &Touch| !lying.contains(touch) && self.gap(end, *touch) < -self.touch;
         let mut first = None;
         for touch in candidates.into_iter().filter(is_meant) {
             let gap = |time: f64| self.gap(&path(time), touch);
@@ -184,39 +183,39 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
     /// When within `h` `[s]` the first of the points that slide on their surfaces stops or turns back.
     pub(super) fn first_stop(
         &self,
-        path: impl Fn(f64) -> Motion,
-        (motion, end, h): (&Motion, &Motion, f64),
+        path: impl Fn(f64) -> MotionOf<B, N>,
+        (motion, end, h): (&MotionOf<B, N>, &MotionOf<B, N>, f64),
         lying: &[Touch],
     ) -> Option<f64> {
-        let along = |motion: &Motion, touch: &Touch| {
-            let normal = flat(widen(self.obstacles.surfaces[touch.surface].normal));
-            let arm = motion.place.turned(self.body.shape.places[touch.point as usize]);
-            dot(motion.twist.at(arm), [-normal[1], normal[0]])
-        };
         let still = self.body.still(&motion.twist);
         let mut first = None;
         for touch in lying {
-            let start = along(motion, touch);
-            let latest = first.unwrap_or(h);
-            let ahead = |time: f64| along(&path(time), touch) * start.signum();
-            let last = if latest < h { ahead(latest) } else { along(end, touch) * start.signum() };
-            if start.abs() <= still || last >= -0.5 * still {
+            let contact = self.contact(motion, *touch);
+            let start = contact.direction(&motion.twist, still);
+            let speed = dot(start, contact.speeds(&motion.twist));
+            if speed == 0.0 {
                 continue;
             }
-            let root = Root::between((0.0, start.abs()), (latest, last));
-            first = Some(narrowed(root, ahead, 0.5 * still));
+            let latest = first.unwrap_or(h);
+            let ahead = |motion: &MotionOf<B, N>| dot(start, self.speeds(motion, *touch));
+            let last = if latest < h { ahead(&path(latest)) } else { ahead(end) };
+            if last >= -0.5 * still {
+                continue;
+            }
+            let root = Root::between((0.0, speed), (latest, last));
+            first = Some(narrowed(root, |time| ahead(&path(time)), 0.5 * still));
         }
         first
     }
 
     /// The points that are behind surfaces, by more than counts as none.
-    pub(super) fn behind(&self, motion: &Motion, near: &Near) -> Vec<Touch> {
+    pub(super) fn behind(&self, motion: &MotionOf<B, N>, near: &Near) -> Vec<Touch> {
         let mut list = Vec::new();
         for &surface in &near.planes {
-            list.extend(self.low(motion, surface, -self.touch).filter(|touch| self.is_free(touch.point)));
+            list.extend(self.low(motion, surface, -self.touch));
         }
         if near.has_walls {
-            for point in self.points().filter(|&point| self.is_free(point)) {
+            for point in self.points() {
                 let inside = self.obstacles.nearest(lift(self.at(motion, point)), self.touch);
                 list.extend(inside.into_iter().map(|surface| Touch { point, surface }));
             }
@@ -227,34 +226,28 @@ impl<'a, S: Real, const D: usize> Among<'a, S, D> {
 
     /// It is put out of surfaces that it is behind, as a whole, without speed; `None`: there is no room for it, or it would have to be turned far
     /// about its pin, which is work that nobody does.
-    pub(super) fn put_out(&self, motion: &Motion, near: &Near) -> Option<Motion> {
+    pub(super) fn put_out(&self, motion: &MotionOf<B, N>, near: &Near) -> Option<MotionOf<B, N>> {
         let (mut motion, mut turned) = (*motion, 0.0);
         for _ in 0..ROUNDS {
             let all = self.behind(&motion, near);
             let gaps = all.into_iter().map(|touch| (self.gap(&motion, touch), touch));
             let Some((gap, touch)) = gaps.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Some(motion) };
-            let normal = flat(widen(self.obstacles.surfaces[touch.surface].normal));
-            if self.body.shape.pin.is_none() {
+            let normal = self.normal(touch.surface);
+            if !self.body.is_pinned() {
                 // Without turning it: what lies flat on a surface has more than one deepest point.
-                motion.place = motion.place.moved(scale(normal, -gap), 0.0);
+                motion.place = motion.place.shifted(scale(normal, -gap));
                 continue;
             }
-            let lever = cross(sub(self.at(&motion, touch.point), motion.place.middle), normal);
-            let by = -gap / lever;
+            let arm = motion.place.turned(self.place(touch.point));
+            let (place, by) = self.body.swung(&motion.place, arm, normal, gap)?;
             turned += by.abs();
             if turned.is_nan() || turned > MOST_TURN {
                 return None;
             }
-            motion.place = motion.place.moved([0.0; 2], by);
+            motion.place = place;
         }
         None
     }
-}
-
-/// Twice as far as it may get in `h` `[s]` with its speed `[m/s]` and what pushes it `[m/s^2]`.
-pub(super) fn way(motion: &Motion, h: f64, pushed: f64) -> f64 {
-    let v = motion.twist.velocity;
-    2.0 * (dot(v, v).sqrt() * h + pushed * h * h)
 }
 
 /// When a gap closes that is below 0 at the end, up to what counts as none.

@@ -1,5 +1,6 @@
 //! Contacts that answer to each other's impulses through what holds them together.
 
+use super::line::Line;
 use super::{Answers, Impulse, Pressed, stop};
 
 /// Times that one contact is gone through at most; of several each that much less often.
@@ -26,16 +27,17 @@ pub(crate) struct Speeds {
     pub(crate) energy: f64,
 }
 
-impl Answers for Coupled {
+impl Answers<2> for Coupled {
     type Motion = Speeds;
+    type Friction = Line;
 
     fn speeds(&self, contact: usize, motion: &Speeds) -> [f64; 2] {
         motion.speeds[contact]
     }
 
-    fn gives(&self, contact: usize) -> [f64; 3] {
-        let [normal, along] = [&self.gives[2 * contact][contact], &self.gives[2 * contact + 1][contact]];
-        [normal[0], along[1], normal[1]]
+    fn gives(&self, contact: usize) -> [Impulse; 2] {
+        let [normal, along] = [self.gives[2 * contact][contact], self.gives[2 * contact + 1][contact]];
+        [[normal[0], along[0]], [normal[1], along[1]]]
     }
 
     fn pushed(&self, contact: usize, impulse: Impulse, mut motion: Speeds) -> Speeds {
@@ -57,10 +59,6 @@ impl Answers for Coupled {
 
     fn stopped(&self, motion: &Speeds) -> Speeds {
         Speeds { speeds: vec![[0.0; 2]; motion.speeds.len()], energy: 0.0 }
-    }
-
-    fn along_after(&self, contact: usize, push: f64, motion: &Speeds) -> f64 {
-        motion.speeds[contact][1] + self.gives[2 * contact][contact][1] * push
     }
 
     /// Contacts that are coupled strongly need many.

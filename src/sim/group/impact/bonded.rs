@@ -156,7 +156,7 @@ fn struck<S: Real, const D: usize>(
     let rub = |target: &Target<S>| {
         let surface = &contacts.obstacles.surfaces[target.hit.surface];
         let restitution = if target.rests { 0.0 } else { surface.restitution.to_f64() };
-        Rub { friction: surface.friction.to_f64(), restitution, slides: 0.0, target: [0.0; 2] }
+        Rub { friction: surface.friction.to_f64(), restitution, ..Rub::SMOOTH }
     };
     let rubs: Vec<Rub> = targets.iter().map(rub).collect();
     let energy = kinetic(&points.velocity, &points.inverse_mass);

@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use super::motion::{Motion, Twist};
 use super::place::{Matrix, Place, Turn, times, unit};
 use super::shape::{Hold, Shape};
+use super::{Motion, Twist};
 use crate::sim::points::Points;
 use crate::sim::real::Real;
-use crate::sim::rigid::body::set;
-use crate::sim::vector::{add, cross3, dot, embed, length, scale, sub, widen};
+use crate::sim::rigid::motion::Pose;
+use crate::sim::rigid::solid::exact;
+use crate::sim::vector::{add, cross3, dot, scale, sub};
 
 /// Rounds in which the turn is found that fits best: where bonds keep their lengths the first is there already.
 const ROUNDS: u32 = 4;
@@ -29,11 +30,6 @@ impl Body {
     pub(super) fn new(shape: Arc<Shape>, slots: Vec<u32>) -> Self {
         let ease = if shape.pins.is_empty() { 1.0 / shape.mass } else { 0.0 };
         Body { reach: shape.reach(), slots, ease, shape }
-    }
-
-    /// Whether pins leave it no motion.
-    pub(super) fn is_fixed(&self) -> bool {
-        self.shape.hold == Hold::Fixed
     }
 
     /// Where the shape fits the places of points best by weight, and the motion that has their momentum and angular momentum.
@@ -67,11 +63,13 @@ impl Body {
     }
 
     /// The spin that an angular momentum about the origin makes, in the world.
+    #[inline]
     pub(super) fn spin(&self, place: &Place, turning: [f64; 3]) -> [f64; 3] {
         place.turned(times(&self.shape.inverse, self.shape.left(place.back(turning))))
     }
 
     /// The angular momentum about the origin.
+    #[inline]
     pub(super) fn turning(&self, place: &Place, spin: [f64; 3]) -> [f64; 3] {
         place.turned(times(&self.shape.inertia, place.back(spin)))
     }
@@ -110,55 +108,8 @@ impl Body {
         unit(way).map_or(place, |to| place.moved([0.0; 3], Turn::between(axis, place.back(to))))
     }
 
-    /// Whether its points are where the shape has them and go as it does, but for rounding.
-    pub(super) fn fits<S: Real, const D: usize>(&self, motion: &Motion, points: &Points<S, D>) -> bool {
-        const ROUNDED: f64 = 64.0;
-        let Motion { place, twist } = motion;
-        let size = |x: [f64; 3]| 1.0 + self.reach + length(x);
-        let rounded = ROUNDED * S::EPSILON.to_f64();
-        let near = rounded * size(place.middle);
-        let slow = rounded * (size(twist.velocity) + self.reach * length(twist.spin));
-        let is_there = |(&slot, &q): (&u32, &[f64; 3])| {
-            let r = place.turned(q);
-            let at = |list: &[[S; D]]| embed(widen(list[slot as usize]));
-            let off = sub(at(&points.position), add(place.middle, r));
-            let faster = sub(at(&points.velocity), twist.at(r));
-            off.iter().all(|off| off.abs() <= near) && faster.iter().all(|faster| faster.abs() <= slow)
-        };
-        self.slots.iter().zip(&self.shape.places).all(is_there)
-    }
-
-    /// Its points follow.
-    pub(super) fn write<S: Real, const D: usize>(&self, motion: &Motion, points: &mut Points<S, D>) {
-        let Motion { place, twist } = motion;
-        for (&slot, &q) in self.slots.iter().zip(&self.shape.places) {
-            let i = slot as usize;
-            if points.inverse_mass[i] == S::ZERO {
-                continue;
-            }
-            let r = place.turned(q);
-            set(&mut points.position[i], points.position_lost.get_mut(i), add(place.middle, r));
-            set(&mut points.velocity[i], points.velocity_lost.get_mut(i), twist.at(r));
-        }
-    }
-
     /// The middle of its mass `[m]`.
     pub(super) fn centre(&self, place: &Place) -> [f64; 3] {
         place.out(self.shape.centre)
     }
-
-    /// Kinetic energy `[J]`.
-    pub(super) fn energy(&self, motion: &Motion) -> f64 {
-        let Twist { velocity, spin } = motion.twist;
-        let free = if self.ease > 0.0 { dot(velocity, velocity) / self.ease } else { 0.0 };
-        0.5 * (free + dot(spin, self.turning(&motion.place, spin)))
-    }
-}
-
-/// What is known of a vector, with what rounding took from it where that is kept.
-#[inline(always)]
-fn exact<S: Real, const D: usize>(list: &[[S; D]], lost: &[[S; D]], slot: u32) -> [f64; 3] {
-    let i = slot as usize;
-    let x = embed(widen(list[i]));
-    if lost.is_empty() { x } else { add(x, embed(widen(lost[i]))) }
 }

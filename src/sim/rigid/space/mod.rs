@@ -4,7 +4,7 @@
 //! found      points that three bonds each hold to those before (`layout.rs`), or few points by their rank (`rank.rs`)
 //! read       place, turn, velocity and spin from the points: best fit, momentum and angular momentum (`body.rs`)
 //! flight     in closed form, the turn by its power series (`flight.rs`, `spin.rs`)
-//! hit, rest  on planes, by the course that bodies in the plane have (`course.rs`, `lone.rs`, `touch.rs`, `slide.rs`)
+//! hit, rest  on planes, as bodies in the plane do, by what both are (`../solid.rs`): `../alone.rs`, `../touch.rs`, `../slide.rs`
 //! write      points follow, once a step
 //! ```
 //!
@@ -12,21 +12,22 @@
 
 mod body;
 mod flight;
-mod law;
+mod hull;
+mod inertia;
 pub(crate) mod layout;
-mod lone;
-mod motion;
 mod place;
 mod rank;
 pub(crate) mod shape;
-mod slide;
+mod solid;
 mod spin;
-mod touch;
 
 use std::sync::Arc;
 
-use super::body::Field;
+use super::alone::Lone;
 use super::course::{Log, advance};
+use super::field::{Field, is_reached};
+use super::motion;
+use super::solid::Solid;
 use crate::sim::account::Account;
 use crate::sim::bulk::kernel::Kernel;
 use crate::sim::bulk::mover::Mover;
@@ -35,10 +36,13 @@ use crate::sim::environment::Environment;
 use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
-use crate::sim::vector::{length, truncate};
 use body::Body;
-use lone::{Lone, way};
+use place::Place;
 use shape::Shape;
+
+/// How a body moves in space, and where it is.
+type Twist = motion::Twist<[f64; 3], 3>;
+type Motion = motion::Motion<Place, 3>;
 
 /// Rigid bodies in space that step together, each alone.
 #[derive(Clone, Debug)]
@@ -81,9 +85,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
         let mut book = account.map(|account| &mut account.book);
         for body in self.bodies.iter() {
             let motion = body.read(points);
-            let far = body.reach + way(&motion, h, length(pull.gravity) + pull.most_push() + around.most_push());
-            let bounds = [-far, far].map(|far| truncate::<D>(motion.place.middle.map(|x| x + far)).map(S::from_f64));
-            let is_reached = around.may_reach(bounds, (t, h));
+            let is_reached = is_reached((body, &motion), (pull, around), (t, h));
             let slots = || body.slots.iter().map(|&slot| slot as usize);
             let moving = || slots().map(|i| (points.position[i], points.velocity[i]));
             let parts = if is_reached { around.parts_near(moving(), (t, h)) } else { 1 };
@@ -91,7 +93,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             let (end, work) = {
                 let field = Field { pull, around, w: &points.inverse_mass, is_reached };
                 let lone = Lone::new(body, &field, &motion);
-                let longest = field.longest(h).min(h / f64::from(parts));
+                let longest = body.longest(&field, h).min(h / f64::from(parts));
                 let end = advance(&lone, motion, (t, h, longest), &mut log);
                 (end, lone.spent())
             };

@@ -1,5 +1,6 @@
 //! Where a rigid body is in space, and how it is turned.
 
+use crate::sim::rigid::motion::Pose;
 use crate::sim::vector::{add, cross3, dot, length, scale, sub};
 
 /// Three vectors: where the unit vectors of a shape point, or the columns of a symmetric matrix.
@@ -44,33 +45,43 @@ impl Turn {
 
 /// Where a rigid body is: places of its shape are turned, then carried along.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(crate) struct Place {
     /// Where the origin of the shape is `[m]`.
     pub(super) middle: [f64; 3],
     /// Where the unit vectors of the shape point.
     pub(super) axes: Matrix,
 }
 
-impl Place {
-    /// Where a place of the shape is.
+impl Pose<3> for Place {
+    type Spin = [f64; 3];
+
     #[inline(always)]
-    pub(super) fn out(&self, q: [f64; 3]) -> [f64; 3] {
-        add(self.middle, self.turned(q))
+    fn middle(&self) -> [f64; 3] {
+        self.middle
     }
 
-    /// A vector of the shape in the world.
     #[inline(always)]
-    pub(super) fn turned(&self, q: [f64; 3]) -> [f64; 3] {
+    fn turned(&self, q: [f64; 3]) -> [f64; 3] {
         times(&self.axes, q)
     }
 
-    /// A vector of the world in the shape.
     #[inline(always)]
-    pub(super) fn back(&self, v: [f64; 3]) -> [f64; 3] {
+    fn back(&self, v: [f64; 3]) -> [f64; 3] {
         let [x, y, z] = self.axes;
         [dot(x, v), dot(y, v), dot(z, v)]
     }
 
+    #[inline(always)]
+    fn shifted(&self, by: [f64; 3]) -> Self {
+        Place { middle: add(self.middle, by), ..*self }
+    }
+
+    fn is_finite(&self) -> bool {
+        self.middle.iter().chain(self.axes.iter().flatten()).all(|x| x.is_finite())
+    }
+}
+
+impl Place {
     /// Moved on, and turned as its shape sees it.
     pub(super) fn moved(&self, by: [f64; 3], turn: Turn) -> Self {
         let unit = |k: usize| std::array::from_fn(|i| if i == k { 1.0 } else { 0.0 });

@@ -1,5 +1,6 @@
 //! The shape in which rigid bonds hold a body in space, and what resists its motion.
 
+use super::hull::corners_of;
 use super::layout::{Held, Net};
 use super::place::{Matrix, times, unit};
 use super::rank::is_rigid;
@@ -53,6 +54,8 @@ pub(crate) struct Shape {
     pub(super) hold: Hold,
     /// Which of its points are pinned, ascending.
     pub(super) pins: Vec<u32>,
+    /// The corners of its convex hull, ascending: what can meet planes. None where there are none to meet.
+    pub(super) corners: Vec<u32>,
 }
 
 impl Shape {
@@ -97,7 +100,14 @@ impl Shape {
         let hold = hold(&places, &pins);
         let inverse = inverse(&inertia, hold)?;
         let centre = if pins.is_empty() { [0.0; 3] } else { seen(sub(middle, origin)) };
-        Some(Shape { places, masses, weights, spread, mass, centre, inertia, inverse, hold, pins })
+        let corners = Vec::new();
+        Some(Shape { places, masses, weights, spread, mass, centre, inertia, inverse, hold, pins, corners })
+    }
+
+    /// The same, to meet planes, if its hull has no more corners than so many.
+    pub(crate) fn with_corners(mut self, most: usize) -> Option<Self> {
+        self.corners = corners_of(&self.places);
+        (self.corners.len() <= most).then_some(self)
     }
 
     /// How far its points are from its origin at most `[m]`.
@@ -109,9 +119,11 @@ impl Shape {
     pub(super) fn heap_bytes(&self) -> usize {
         self.places.capacity() * size_of::<[f64; 3]>()
             + (self.masses.capacity() + self.weights.capacity()) * size_of::<f64>()
+            + (self.pins.capacity() + self.corners.capacity()) * size_of::<u32>()
     }
 
     /// What of an angular momentum or a torque pins do not take, seen in the shape.
+    #[inline]
     pub(super) fn left(&self, v: [f64; 3]) -> [f64; 3] {
         match self.hold {
             Hold::Free | Hold::Point => v,
