@@ -99,8 +99,8 @@ pub fn embed<const D: usize>(a: [f64; D]) -> [f64; 3] {
 #[inline(always)]
 pub(crate) fn resized<const D: usize, const N: usize>(a: [f64; D]) -> [f64; N] {
     let mut resized = [0.0; N];
-    for (to, from) in resized.iter_mut().zip(a) {
-        *to = from;
+    for k in 0..N.min(D) {
+        resized[k] = a[k];
     }
     resized
 }

@@ -144,10 +144,12 @@ pub(super) fn lift<S: Real, const D: usize, const N: usize>(x: [f64; N]) -> [S; 
 /// A vector and what rounding takes from it, where that is kept, along the axes that both have.
 #[inline(always)]
 fn set<S: Real, const D: usize, const N: usize>(value: &mut [S; D], lost: Option<&mut [S; D]>, exact: [f64; N]) {
-    for (value, exact) in value.iter_mut().zip(exact) {
-        *value = S::from_f64(exact);
+    for k in 0..D.min(N) {
+        value[k] = S::from_f64(exact[k]);
     }
-    for (lost, (value, exact)) in lost.into_iter().flatten().zip(value.iter().zip(exact)) {
-        *lost = S::from_f64(exact - value.to_f64());
+    if let Some(lost) = lost {
+        for k in 0..D.min(N) {
+            lost[k] = S::from_f64(exact[k] - value[k].to_f64());
+        }
     }
 }
