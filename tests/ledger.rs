@@ -371,17 +371,17 @@ fn an_impact_of_a_large_body_is_booked() {
 #[test]
 fn a_soft_large_body_that_lies_still_takes_nothing() {
     let kind = BondKind::Spring { stiffness: 2e4, damping: 60.0 };
-    let mut model = block([16, 5], kind, Solver::VelocityVerlet);
+    let mut model = block([18, 14], kind, Solver::Auto);
     model.planes = vec![floor(0.25, 0.6, [0.0, 1.0])];
     let mut world = build(&model).unwrap();
     assert!(is_large(&*world));
-    let [early, late] = [6.0, 8.0].map(|t| run_to(&mut *world, t).ledger.unwrap());
+    let [early, late] = [4.0, 6.0].map(|t| run_to(&mut *world, t).ledger.unwrap());
     assert!(late.now.kinetic < 1e-3, "it lies still: {late:?}");
-    // It sank by some centimetres: 40 kg fell that far.
+    // It sank by some millimetres: 126 kg fell that far.
     let taken = late.book.taken() - early.book.taken();
     assert!(taken < 0.01, "{taken} J in 2 s");
     let sank = early.start - early.now.gravity;
-    assert!(late.left_over().abs() < 0.05 * sank, "{} J of {sank} J: {late:?}", late.left_over());
+    assert!(late.left_over().abs() < 0.08 * sank, "{} J of {sank} J: {late:?}", late.left_over());
 }
 
 #[test]

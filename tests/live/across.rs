@@ -69,8 +69,10 @@ fn what_hangs_across_the_thread_of_another_comes_down_beside_it() {
     let start = world.energy();
     while world.time() < 12.0 {
         world.step();
-        assert!(world.energy() < start + 1.0, "{} J at {} s, {start} at first", world.energy(), world.time());
+        // They are parted as far as their threads yield at first.
+        assert!(world.energy() < start + 2.0, "{} J at {} s, {start} at first", world.energy(), world.time());
     }
+    assert!(world.energy() < start, "it came down: {} J", world.energy());
     let sample = world.sample(world.time());
     let middle = |points: std::ops::Range<usize>| points.map(|i| sample.position[i][0]).sum::<f64>() / 20.0;
     let [one, other] = [middle(2..22), middle(22..42)];
