@@ -151,7 +151,7 @@ static GALLERY: [Entry; 53] = [
         105,
         "Cradle",
         "A ball swings against four that hang in a row, and the last one leaves; after some swings all go together.",
-        "R, pause, lift the second ball like the first: the last two leave, 0.79 m and 0.36 m far; after one alone 1.08 m and 0.09 m."
+        "R, pause, turn the second ball like the first (6): the last two leave, 0.79 m and 0.36 m far; after one alone 1.08 m and 0.09 m."
     ),
     entry!(
         "soft-car",

@@ -191,7 +191,7 @@ pub(in crate::app) fn commands(
         MatterChange::Width(width) => vec![coated(&points, Coat { width: Some(width), ..Coat::default() })],
         MatterChange::Visible(is) => vec![coated(&points, Coat { visible: Some(is), ..Coat::default() })],
         MatterChange::Rigid => {
-            let bonds = numbers(&among.bonds_of(world), |bond| bond.kind != BondKind::Rigid);
+            let bonds = made_rigid(&among.bonds_of(world), |bond| bond.kind != BondKind::Rigid);
             vec![set(SetKeys { bonds: Some(bonds), kind: Some(KindName::Rigid), ..SetKeys::default() })]
         }
         MatterChange::Springy => {
@@ -231,6 +231,12 @@ fn painted(known: (&dyn Dynamics, &Former), among: &Among, numbers: Painted) -> 
 
 fn numbers(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<u32> {
     bonds.iter().filter(|(_, bond)| is_meant(bond)).map(|(number, _)| *number).collect()
+}
+
+/// Those that are made rigid: muscles stay springs, for in a rigid body they would work against all others, unless there is nothing else.
+fn made_rigid(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<u32> {
+    let others = bonds.iter().any(|(_, bond)| bond.drive.is_none());
+    numbers(bonds, |bond| is_meant(bond) && (bond.drive.is_none() || !others))
 }
 
 fn point_numbers(points: &[PointId]) -> Vec<u32> {
@@ -336,7 +342,10 @@ fn of_preset(world: &dyn Dynamics, (points, among): (&[PointId], &Among), preset
     let named = Some(numbers(&bonds, |_| true));
     let of_bonds = match springs {
         Some(springs) => springy(world, bonds, of_point, springs),
-        None => Some(SetKeys { bonds: named.clone(), kind: Some(KindName::Rigid), ..SetKeys::default() }),
+        None => {
+            let rigid = Some(made_rigid(&bonds, |_| true));
+            Some(SetKeys { bonds: rigid, kind: Some(KindName::Rigid), ..SetKeys::default() })
+        }
     };
     // What it bears it bears at once; what breaks is as stiff first.
     let whole = SetKeys { bonds: named, break_strain: Some(OneOrEach::One(NEVER)), ..SetKeys::default() };

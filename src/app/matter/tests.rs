@@ -3,7 +3,8 @@
 
 use super::{Among, Coloring, Matter, MatterChange, NEVER, Preset, Stops};
 use crate::app::player::{Note, Order, Shown, Stage};
-use crate::scene::Scene;
+use crate::history::{Do, DriveOrNone, SetKeys};
+use crate::scene::{DriveKeys, Scene};
 use crate::sim::{BondKind, PointId};
 
 /// A box of springs of 1 m^2, a rigid triangle, a rope, an obstacle.
@@ -441,7 +442,7 @@ fn what_was_only_just_built_is_as_stiff_at_once_as_it_is_made() {
         )
         .unwrap();
         let led = super::led(stage.history().world(), list);
-        led.iter().any(|act| matches!(act, crate::history::Do::Set(keys) if keys.over.is_some()))
+        led.iter().any(|act| matches!(act, Do::Set(keys) if keys.over.is_some()))
     };
     assert!(!strained(&stage), "nothing is lifted by it");
     let pressed = Among { points: vec![PointId(3)], ..Among::default() };
@@ -450,7 +451,7 @@ fn what_was_only_just_built_is_as_stiff_at_once_as_it_is_made() {
         by: Some(crate::scene::Vector::Plane([0.05, 0.05])),
         ..Default::default()
     };
-    assert_eq!(stage.obey(Order::Give(vec![crate::history::Do::Move(Box::new(keys))], None)), None);
+    assert_eq!(stage.obey(Order::Give(vec![Do::Move(Box::new(keys))], None)), None);
     assert!(strained(&stage), "what is loaded is led there");
     let mut fresh = self::stage();
     change(&mut fresh, &soft, MatterChange::Preset(Preset::Wood));
@@ -551,4 +552,21 @@ fn selected_bonds_get_another_length_at_rest() {
     assert_eq!((beam.least, beam.most, beam.same()), (1.0, 1.5, None));
     assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "rest length"));
     assert_eq!(lengths(&stage), [1.0; 5]);
+}
+
+#[test]
+fn muscles_stay_springs_as_their_body_gets_rigid() {
+    for given in [MatterChange::Rigid, MatterChange::Preset(Preset::Steel)] {
+        let mut stage = stage();
+        let soft = among(3..12);
+        let muscle = soft.bonds_of(stage.history().world())[0].0;
+        let drive = DriveOrNone::This(DriveKeys { amplitude: Some(0.2), period: Some(1.0), ..DriveKeys::default() });
+        let keys = SetKeys { bonds: Some(vec![muscle]), drive: Some(drive), ..SetKeys::default() };
+        assert_eq!(stage.obey(Order::Give(vec![Do::Set(Box::new(keys))], Some("muscle"))), None);
+        change(&mut stage, &soft, given);
+        let bonds = soft.bonds_of(stage.history().world());
+        let springs: Vec<u32> =
+            bonds.iter().filter(|(_, bond)| bond.kind != BondKind::Rigid).map(|(number, _)| *number).collect();
+        assert_eq!(springs, [muscle], "{given:?}");
+    }
 }

@@ -1,5 +1,6 @@
 //! The tool for muscles: bonds that a click or a stroke goes over follow a wave, a key, or both.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -8,16 +9,20 @@ use glam::DVec2;
 use super::Deed;
 use super::build::short;
 use super::drives::beside;
+use super::held::Frame;
 use super::marks::{Mark, Role};
 use super::pick::{self, Scope, distance_to_segment};
 use super::selecting::is_drag;
 use crate::app::count::counted;
 use crate::history::{Do, DriveOrNone, OneOrEach, SetKeys};
 use crate::scene::{DriveKeys, KeyName};
-use crate::sim::{Bond, Drive, Driving, NoDrive, PointId};
+use crate::sim::{Bond, BondKind, Drive, Driving, NoDrive, PointId};
 
 /// Said where nothing is clicked, or crossed by a stroke, that could be a muscle.
 const NO_BOND: &str = "no bond lies here that could be a muscle";
+/// Said of a rigid bond whose ends others hold.
+const HELD: &str =
+    "other rigid bonds hold its ends, so it would move nothing: make the body soft first, as jelly or rubber";
 /// The stroke goes on when the pointer is so far from its end `[logical px]`.
 const STEP: f64 = 4.0;
 /// A stroke lies along a bond no further from it than this `[logical px]`, and within an angle of this cosine.
@@ -178,11 +183,11 @@ impl MuscleChoice {
         let scenery = &scope.shown.scenery;
         let all = scenery.bonds.iter().enumerate().map(|(place, bond)| (place, scenery.bond_number(place), bond));
         let mut plan = Plan { changes: Vec::new(), takes_away: true, left: 0, why: None };
-        let mut others = Vec::new();
+        let (mut others, frame) = (Vec::new(), OnceCell::new());
         for (place, number, bond) in all {
             let Some(&along) = met.get(&number) else { continue };
             let phase = self.phase_at(along, length);
-            if let Some(why) = no_muscle(scope, &bond) {
+            if let Some(why) = no_muscle(scope, &bond, &frame) {
                 plan.left += 1;
                 plan.why.get_or_insert(why);
             } else if self.takes_away(&bond) {
@@ -225,7 +230,7 @@ impl MuscleChoice {
         let Some((place, [a, b])) = scope.bond(at) else { return Vec::new() };
         let bond = scope.shown.scenery.bonds.get(place);
         let said = |words: String| Mark::Words(beside(scope, at), words);
-        let (role, words) = match no_muscle(scope, &bond) {
+        let (role, words) = match no_muscle(scope, &bond, &OnceCell::new()) {
             // Nothing would become of it: nothing is marked.
             Some(why) => return vec![said(why)],
             None if self.takes_away(&bond) => (Role::Away, "a muscle: a click takes it away"),
@@ -269,8 +274,13 @@ impl MuscleChoice {
 }
 
 /// Why a bond cannot be a muscle in what is shown.
-fn no_muscle(scope: Scope<'_>, bond: &Bond) -> Option<String> {
-    scope.shown.driving.of_bond(bond).map(words)
+fn no_muscle(scope: Scope<'_>, bond: &Bond, frame: &OnceCell<Frame>) -> Option<String> {
+    let holds = |frame: &Frame| frame.holds([bond.a, bond.b]);
+    let is_held = || {
+        let may_be = bond.kind == BondKind::Rigid && bond.drive.is_none();
+        may_be && holds(frame.get_or_init(|| Frame::of(&scope.shown.scenery.bonds)))
+    };
+    scope.shown.driving.of_bond(bond).map(words).or_else(|| is_held().then(|| HELD.to_owned()))
 }
 
 /// Why nothing can be a muscle in what is shown, if nothing can.

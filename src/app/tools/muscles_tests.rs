@@ -303,3 +303,21 @@ fn bonds_that_are_muscles_get_the_numbers_of_another_stroke_with_phases_along_it
         assert_eq!(drive.is_some(), period == 1.0);
     }
 }
+
+#[test]
+fn a_rigid_bond_whose_ends_others_hold_is_left_out_and_said_a_truss_is_not() {
+    let scene = |bonds: &str| {
+        let points = "[[0,0],[2,0],[2,2],[0,2]]";
+        let text = format!(
+            r#"{{"wobble": 1, "view": {{"center": [1, 1], "height": 6}}, "points": {{"position": {points}}}, "bonds": {bonds}}}"#
+        );
+        shown(Scene::parse(&text, "x.json").unwrap())
+    };
+    let braced = scene(r#"[{"a":0,"b":1},{"a":1,"b":2},{"a":2,"b":3},{"a":3,"b":0},{"a":0,"b":2},{"a":1,"b":3}]"#);
+    let deed = drag(&braced, &[[-1.0, 0.5], [3.0, 0.5]]).1;
+    assert!(deed.commands.is_empty(), "{:?}", deed.commands);
+    assert!(deed.words.unwrap().contains("other rigid bonds hold its ends"));
+    // One diagonal less, and every bond leads two triangles.
+    let truss = scene(r#"[{"a":0,"b":1},{"a":1,"b":2},{"a":2,"b":3},{"a":3,"b":0},{"a":0,"b":2}]"#);
+    assert_eq!(bonds(&drag(&truss, &[[-1.0, 0.5], [3.0, 0.5]]).1), [1, 3, 4]);
+}

@@ -33,6 +33,8 @@ pub(crate) struct Outside<'a, S: Real, const D: usize> {
     planes: Vec<Surface<S, D>>,
     /// Where polygons are in reach.
     walls: Option<Obstacles<S, D>>,
+    /// Bonds push points: what they give to one that friction holds is no motion of its body.
+    by_forces: bool,
 }
 
 /// What surfaces took of a motion: by restitution, and by friction [m^2, of a point of mass 1].
@@ -69,10 +71,10 @@ impl<'a, S: Real, const D: usize> Outside<'a, S, D> {
         pull: &Pull<S, D>,
         around: &'a Environment<D>,
         (t, h): (f64, f64),
-        (clear, pushes): (&mut Option<Clear>, bool),
+        (clear, by_forces): (&mut Option<Clear>, bool),
     ) -> Self {
         let pushed = [[S::ZERO; D]; 2];
-        let none = Outside { mouse: None, pushed, planes: Vec::new(), walls: None };
+        let none = Outside { mouse: None, pushed, planes: Vec::new(), walls: None, by_forces };
         let mouse = around.mouse_at(t + 0.5 * h);
         if mouse.is_none() && !pull.contacts.has_surfaces() {
             return none;
@@ -94,9 +96,10 @@ impl<'a, S: Real, const D: usize> Outside<'a, S, D> {
                 pushed: around.swept((t, h), reach),
                 planes: planes.copied().collect(),
                 walls: obstacles.has_walls_near(bounds).then(|| obstacles.clone()),
+                by_forces,
             }
         };
-        let ahead = if pushes { 1.0 } else { AHEAD };
+        let ahead = if by_forces { 1.0 } else { AHEAD };
         let is_clear = within(ahead * h).is_nothing();
         *clear = is_clear.then_some(Clear { until: t + (ahead + 1e-6) * h, mouse: place });
         if is_clear { none } else { within(h) }
@@ -151,7 +154,7 @@ impl<'a, S: Real, const D: usize> Outside<'a, S, D> {
         let (mut met, gentle) = (false, gentle(fall));
         let mut count = |bounce: &Bounce<S, D>, surface: &Surface<S, D>| {
             if let Some(toll) = &mut toll {
-                toll.add(bounce.toll(surface, gentle), 1.0);
+                toll.add(bounce.toll(surface, (gentle, self.by_forces)), 1.0);
             }
         };
         let led = self.walls.as_ref().and_then(|walls| {
@@ -220,13 +223,13 @@ impl<S: Real, const D: usize> Bounce<S, D> {
         Bounce { motion, rubbed: sub(along, kept), keep, back, parts: [speed, size], lies }
     }
 
-    /// What is taken of the motion. A gentle impact is none, nor is what presses a point that lay there, or what friction takes of one that it
-    /// holds: that has by it as much as gravity or bonds gave it in the substep.
-    fn toll(&self, surface: &Surface<S, D>, gentle: S) -> Toll {
+    /// What is taken of the motion. A gentle impact is none, nor is what presses a point that lay there, or, where bonds are forces, what friction
+    /// takes of one that it holds: that has by it as much as gravity or bonds gave it in the substep.
+    fn toll(&self, surface: &Surface<S, D>, (gentle, by_forces): (S, bool)) -> Toll {
         let [across, along] = self.parts.map(|part| 0.5 * (part * part).to_f64());
         let left = |share: S| 1.0 - (share * share).to_f64();
         let is_impact = -self.parts[0] > gentle && surface.restitution < S::ONE && !self.lies;
-        let is_held = self.lies && self.keep == S::ZERO;
+        let is_held = by_forces && self.lies && self.keep == S::ZERO;
         Toll {
             impacts: if is_impact { across * left(self.back) } else { 0.0 },
             friction: if is_held { 0.0 } else { along * left(self.keep) },
@@ -246,7 +249,7 @@ mod tests {
 
     fn floor(restitution: f64, friction: f64) -> Outside<'static, f64, 2> {
         let plane = Plane { point: [0.0, 0.0], normal: [0.0, 2.0], restitution, friction, penalty: None };
-        Outside { mouse: None, pushed: [[0.0; 2]; 2], planes: vec![Surface::new(&plane)], walls: None }
+        Outside { mouse: None, pushed: [[0.0; 2]; 2], planes: vec![Surface::new(&plane)], walls: None, by_forces: true }
     }
 
     /// Where a point at `x` ends that is about to go by `motion`, and how.
