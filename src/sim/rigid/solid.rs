@@ -131,8 +131,14 @@ pub(super) trait Solid<const N: usize>: Sized {
 #[inline(always)]
 pub(super) fn exact<S: Real, const D: usize, const N: usize>(list: &[[S; D]], lost: &[[S; D]], slot: u32) -> [f64; N] {
     let i = slot as usize;
-    let x = resized(widen(list[i]));
-    if lost.is_empty() { x } else { add(x, resized(widen(lost[i]))) }
+    let mut exact = [0.0; N];
+    for k in 0..N.min(D) {
+        exact[k] = list[i][k].to_f64();
+        if !lost.is_empty() {
+            exact[k] += lost[i][k].to_f64();
+        }
+    }
+    exact
 }
 
 /// A vector of a body in a world.
