@@ -138,7 +138,7 @@ const TABLE: [(Act, [Comes; 7]); 37] = [
     (Act::Turn, [E, E, E, E, E, E, E]),
     (Act::Scale, [E, E, E, E, E, E, E]),
     // Of what meets others in space no bond is a muscle.
-    (Act::Muscle, [E, E, E, E, E, W, W]),
+    (Act::Muscle, [E, E, E, E, W, W, W]),
     (Act::Motor, [E, E, E, E, E, W, W]),
     (Act::Paint, [E, E, E, E, E, W, E]),
     (Act::Numbers, [E, E, E, E, E, W, E]),
