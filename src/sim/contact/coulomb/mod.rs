@@ -237,8 +237,9 @@ fn press<A: Answers<N>, const N: usize>(
     // What lies still on a body that turns is no more exact than the body is fast.
     let own = (2.0 * body.energy(before) / body.heaviest()).sqrt();
     let fastest = speeds.flatten().fold(own, |most: f64, speed| most.max(speed.abs()));
-    let (mut passes, mut has_converged) = (0, false);
-    while passes < body.most_passes(rubs.len()) && !has_converged {
+    // Where nothing touches nothing changes, and of what left the numbers nobody knows when it does not.
+    let (mut passes, mut has_converged) = (0, rubs.is_empty());
+    while passes < body.most_passes(rubs.len()) && !has_converged && fastest.is_finite() {
         let mut largest: f64 = 0.0;
         let together = pressed_together(body, (rubs, NOTHING * fastest), &impulses, &motion);
         for (&contact, new) in body.smooth().iter().zip(together) {
