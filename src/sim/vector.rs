@@ -98,10 +98,8 @@ pub fn embed<const D: usize>(a: [f64; D]) -> [f64; 3] {
 /// The vector in so many dimensions: what it has more is dropped, what it lacks is zero.
 #[inline(always)]
 pub(crate) fn resized<const D: usize, const N: usize>(a: [f64; D]) -> [f64; N] {
-    let mut resized = [0.0; N];
-    for k in 0..N.min(D) {
-        resized[k] = a[k];
-    }
+    let (mut resized, shared) = ([0.0; N], N.min(D));
+    resized[..shared].copy_from_slice(&a[..shared]);
     resized
 }
 
