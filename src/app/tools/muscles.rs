@@ -275,11 +275,8 @@ impl MuscleChoice {
 
 /// Why a bond cannot be a muscle in what is shown.
 fn no_muscle(scope: Scope<'_>, bond: &Bond, frame: &OnceCell<Frame>) -> Option<String> {
-    let holds = |frame: &Frame| frame.holds([bond.a, bond.b]);
-    let is_held = || {
-        let may_be = bond.kind == BondKind::Rigid && bond.drive.is_none();
-        may_be && holds(frame.get_or_init(|| Frame::of(&scope.shown.scenery.bonds)))
-    };
+    let is_new = bond.kind == BondKind::Rigid && bond.drive.is_none();
+    let is_held = || is_new && frame.get_or_init(|| Frame::of(&scope.shown.scenery.bonds)).holds([bond.a, bond.b]);
     scope.shown.driving.of_bond(bond).map(words).or_else(|| is_held().then(|| HELD.to_owned()))
 }
 

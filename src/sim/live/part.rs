@@ -2,7 +2,8 @@
 //!
 //! A crossing that contacts do not undo by themselves: their points would come out on different sides. So both bodies go apart along
 //! one direction, in which their common area shrinks fastest, or, where that says nothing (one goes right through, or lies inside the
-//! other), along the one in which their shadows part soonest.
+//! other), along the one in which their shadows part soonest. What that does not part, or what is held and goes nowhere, only goes through each
+//! other from then on.
 //! Source of the first: the gradient of the common area is the sum of the chords between crossings, turned by a right angle, as of
 //! intersection contours in P. Volino, N. Magnenat-Thalmann, Resolving Surface Collisions through Intersection Contour Minimization, 2006.
 
