@@ -175,6 +175,8 @@ object! {
             penalty: PenaltyOrNone,
             /// Of the skins of points `[m]`, >= 0.
             radius: f64,
+            /// Of the skins of points: whether they are of layers that pass each other.
+            layered: bool,
             /// Of constant forces `[N]`.
             force: Vector,
             /// Of constant forces `[N m]`.

@@ -155,6 +155,7 @@ const FIRST_WITH_ANGLES: u64 = 6;
 const FIRST_WITH_SETTLING: u64 = 7;
 const FIRST_WITH_PENALTIES: u64 = 8;
 const FIRST_WITH_DRIVES: u64 = 8;
+const FIRST_WITH_LAYERS: u64 = 12;
 
 /// A kept world of any layout that is known.
 trait KeptWorld: Sized {
@@ -184,6 +185,7 @@ macro_rules! saved {
                 model.planes.iter().map(|plane| plane.penalty).collect::<Vec<_>>().put(to);
                 drives_of(model).put(to);
                 keys.put(to);
+                layers_of(&model.skins).put(to);
             }
 
             fn take(from: &mut &[u8], layout: u64) -> Option<Self> {
@@ -210,6 +212,9 @@ macro_rules! saved {
                     drive(&mut model, Packed::take(from)?)?;
                     keys = Packed::take(from)?;
                 }
+                if layout >= FIRST_WITH_LAYERS {
+                    layer(&mut model.skins, Packed::take(from)?);
+                }
                 Some(Saved { model, keys, $($core,)* $($rest,)* $($($last,)*)* })
             }
         }
@@ -232,7 +237,7 @@ fields!(HandedOver { first, since, why, until, times });
 fields!(Contact { friction, restitution, radius, with_itself, with_others });
 fields!(Force<D> { points, force, torque });
 fields!(Wind<D> { velocity, turbulence, seed });
-fields!(SkinMaterial { friction, restitution, radius });
+fields!(SkinMaterial { friction, restitution, radius } without { layered: None });
 fields!(Areas { stiffness, least });
 fields!(Angle { number, points, rest, stiffness, damping, range, arms, stop } without { drive: None });
 fields!(Angles { list, next });
@@ -271,6 +276,20 @@ fn drive<const D: usize>(model: &mut Model<D>, (bonds, angles): Drives) -> Optio
         model.angles.list.get_mut(place as usize)?.drive = Some(drive);
     }
     Some(())
+}
+
+/// The points of which is said whether they are of layers, those of either together.
+fn layers_of(skins: &SkinMaterials) -> Vec<(bool, Vec<u32>)> {
+    skins.lists().into_iter().filter_map(|(material, points)| Some((material.layered?, points))).collect()
+}
+
+fn layer(skins: &mut SkinMaterials, lists: Vec<(bool, Vec<u32>)>) {
+    for (is_layered, points) in lists {
+        // A damaged number must not ask for more than there can be.
+        for point in points.into_iter().filter(|&point| u64::from(point) < MAX_POINTS).map(PointId) {
+            skins.set([point], SkinMaterial { layered: Some(is_layered), ..skins.of(point) });
+        }
+    }
 }
 
 impl Packed for Key {

@@ -112,7 +112,7 @@ fn bonds(numbers: &[u32]) -> Vec<BondId> {
 }
 
 /// The keys that go with each thing that is set.
-const OF_POINTS: [&str; 5] = ["mass", "velocity", "friction", "restitution", "radius"];
+const OF_POINTS: [&str; 6] = ["mass", "velocity", "friction", "restitution", "radius", "layered"];
 const OF_BONDS: [&str; 11] = [
     "kind",
     "rest",
@@ -156,7 +156,12 @@ fn change(keys: &SetKeys, scene: &Scene) -> Result<Change, String> {
             points: points(keys.points.as_deref().unwrap_or_default()),
             mass: keys.mass.as_ref().map(values),
             velocity: keys.velocity.as_ref().map(|list| velocities(list, scene)).transpose()?,
-            skin: SkinMaterial { friction: keys.friction, restitution: keys.restitution, radius: keys.radius },
+            skin: SkinMaterial {
+                friction: keys.friction,
+                restitution: keys.restitution,
+                radius: keys.radius,
+                layered: keys.layered,
+            },
         },
         "bonds" => {
             Change::Bonds { bonds: bonds(keys.bonds.as_deref().unwrap_or_default()), to: Box::new(bond_change(keys)?) }

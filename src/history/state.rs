@@ -19,7 +19,7 @@ use super::pack::{AnyCore, Core, FIRST_WITH_HAND_OVERS, FIRST_WITH_TRIANGLES, Pa
 use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 
 /// How the numbers are laid out.
-pub(super) const LAYOUT: u64 = 11;
+pub(super) const LAYOUT: u64 = 12;
 
 /// The first layout that says which body added points are of.
 const FIRST_WITH_TINTS: u64 = 8;

@@ -63,11 +63,12 @@ impl Scene {
         scene.skins = skins(&self.skins, &start)
             .lists()
             .into_iter()
-            .map(|(SkinMaterial { friction, restitution, radius }, points)| SkinKeys {
+            .map(|(SkinMaterial { friction, restitution, radius, layered }, points)| SkinKeys {
                 points,
                 friction,
                 restitution,
                 radius,
+                layered,
                 ..SkinKeys::default()
             })
             .collect();

@@ -168,8 +168,8 @@ pub(super) fn skins(explicit: &[SkinKeys], start: &Start) -> SkinMaterials {
 
 /// What a listed skin is made of, and its points.
 pub(super) fn skin(keys: &SkinKeys) -> (SkinMaterial, Vec<PointId>) {
-    let SkinKeys { points, friction, restitution, radius, color: _, width: _, visible: _ } = keys;
-    let material = SkinMaterial { friction: *friction, restitution: *restitution, radius: *radius };
+    let &SkinKeys { ref points, friction, restitution, radius, layered, color: _, width: _, visible: _ } = keys;
+    let material = SkinMaterial { friction, restitution, radius, layered };
     (material, points.iter().copied().map(PointId).collect())
 }
 

@@ -184,8 +184,12 @@ impl Start {
             friction: material.friction,
             restitution: material.restitution,
             radius: material.radius,
+            layered: material.layered,
         };
-        let skin = keys.material.as_ref().map_or(SkinMaterial::default(), of_skin);
+        // Limbs of a figure begin across each other.
+        let layered = (keys.make == MakerName::Ragdoll).then_some(true);
+        let usual = SkinMaterial { layered, ..SkinMaterial::default() };
+        let skin = keys.material.as_ref().map_or(usual, |material| usual.overlaid(of_skin(material)));
         self.bodies.push(PlacedBody { first: first as u32, each, copies, links, triangles, bends, kind, skin });
         Ok(())
     }

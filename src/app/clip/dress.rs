@@ -33,9 +33,9 @@ pub(super) fn skins(history: &History, points: &[PointId]) -> Vec<SkinKeys> {
         (coat, world.skin_of(*point))
     };
     let keys = |((coat, material), points): ((Coat, SkinMaterial), Vec<u32>)| {
-        let SkinMaterial { friction, restitution, radius } = material;
+        let SkinMaterial { friction, restitution, radius, layered } = material;
         let is_said = !coat.is_empty() || material != SkinMaterial::default();
-        is_said.then(|| SkinKeys { friction, restitution, radius, ..SkinKeys::of_coat(points, coat) })
+        is_said.then(|| SkinKeys { friction, restitution, radius, layered, ..SkinKeys::of_coat(points, coat) })
     };
     runs(points, look).into_iter().filter_map(keys).collect()
 }

@@ -56,6 +56,8 @@ pub enum MatterChange {
     Restitution(f64),
     /// How thick skins are `[m]`.
     Radius(f64),
+    /// Whether parts of a body pass each other.
+    Layered(bool),
     /// Their mean velocity `[m/s]`: how points move beside each other stays.
     Velocity([f64; 3]),
     /// Of planes: a depth pushes out by so much `[N/m]` and `[N s/m]` in place of contact; `None`: contact.
@@ -88,6 +90,7 @@ impl MatterChange {
             MatterChange::Relaxation(_) => "relaxation",
             MatterChange::MaxCorrection(_) => "largest correction",
             MatterChange::Radius(_) => "skin",
+            MatterChange::Layered(_) => "layers",
             MatterChange::Velocity(_) => "velocity",
             MatterChange::Bending(_) => "bending",
             MatterChange::RestLength(_) => "rest length",
@@ -162,6 +165,10 @@ pub(in crate::app) fn commands(
         MatterChange::Radius(radius) => {
             let points = Some(point_numbers(&points));
             vec![set(SetKeys { points, radius: Some(radius), ..SetKeys::default() })]
+        }
+        MatterChange::Layered(is) => {
+            let points = Some(point_numbers(&points));
+            vec![set(SetKeys { points, layered: Some(is), ..SetKeys::default() })]
         }
         MatterChange::Velocity(velocity) => vec![set(moving(world, &points, velocity))],
         MatterChange::Bending(stiffness) => {

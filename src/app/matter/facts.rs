@@ -7,7 +7,7 @@ use super::former::Former;
 use super::joints::{Joint, coming, held};
 use super::preset::Preset;
 use crate::picture::Tint;
-use crate::sim::{Bond, BondKind, Dynamics, Knots, Limit, Obstacle, PointId};
+use crate::sim::{Bond, BondKind, Contact, Dynamics, Knots, Limit, Obstacle, PointId};
 
 /// A strain at which bonds break that none comes to `[1]`: files have no word for never.
 pub(in crate::app) const NEVER: f64 = 1e9;
@@ -113,6 +113,8 @@ pub struct Matter {
     pub(in crate::app) restitution: Option<Span>,
     /// How thick skins are, where bodies meet `[m]`; `Some(None)`: as the rules choose, of some of them.
     pub(in crate::app) radius: Option<Option<Span>>,
+    /// How many of the points are of layers that pass the others of their bodies, where bodies meet themselves.
+    pub(in crate::app) layered: Option<usize>,
     /// The first few of its pins.
     pub(in crate::app) pins: Vec<Pin>,
     /// Of nothing but planes: by how much a depth pushes out `[N/m]` and `[N s/m]` in place of contact, as of the first of them, or
@@ -170,6 +172,10 @@ impl Matter {
             let radii = || points.iter().map(|&point| world.skin_of(point).radius.or(contact.radius));
             if radii().all(|radius| radius.is_some()) { Span::of(radii().flatten()) } else { None }
         });
+        let meets_itself = |contact: &&Contact| contact.with_itself && world.dimensions() == 2 && !points.is_empty();
+        let is_layered = |point: &PointId| world.skin_of(*point).is_layer();
+        let layered =
+            world.contact().filter(meets_itself).map(|_| points.iter().filter(|point| is_layered(point)).count());
         let angles = among.angles_of(world);
         let ranges = || angles.iter().filter_map(|angle| angle.range);
         let is_knee = among.knee_of(world).is_some();
@@ -197,6 +203,7 @@ impl Matter {
             relaxation: Span::of(relaxed),
             max_correction: Span::of(corrected),
             radius: thick,
+            layered,
             pins: pins(world, &points),
             stiffness: Span::of(springs.iter().map(|spring| spring[0])),
             damping: Span::of(springs.iter().map(|spring| spring[1])),

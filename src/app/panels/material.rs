@@ -303,6 +303,7 @@ fn surface(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>) {
     share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
     share(ui, "restitution", 1.0, matter.restitution, sink, MatterChange::Restitution);
     skin(ui, matter, sink);
+    layers(ui, matter, sink);
     penalty(ui, matter, sink);
     if matter.points > 0 && matter.friction.is_none() && facts.dimensions == 2 {
         ui.label(RichText::new("bodies pass through each other: G, to let them meet").color(colors(ui).weak));
@@ -486,6 +487,22 @@ fn skin(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
         let by = field.on_hover_text("how thick its skin is: others lie so far off its outline");
         if by.changed() {
             sink.set(&by, MatterChange::Radius(value));
+        }
+    });
+}
+
+/// Whether its parts pass each other, where bodies meet themselves.
+fn layers(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
+    let Some(layered) = matter.layered else { return };
+    row(ui, "", |ui, _| {
+        let mut is_layered = layered == matter.points;
+        let words = "its parts are layers that pass each other, as the limbs of a figure do";
+        let by = ticks::check(ui, &mut is_layered, "passes itself").on_hover_text(words);
+        if by.changed() {
+            sink.set(&by, MatterChange::Layered(is_layered));
+        }
+        if (1..matter.points).contains(&layered) {
+            ui.label(RichText::new("some of it").color(colors(ui).weak));
         }
     });
 }

@@ -65,7 +65,7 @@ pub(super) fn check_skin([friction, restitution, radius]: [Option<f64>; 3]) -> R
 /// Errors: the first skin with a point that is not there, or a number outside its range.
 pub(in crate::scene) fn check_skins(skins: &[SkinKeys], count: u32) -> Result<(), Fault> {
     for (i, skin) in skins.iter().enumerate() {
-        let SkinKeys { points, friction, restitution, radius, color: _, width, visible: _ } = skin;
+        let SkinKeys { points, friction, restitution, radius, layered: _, color: _, width, visible: _ } = skin;
         number::indices(points, count).at("points").item(i).at("skins")?;
         check_skin([*friction, *restitution, *radius]).item(i).at("skins")?;
         Range::NotNegative.maybe(*width).at("width").item(i).at("skins")?;

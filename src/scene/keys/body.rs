@@ -120,6 +120,8 @@ object! {
             restitution: f64,
             /// Of its skin `[m]`, >= 0: that of `contact` if not said.
             radius: f64,
+            /// Whether its parts are layers that pass each other, where bodies meet themselves: those of a ragdoll are if not said, no others.
+            layered: bool,
             /// What it is filled in, and a picture is tinted by that is drawn on it: "#rrggbb"; one of a palette if not said.
             color: ColorKey,
             /// How wide its bonds are drawn `[m]`, >= 0: 0, as is usual, if not said. What meets it is as far off as `radius` says.

@@ -45,6 +45,8 @@ object! {
             restitution: f64,
             /// `[m]`, >= 0.
             radius: f64,
+            /// Whether they are of layers that pass each other, where bodies meet themselves: false if not said.
+            layered: bool,
             /// What they are filled in, and the picture is tinted by that is drawn on them: "#rrggbb"; one of a palette if not said.
             color: ColorKey,
             /// How wide their bonds are drawn `[m]`, >= 0; 0: as is usual.

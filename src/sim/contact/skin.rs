@@ -48,6 +48,9 @@ pub struct SkinMaterial {
     pub restitution: Option<f64>,
     /// `[m]`, >= 0; `None`: that of [`Contact`].
     pub radius: Option<f64>,
+    /// Whether it is of a layer that passes the others of its body, as the limbs of a figure do; `None`: it meets them where bodies meet
+    /// themselves.
+    pub layered: Option<bool>,
 }
 
 impl SkinMaterial {
@@ -63,12 +66,18 @@ impl SkinMaterial {
         SkinMaterial { friction: self.friction.map(|friction| friction.min(MOST_FRICTION)), ..self }
     }
 
+    /// Whether it passes what else of its body does.
+    pub(crate) fn is_layer(&self) -> bool {
+        self.layered == Some(true)
+    }
+
     /// This, with what another one says in place of it.
     pub(crate) fn overlaid(self, other: SkinMaterial) -> Self {
         SkinMaterial {
             friction: other.friction.or(self.friction),
             restitution: other.restitution.or(self.restitution),
             radius: other.radius.or(self.radius),
+            layered: other.layered.or(self.layered),
         }
     }
 }
@@ -97,6 +106,11 @@ impl SkinMaterials {
     pub fn of(&self, point: PointId) -> SkinMaterial {
         let kind = self.of_point.get(point.index()).and_then(|&kind| self.kinds.get(kind as usize));
         kind.copied().unwrap_or_default()
+    }
+
+    /// Whether points of one body are all of layers that pass each other.
+    pub(crate) fn are_layers<const N: usize>(&self, points: [u32; N]) -> bool {
+        !self.is_empty() && points.iter().all(|&point| self.of(PointId(point)).is_layer())
     }
 
     /// Gives it to points.

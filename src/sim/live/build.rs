@@ -110,23 +110,27 @@ impl<S: Real> Bodies<S> {
         self.neighbours = (starts, ends.into_iter().map(|pair| pair[1]).collect());
     }
 
-    /// Whether a point of a cluster is joined to one of two others of its body, or hinged to them.
-    pub(super) fn are_neighbours(&self, state: &Cluster<S>, (p, others): (usize, [usize; 2])) -> bool {
+    /// Whether a point of a cluster passes the edge between two others of its body: it is joined to one of them, hinged to them, or lies in
+    /// a layer of its own.
+    pub(super) fn is_passed(&self, state: &Cluster<S>, (p, others): (usize, [usize; 2])) -> bool {
         let body = state.body_of[p] as usize;
         let (base, first) = (state.bases[body] as usize, self.list[state.bodies[body]].points.first as usize);
         let place = |point: usize| (point - base + first) as u32;
         let (at, others) = (place(p), others.map(place));
         let (starts, list) = &self.neighbours;
         let own = &list[starts[at as usize] as usize..starts[at as usize + 1] as usize];
-        others.iter().any(|other| own.contains(other)) || self.hinged.pass([at], others)
+        others.iter().any(|other| own.contains(other))
+            || self.hinged.pass([at], others)
+            || self.are_layers([at, others[0], others[1]])
     }
 
-    /// Whether two edges of a body of a cluster pass through each other, for they are hinged.
+    /// Whether two edges of a body of a cluster pass through each other, for they are hinged or lie in layers.
     pub(super) fn pass(&self, state: &Cluster<S>, [first, second]: [&Side; 2]) -> bool {
         let body = first.body as usize;
         let (base, begin) = (state.bases[body], self.list[state.bodies[body]].points.first);
         let places = |ends: [u32; 2]| ends.map(|end| end - base + begin);
-        self.hinged.pass(places(first.ends), places(second.ends))
+        let ([a, b], [c, d]) = (places(first.ends), places(second.ends));
+        self.hinged.pass([a, b], [c, d]) || self.are_layers([a, b, c, d])
     }
 
     fn push(&mut self, mut own: Own<S>, local: &[u32], points: &Points<S, 2>, draft: &Draft<S>) {

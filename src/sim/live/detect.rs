@@ -369,7 +369,7 @@ fn may_meet<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, body): (u32, u3
         && !state.is_rigid(body)
         && !line.ends.contains(&p)
         && !state.go_together([p as usize, ends[0], ends[1]])
-        && !common.bodies.are_neighbours(state, (p as usize, ends))
+        && !common.bodies.is_passed(state, (p as usize, ends))
 }
 
 /// All edges, to be met within their radii and as far as their ends may go.

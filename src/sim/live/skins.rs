@@ -11,6 +11,8 @@ pub(super) struct Skin<S> {
     friction: S,
     restitution: S,
     radius: S,
+    /// It is of a layer that passes the others of its body.
+    is_layer: bool,
 }
 
 impl<S: Real> Skin<S> {
@@ -21,6 +23,7 @@ impl<S: Real> Skin<S> {
             friction: S::from_f64(material.friction.unwrap_or(contact.friction)),
             restitution: S::from_f64(material.restitution.unwrap_or(contact.restitution)),
             radius: material.radius.map_or(radius, |own| S::from_f64(own).min(most)),
+            is_layer: material.is_layer(),
         }
     }
 }
@@ -31,6 +34,11 @@ impl<S: Real> Bodies<S> {
         let [a, b] = [self.skins.get(points[0] as usize)?, self.skins.get(points[1] as usize)?];
         let friction = (a.friction * b.friction).sqrt();
         Some([friction, a.restitution.max(b.restitution), a.radius + b.radius])
+    }
+
+    /// Whether points of one body, numbered for ever, are all of layers that pass each other.
+    pub(super) fn are_layers<const N: usize>(&self, points: [u32; N]) -> bool {
+        !self.skins.is_empty() && points.iter().all(|&point| self.skins[point as usize].is_layer)
     }
 
     /// Notes the materials of the points of a new body, which begin at `first` of all. Returns the largest radius of its skin `[m]`.

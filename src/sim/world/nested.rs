@@ -127,6 +127,8 @@ impl<S: Real, const D: usize> World<S, D> {
         let skin = triangles::skin(&triangles, bonded.iter().copied());
         let are_bonded = |a: u32, b: u32| bonded.binary_search(&sorted([a, b])).is_ok();
         let hinged = Hinged::of(places.len(), &triangles, bonded.iter().copied());
+        let skins = &self.model.skins;
+        let passes = |[a, b]: [u32; 2], [c, d]: [u32; 2]| hinged.pass([a, b], [c, d]) || skins.are_layers([a, b, c, d]);
         let mut sweep = Sweep::new(skin.closed.into_iter().chain(skin.open), places, bodies);
         for k in 0..sweep.patches.len() {
             let own = sweep.patches[k];
@@ -136,7 +138,7 @@ impl<S: Real, const D: usize> World<S, D> {
                 let is_a_cell = [(a, c), (a, d), (b, c), (b, d)].into_iter().all(|(one, two)| are_bonded(one, two));
                 if other.body != own.body && contact.with_others {
                     found.nested.extend([own.body, other.body]);
-                } else if other.body == own.body && contact.with_itself && !is_a_cell && !hinged.pass([a, b], [c, d]) {
+                } else if other.body == own.body && contact.with_itself && !is_a_cell && !passes([a, b], [c, d]) {
                     found.folded.push(own.body);
                 }
             }

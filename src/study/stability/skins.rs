@@ -44,8 +44,10 @@ impl Skins {
         let (sides, pieces): (Vec<[u32; 2]>, Vec<u32>) =
             sides(world).into_iter().filter(is_old).filter_map(piece).unzip();
         let mut couples = Vec::new();
+        let is_layer = |end: &u32| world.skin_of(PointId(*end)).is_layer();
         crossings(&sides, position, |a, b| {
-            couples.push([pieces[a].min(pieces[b]), pieces[a].max(pieces[b])]);
+            let passes = pieces[a] == pieces[b] && sides[a].iter().chain(&sides[b]).all(is_layer);
+            couples.extend((!passes).then(|| [pieces[a].min(pieces[b]), pieces[a].max(pieces[b])]));
         });
         couples
     }

@@ -137,7 +137,7 @@ impl Maker {
                 let mut deed = Deed { commands, edit: Some(self.primitive.name()), ..Deed::default() };
                 let meets = scope.shown.settings.contact.flatten().is_some();
                 if self.primitive == Primitive::Figure && !meets {
-                    deed.commands.insert(0, apart_from_itself());
+                    deed.commands.insert(0, meeting());
                 }
                 deed.words = outcome.told().or(knot::words(scope, &knots)).or(pins.map(str::to_owned));
                 deed
@@ -253,10 +253,9 @@ fn pins_of(primitive: Primitive, keys: &AddKeys) -> Option<&'static str> {
     }
 }
 
-/// Where nothing met before, bodies meet each other and not themselves: the limbs of a figure begin across each other.
-fn apart_from_itself() -> Do {
-    let contact = ContactKeys { with_itself: Some(false), ..ContactKeys::default() };
-    Do::Set(Box::new(SetKeys { contact: Some(Meeting::As(contact)), ..SetKeys::default() }))
+/// Where nothing met before, bodies meet.
+fn meeting() -> Do {
+    Do::Set(Box::new(SetKeys { contact: Some(Meeting::Is(true)), ..SetKeys::default() }))
 }
 
 /// Where a pixel lies in the plane `[m]`.
