@@ -548,9 +548,12 @@ fn skins_of_the_scene_and_of_what_was_added_are_in_a_snapshot() {
     live.give(vec![Do::Delete(DeleteKeys { points: gone, ..DeleteKeys::default() })], Some("Delete")).unwrap();
     let before = live.skins().to_vec();
     assert_eq!(before.len(), 3);
+    let layered = SetKeys { points: Some(vec![1, 2]), layered: Some(true), ..SetKeys::default() };
+    live.give(vec![Do::Set(Box::new(layered))], Some("Layers")).unwrap();
     let open = |recording: &Recording| History::new(Start::from(as_log(recording).recording().unwrap())).unwrap();
     let again = open(&live.snapshot().unwrap());
     assert!(again.skins() == before);
+    assert_eq!([1, 2, 3].map(|point| again.world().skin_of(PointId(point)).layered), [Some(true), Some(true), None]);
     // A snapshot of what began with one has them too.
     assert!(open(&again.snapshot().unwrap()).skins() == before);
 }

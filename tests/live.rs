@@ -8,6 +8,7 @@ mod books;
 mod flight;
 mod heap;
 mod kinds;
+mod layers;
 mod relaxed;
 mod rest;
 mod rigid;

@@ -83,6 +83,7 @@ fn what_starts_across_itself_or_another_is_told() {
     let told = ["a body starts across itself: where that can be undone it is, slowly"];
     assert_eq!(warnings([knot.clone(), rope.clone(), json!([]), json!(true)]), told);
     assert!(warnings([knot, rope, json!([]), json!({"self": false})]).is_empty());
+    assert!(warnings([json!([]), json!([]), json!([{"make": "ragdoll"}]), json!(true)]).is_empty(), "limbs are layers");
     let across =
         [json!([[0, 0], [1, 0], [0.5, 0.5], [0.5, -0.5]]), json!([{"a": 0, "b": 1}, {"a": 2, "b": 3}]), json!([])];
     let with = |contact: serde_json::Value| {

@@ -172,7 +172,7 @@ impl Matter {
             let radii = || points.iter().map(|&point| world.skin_of(point).radius.or(contact.radius));
             if radii().all(|radius| radius.is_some()) { Span::of(radii().flatten()) } else { None }
         });
-        let meets_itself = |contact: &&Contact| contact.with_itself && world.dimensions() == 2 && !points.is_empty();
+        let meets_itself = |contact: &Contact| contact.with_itself && world.dimensions() == 2 && !points.is_empty();
         let is_layered = |point: &PointId| world.skin_of(*point).is_layer();
         let layered =
             world.contact().filter(meets_itself).map(|_| points.iter().filter(|point| is_layered(point)).count());

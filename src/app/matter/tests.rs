@@ -62,6 +62,7 @@ fn a_change_is_seen_changes_nothing_else_and_is_undone_as_one() {
         MatterChange::Breaks(0.3),
         MatterChange::Limit(crate::sim::Limit::Max),
         MatterChange::Radius(0.03),
+        MatterChange::Layered(true),
         MatterChange::Friction(0.9),
         MatterChange::Restitution(0.5),
         MatterChange::Color([1, 2, 3]),
@@ -93,6 +94,7 @@ fn a_change_is_seen_changes_nothing_else_and_is_undone_as_one() {
             MatterChange::Radius(x) => {
                 Matter { radius: after.radius, ..before.clone() }.clone_if(same(after.radius.unwrap()) == Some(x))
             }
+            MatterChange::Layered(_) => Matter { layered: Some(before.points), ..before.clone() },
             MatterChange::Friction(x) => {
                 Matter { friction: after.friction, ..before.clone() }.clone_if(same(after.friction) == Some(x))
             }

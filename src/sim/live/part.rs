@@ -48,7 +48,12 @@ impl<S: Real> Couple<S> {
 
     /// Whether they are led apart meanwhile.
     pub(super) fn is_led(&self) -> bool {
-        self.out != zero() && self.time < LED
+        self.out != zero() && self.may_be_led()
+    }
+
+    /// Whether they were not led for so long yet that it is given up.
+    pub(super) fn may_be_led(&self) -> bool {
+        self.time < LED
     }
 }
 

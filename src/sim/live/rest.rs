@@ -19,7 +19,7 @@ const MOST_WAY: f64 = 5e-3;
 /// and one that has been slow for so long and does not slide `[s]`: it rolls on as slowly as what settles it lets it.
 const TREMBLE: f64 = 5.0;
 const LONG: f64 = 2.0;
-/// Mean speed above which what has not been slow for that long swings through where it is, however near that it stays to it `[m/s]`.
+/// Mean speed above which what has not been slow for that long swings through where it stays `[m/s]`.
 const SWINGS: f64 = 0.01;
 /// Mean speed below which what touches settles `[m/s]`, and below which what is rigid does: that does not swing, and is to tip and roll.
 const SLOW: [f64; 2] = [1.0, 0.1];
@@ -205,7 +205,7 @@ impl<S: Real> Live<S> {
         };
         let rest = &mut self.rests[body];
         match rest.since {
-            Some(since) if slots.iter().zip(anchor.iter()).all(is_near) => t - since >= STILL_TIME && !swings(),
+            Some(since) if slots.iter().zip(anchor.iter()).all(is_near) && !swings() => t - since >= STILL_TIME,
             _ => {
                 slots.iter().zip(anchor).for_each(|(&slot, at)| *at = points.position[slot as usize]);
                 rest.since = Some(t);

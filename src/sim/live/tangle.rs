@@ -213,7 +213,7 @@ fn couples<S: Real>(state: &mut Cluster<S>, tangle: &mut Tangle<S>, crossings: &
         couple.time += h;
         // What is led back to its shape is not to be held by what it lies in.
         let is_led = tangle.knots.iter().any(|knot| knot.is_mended() && bodies.contains(&knot.body));
-        if couple.time >= PATIENCE || is_led {
+        if (couple.time >= PATIENCE || is_led) && couple.may_be_led() {
             couple.out = part::way_out(state, bodies, crossings);
         }
         tangle.couples.push(couple);

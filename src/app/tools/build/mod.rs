@@ -28,7 +28,7 @@ use super::pick::Scope;
 use crate::app::action::Primitive;
 use crate::app::tools::room::coming;
 use crate::history::{Do, SetKeys};
-use crate::scene::{AddKeys, ContactKeys, Meeting};
+use crate::scene::{AddKeys, Meeting};
 use crate::sim::PointId;
 pub(super) use form::short;
 use form::{End, Form, Hold};
