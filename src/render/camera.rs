@@ -52,6 +52,10 @@ const BEHIND: f64 = 100.0;
 const DEPTH_OF_VIEW: f64 = 1e4;
 /// Angle that a drag over one pixel turns the camera by `[rad]`.
 const TURN: f64 = 0.008;
+/// The eye keeps so far above a floor, in distances of the target `[1]`: lower, the floor would be a line.
+const ABOVE: f64 = 0.03;
+/// Halvings of the pitch that keeps it there.
+const HALVINGS: u32 = 40;
 /// Room around what is fitted `[1]`.
 const MARGIN: f64 = 1.2;
 
@@ -329,6 +333,39 @@ impl Camera {
     }
 }
 
+impl Camera {
+    /// The same, led here from `before`, with its eye above a floor, which is given by a place on it `[m]` and its unit normal: as it is turned
+    /// the pitch ends there, else the target goes up with it. Where the eye was below the floor before, it may stay there.
+    pub fn kept_above(self, floor: [DVec3; 2], before: &Camera) -> Self {
+        let (Pose::Orbit { pitch, .. }, Pose::Orbit { pitch: was, .. }) = (self.pose, before.pose) else { return self };
+        let height = |camera: &Camera| (camera.focus() + camera.back() * camera.distance() - floor[0]).dot(floor[1]);
+        let lack = |camera: &Camera| ABOVE * camera.distance() - height(camera);
+        if height(before) < 0.0 || lack(&self) <= 0.0 {
+            return self;
+        }
+        let mut kept = self;
+        if pitch == was {
+            kept.shift(lack(&self) * floor[1]);
+            return kept;
+        }
+        let at = |steep: f64| match self.pose {
+            Pose::Orbit { target, distance, yaw, .. } => {
+                Camera { pose: Pose::Orbit { target, distance, yaw, pitch: steep }, ..self }
+            }
+            Pose::Plane { .. } => self,
+        };
+        let (mut low, mut high) = (pitch, STEEPEST);
+        if lack(&at(high)) > 0.0 {
+            return *before;
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            *(if lack(&at(middle)) > 0.0 { &mut low } else { &mut high }) = middle;
+        }
+        at(high)
+    }
+}
+
 fn clamp_zoom(value: f64) -> f64 {
     if value.is_nan() { 1.0 } else { value.clamp(*ZOOM.start(), *ZOOM.end()) }
 }
@@ -394,6 +431,40 @@ mod tests {
         let far = DVec3::from(ray.origin) + DVec3::from(ray.direction) * 20.0;
         assert!(close(camera.screen_from_world(far).unwrap(), [120.0, 60.0]));
         assert_eq!(cameras()[0].cursor([400.0, 200.0]), Cursor::at([3.0, -2.0]));
+    }
+
+    #[test]
+    fn the_eye_is_kept_above_a_floor_however_it_is_turned_panned_and_zoomed() {
+        let pose = Pose::Orbit { target: DVec3::new(1.0, 0.5, 0.0), distance: 7.0, yaw: 0.7, pitch: 0.4 };
+        let floor = [DVec3::new(9.0, -0.5, 3.0), DVec3::Y];
+        let height = |camera: &Camera| camera.cursor([0.0, 0.0]).origin[1] + 0.5;
+        let start = Camera::new(pose, [800, 400]);
+        let ways: [fn(&mut Camera); 3] = [
+            |camera| camera.orbit([5.0, -9.0]),
+            |camera| camera.pan([3.0, -40.0]),
+            |camera| {
+                camera.orbit([0.0, -20.0]);
+                camera.zoom_at([200.0, 390.0], 0.9);
+            },
+        ];
+        for (k, way) in ways.into_iter().enumerate() {
+            let mut camera = start;
+            for _ in 0..100 {
+                let before = camera;
+                way(&mut camera);
+                camera = camera.kept_above(floor, &before);
+                assert!(height(&camera) > 0.0, "{k}: {camera:?}");
+            }
+            let mut free = start;
+            (0..100).for_each(|_| way(&mut free));
+            assert!(height(&free) < 0.0, "{k}: it would be below");
+            // Up again it goes at once.
+            let (before, mut up) = (camera, camera);
+            up.orbit([0.0, 9.0]);
+            assert!(height(&up.kept_above(floor, &before)) > height(&camera));
+            // Whoever begins below looks from there.
+            assert_eq!(free.kept_above(floor, &free), free);
+        }
     }
 
     #[test]

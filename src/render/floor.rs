@@ -74,6 +74,16 @@ impl Ground {
     }
 }
 
+/// The floor of a scene in space, a place on it `[m]` and its unit normal: its first plane that is level enough, with a point and the normal
+/// each, else the floor of its walls.
+pub(crate) fn level(planes: &[[[f64; 3]; 2]], bounds: Option<[[f64; 3]; 2]>) -> Option<[DVec3; 2]> {
+    let plane = |[point, normal]: &[[f64; 3]; 2]| {
+        let normal = DVec3::from(*normal).try_normalize()?;
+        (normal.y > LEVEL).then_some([DVec3::from(*point), normal])
+    };
+    planes.iter().find_map(plane).or(bounds.map(|[low, _]| [DVec3::from(low), DVec3::Y]))
+}
+
 /// A shape that throws a shadow: its corners on the floor and how high they were; convex.
 type Thrown = Vec<[f64; 3]>;
 

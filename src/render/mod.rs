@@ -46,6 +46,7 @@ pub use counters::RenderCounters;
 pub use ensemble::{Ensemble, Pane};
 pub use error::RenderError;
 pub use fills::{body_color, color_of as palette_color};
+pub(crate) use floor::level as level_floor;
 pub use gpu::{Gpu, backends};
 pub use look::{Color, Look, Overlay, Palette, STRAIN_COLORS, contrast};
 pub use passes::SHADERS;

@@ -73,24 +73,14 @@ impl Things {
     }
 }
 
-/// Whether a place is in a figure, or nearer to it than `apart` `[m]`.
-fn is_near(figure: &Figure, place: DVec3, apart: f64) -> bool {
-    match (figure, figure.frame()) {
-        (_, Some(frame)) => {
-            let off = place - DVec3::from(frame.center);
-            (0..3).all(|k| off.dot(DVec3::from(frame.axes[k])).abs() <= frame.half[k] + apart)
-        }
-        (Figure::Ball { center, radius }, None) => place.distance(DVec3::from(*center)) <= radius + apart,
-        _ => false,
-    }
-}
-
 /// Places all over a figure.
 fn inside(figure: &Figure) -> Vec<DVec3> {
     let [low, high] = figure.extent().map(DVec3::from);
     let share = |k: usize| k as f64 / (SIDE - 1) as f64;
     let all = (0..SIDE).flat_map(|i| (0..SIDE).flat_map(move |j| (0..SIDE).map(move |k| [i, j, k])));
-    all.map(|of| low + DVec3::from(of.map(share)) * (high - low)).filter(|&at| is_near(figure, at, 0.0)).collect()
+    all.map(|of| low + DVec3::from(of.map(share)) * (high - low))
+        .filter(|&at| figure.holds(at.to_array(), 0.0))
+        .collect()
 }
 
 /// A world, as a copy is put into it.
@@ -125,9 +115,9 @@ impl Around {
             return false;
         }
         let apart = self.side;
-        let off_solids = |place: DVec3| !self.things.figures.iter().any(|figure| is_near(figure, place, apart));
+        let off_solids = |place: DVec3| !self.things.figures.iter().any(|figure| figure.holds(place.to_array(), apart));
         let in_reach = |place: DVec3| place.cmpge(low - apart).all() && place.cmple(high + apart).all();
-        let off_copy = |place: DVec3| !copy.figures.iter().any(|figure| is_near(figure, place - by, apart));
+        let off_copy = |place: DVec3| !copy.figures.iter().any(|figure| figure.holds((place - by).to_array(), apart));
         let off_bodies =
             copy.figures.is_empty() || self.things.places.iter().all(|&place| !in_reach(place) || off_copy(place));
         let middles = self.things.figures.iter().map(|figure| DVec3::from(figure.center()));

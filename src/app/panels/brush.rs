@@ -2,7 +2,7 @@
 
 use egui::{Area, DragValue, Id, Rect, RichText, Slider, Ui};
 
-use super::folded::titled;
+use super::folded::{part, titled};
 use super::material::{WIDTH, gives_way, presets, sagging, short};
 use super::theme::{as_high_as_buttons, colors, floating};
 use super::{Facts, Wish, low, ranged, ticks};
@@ -29,7 +29,7 @@ pub(super) fn show(
             low::within(ui, room, |ui| {
                 ui.set_width(WIDTH);
                 ui.spacing_mut().slider_width = 120.0;
-                titled(ui, ("Material brush", can_fold), |ui| all(ui, &mut brush, facts, wishes));
+                titled(ui, ("Material brush", can_fold), |ui| all(ui, &mut brush, (facts, can_fold), wishes));
             })
         });
     });
@@ -38,7 +38,7 @@ pub(super) fn show(
     }
 }
 
-fn all(ui: &mut Ui, brush: &mut Brush, facts: &Facts, wishes: &mut Vec<Wish>) {
+fn all(ui: &mut Ui, brush: &mut Brush, (facts, can_fold): (&Facts, bool), wishes: &mut Vec<Wish>) {
     let is_named = !brush.numbers.is_any();
     ui.label(RichText::new("drag over bodies: they become").color(colors(ui).weak));
     if let (_, Some(preset)) = presets(ui, Some(brush.preset).filter(|_| is_named)) {
@@ -48,8 +48,31 @@ fn all(ui: &mut Ui, brush: &mut Brush, facts: &Facts, wishes: &mut Vec<Wish>) {
     ui.label(RichText::new(words).color(colors(ui).weak));
     ui.separator();
     let words = "Alt and a click takes the numbers of what is under the brush";
-    ui.label(RichText::new("or get single numbers").color(colors(ui).weak)).on_hover_text(words);
-    let Painted { density, stiffness, damping, breaks, friction, restitution, color } = &mut brush.numbers;
+    // What is on is seen.
+    part(ui, ("or get single numbers", words, can_fold && is_named), |ui| numbers(ui, &mut brush.numbers));
+    ui.separator();
+    let [least, most] = RADII;
+    let radius = Slider::new(&mut brush.radius, least..=most).max_decimals(0).suffix(" px").text("radius");
+    ranged::slider(ui, radius, least..=most, " px");
+    // Below all else: nothing moves away under the pointer. What was painted is there, what could be is not yet.
+    if let Some(overload) = &facts.overload {
+        if gives_way(ui, overload) {
+            wishes.push(Wish::Bear);
+        }
+        return;
+    }
+    let Painted { density, stiffness, .. } = &mut brush.numbers;
+    let given = |of: &Switched<f64>| of.is_on.then_some(of.value);
+    let is_weight_painted = density.is_on || stiffness.is_on;
+    let sags = facts.bearings.told(given(density), given(stiffness)).filter(|_| is_weight_painted);
+    if let Some(sags) = sags.filter(|sags| sagging(ui, *sags).is_some()) {
+        *stiffness = Switched { is_on: true, value: sags.1 };
+    }
+}
+
+/// The numbers that it can paint.
+fn numbers(ui: &mut Ui, of: &mut Painted) {
+    let Painted { density, stiffness, damping, breaks, friction, restitution, color } = of;
     number(ui, ("mass", " kg/m²"), density, 1e-3..=1e6);
     number(ui, ("stiffness", " N/m"), stiffness, 0.0..=1e9);
     number(ui, ("damping", " N s/m"), damping, 0.0..=1e9);
@@ -69,24 +92,6 @@ fn all(ui: &mut Ui, brush: &mut Brush, facts: &Facts, wishes: &mut Vec<Wish>) {
             *color = Switched { is_on: true, value: chosen };
         }
     });
-    ui.separator();
-    let [least, most] = RADII;
-    let radius = Slider::new(&mut brush.radius, least..=most).max_decimals(0).suffix(" px").text("radius");
-    ranged::slider(ui, radius, least..=most, " px");
-    // Below all else: nothing moves away under the pointer. What was painted is there, what could be is not yet.
-    if let Some(overload) = &facts.overload {
-        if gives_way(ui, overload) {
-            wishes.push(Wish::Bear);
-        }
-        return;
-    }
-    let Painted { density, stiffness, .. } = &mut brush.numbers;
-    let given = |of: &Switched<f64>| of.is_on.then_some(of.value);
-    let is_weight_painted = density.is_on || stiffness.is_on;
-    let sags = facts.bearings.told(given(density), given(stiffness)).filter(|_| is_weight_painted);
-    if let Some(sags) = sags.filter(|sags| sagging(ui, *sags).is_some()) {
-        *stiffness = Switched { is_on: true, value: sags.1 };
-    }
 }
 
 /// A number that is switched on by its check box, or by being changed.

@@ -3,7 +3,7 @@
 use egui::{Rect, ScrollArea, Ui};
 
 /// What the frame of a panel takes of its height `[points]`.
-const FRAME: f32 = 14.0;
+pub(super) const FRAME: f32 = 14.0;
 /// Room to scroll in, however low a window is `[points]`.
 const LEAST: f32 = 48.0;
 
@@ -40,6 +40,27 @@ mod tests {
     use super::super::{Facts, PanelState, show, theme};
     use super::*;
     use crate::app::action::Tool;
+
+    /// In small windows all tools are seen at once, and what the brush needs most.
+    #[test]
+    fn in_small_windows_nothing_that_is_needed_has_to_be_scrolled_to() {
+        for size in [[600.0, 450.0], [720.0, 480.0]] {
+            let facts = Facts { dimensions: 2, tool: Tool::Paint, ..Facts::default() };
+            let mut state = PanelState::default();
+            let mut panels = Harness::builder().with_size(size).build_ui(move |ui| {
+                theme::apply(ui.ctx(), Default::default());
+                _ = show(ui, &mut state, &facts);
+            });
+            panels.run_steps(12);
+            let rect = |name: &str| panels.get_all_by_label(name).next().unwrap().rect();
+            let below = rect("1 x").top();
+            for name in
+                ["grab and throw; beside bodies, push", "wind: drag an arrow through the air", "Steel", "radius"]
+            {
+                assert!(rect(name).bottom() <= below, "{size:?}: `{name}` at {}", rect(name));
+            }
+        }
+    }
 
     /// In windows lower than any that can be made, on systems that make them all the same, each button can be scrolled to and pressed.
     #[test]

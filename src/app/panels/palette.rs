@@ -1,6 +1,6 @@
 //! The tools, at the left edge.
 
-use egui::{Align2, Area, Id, LayerId, Order, Rect, RectAlign, Tooltip};
+use egui::{Align2, Area, Id, LayerId, Order, Rect, RectAlign, Tooltip, Vec2, vec2};
 
 use super::icons::{self, Icon};
 use super::places::ToolRooms;
@@ -11,6 +11,10 @@ use crate::app::tools::PushWay;
 
 /// Their height before they were shown `[points]`.
 const HEIGHT: f32 = 418.0;
+
+/// Between two tools, and how high each is at least: in a lower window they are scrolled `[points]`.
+const BETWEEN: f32 = 3.0;
+const LEAST: f32 = 22.0;
 
 /// From a tool to what is said of it, beyond the edge of the panel `[points]`.
 const TO_TOOLTIP: f32 = 14.0;
@@ -37,16 +41,23 @@ fn words(tool: Tool) -> (Icon, &'static str) {
 /// The last of them: the tool for forces, set to wind.
 const WIND: &str = "wind: drag an arrow through the air";
 
+/// How large each is, so that all are seen in a room that is so high.
+fn size(high: f32) -> Vec2 {
+    let count = Tool::ALL.len() as f32 + 1.0;
+    let each = ((high - low::FRAME + BETWEEN) / count - BETWEEN).floor();
+    vec2(icons::TOOL.x, each.clamp(LEAST, icons::TOOL.y))
+}
+
 /// A button with what is said of it beside it: below it lies the next one. What the scene lacks for it is said in place of that.
 fn choice(
     ui: &mut egui::Ui,
     (sign, name): (Icon, &str),
     action: Action,
-    (lack, is_on): (Option<&str>, bool),
+    (lack, is_on, size): (Option<&str>, bool, Vec2),
     wishes: &mut Vec<Wish>,
 ) {
     let said = described(name, action);
-    let add = |ui: &mut egui::Ui| icons::button(ui, sign, name, icons::TOOL, is_on);
+    let add = |ui: &mut egui::Ui| icons::button(ui, sign, name, size, is_on);
     let button = ui.add_enabled_ui(lack.is_none(), add).inner;
     let why = lack.unwrap_or_default();
     for (mut tooltip, words) in [(Tooltip::for_enabled(&button), &*said), (Tooltip::for_disabled(&button), why)] {
@@ -107,7 +118,8 @@ pub(super) fn show(
     let shown = place.show(context, |ui| {
         floating(ui).show(ui, |ui| {
             low::within(ui, part, |ui| {
-                ui.spacing_mut().item_spacing.y = 3.0;
+                ui.spacing_mut().item_spacing.y = BETWEEN;
+                let size = size(part.height());
                 let blows = facts.tool == Tool::Push && facts.push == PushWay::Wind;
                 for tool in Tool::ALL {
                     let (sign, name) = words(tool);
@@ -117,9 +129,9 @@ pub(super) fn show(
                         _ => None,
                     };
                     let is_on = tool == facts.tool && !blows;
-                    choice(ui, (sign, name), Action::Take(tool), (lack, is_on), wishes);
+                    choice(ui, (sign, name), Action::Take(tool), (lack, is_on, size), wishes);
                 }
-                choice(ui, (Icon::Wind, WIND), Action::Wind, (None, blows), wishes);
+                choice(ui, (Icon::Wind, WIND), Action::Wind, (None, blows, size), wishes);
             })
         });
     });

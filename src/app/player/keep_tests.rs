@@ -48,7 +48,13 @@ fn what_was_done_outlives_a_killed_program_and_goes_when_its_heir_ends() {
     let edits = start.recording().commands.iter().filter(|entry| entry.edit.is_some());
     assert_eq!(edits.count(), 1);
     let keeping = Keeping { heir_of: Some(left), ..kept_in(folder.path()) };
-    let mut heir = Player::open(start, keeping, || {});
+    let end = start.recording().end();
+    let mut heir = Player::resume(start, keeping, || {});
+    assert!(heir.is_unsaved() && !heir.is_open() && path.exists(), "it waits until something is asked of it");
+    heir.play(false);
+    assert!(heir.is_unfolding(), "it is said how far it is, and who does not wait is where one was");
+    wait_for(&mut heir, Player::is_open);
+    assert!(end > 0.0 && heir.shown().figures.time == end && !heir.is_playing() && heir.is_resumed());
     until(|| !path.exists() && std::fs::read_dir(folder.path()).unwrap().count() == 3);
     heir.end().unwrap();
     assert!(is_empty(folder.path()), "what ended as it should leaves nothing");

@@ -55,7 +55,8 @@ use crate::history::{Do, HistoryError, Start};
 use crate::scene::Scene;
 use crate::sim::Cursor;
 use keep::Keeper;
-use thread::Desk;
+use stage::Folded;
+use thread::{Beginning, Desk};
 
 /// The window waits so long for a frame's steps before it draws what there was: most are done by then, and the picture is of
 /// this frame instead of the last one. Those that take longer are taken while the picture is drawn.
@@ -108,17 +109,33 @@ pub struct Player {
     saving: u64,
     /// Something was done in it, or undone, since it was opened.
     is_used: bool,
+    /// It goes on with a session that was cut off.
+    goes_on: bool,
 }
 
 impl Player {
     /// Begins; `wake` is called from the thread when there is something new.
     pub fn open(start: Start, keeping: Keeping, wake: impl Fn() + Send + 'static) -> Self {
+        let beginning = Beginning::Start(start.clone());
+        Player::begin((start, beginning), keeping, wake)
+    }
+
+    /// Goes on with a session that was cut off: it is folded, stands at its end once something is asked of it, and was not saved.
+    pub fn resume(start: Start, keeping: Keeping, wake: impl Fn() + Send + 'static) -> Self {
+        let beginning = Beginning::Folded(Folded::at_end(&start));
+        let mut player = Player::begin((start, beginning), keeping, wake);
+        (player.is_folded, player.was_folded, player.playing) = (true, true, false);
+        (player.edits, player.goes_on) = (vec![0], true);
+        player
+    }
+
+    fn begin((start, beginning): (Start, Beginning), keeping: Keeping, wake: impl Fn() + Send + 'static) -> Self {
         let (orders, asked) = channel();
         let record = keeping.record.clone();
         let desk = Arc::new(Desk::new(Keeper::new(keeping)));
-        let (its, begin) = (Arc::clone(&desk), start.clone());
+        let its = Arc::clone(&desk);
         let playing = !start.recording().paused;
-        let thread = std::thread::spawn(move || thread::run(begin, &asked, &its, wake));
+        let thread = std::thread::spawn(move || thread::run(beginning, &asked, &its, wake));
         Player {
             start,
             record,
@@ -139,7 +156,13 @@ impl Player {
             edits: Vec::new(),
             saving: 0,
             is_used: false,
+            goes_on: false,
         }
+    }
+
+    /// Whether it goes on with a session that was cut off, in which nothing was done since.
+    pub fn is_resumed(&self) -> bool {
+        self.goes_on && !self.is_used
     }
 
     /// What it began with.

@@ -147,10 +147,22 @@ impl Desk {
     }
 }
 
+/// What a history begins with.
+pub(super) enum Beginning {
+    Start(Start),
+    /// It is worked out once something is asked of it.
+    Folded(Folded),
+}
+
 /// Makes the history and plays it until nobody asks any more.
-pub(super) fn run(start: Start, orders: &Receiver<(u64, Order)>, desk: &Desk, wake: impl Fn()) {
-    let Some(stage) = desk.open(Stage::new(start)) else { return wake() };
-    let mut seat = Seat::Played(Box::new(stage));
+pub(super) fn run(beginning: Beginning, orders: &Receiver<(u64, Order)>, desk: &Desk, wake: impl Fn()) {
+    let mut seat = match beginning {
+        Beginning::Start(start) => {
+            let Some(stage) = desk.open(Stage::new(start)) else { return wake() };
+            Seat::Played(Box::new(stage))
+        }
+        Beginning::Folded(folded) => Seat::Folded(Box::new(folded)),
+    };
     let mut done = 0;
     desk.lay(&mut seat, (done, Vec::new()), None);
     wake();

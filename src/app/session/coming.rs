@@ -40,11 +40,15 @@ impl Session {
         // Whoever opens something else wants that.
         self.panels.notes.offer = None;
         self.take_leave();
-        let last = self.exchange(player);
+        let mut last = self.exchange(player);
         (self.taught, self.came, self.looks_again) = (None, None, None);
         let recorded = last.player.record().map(|path| path.display().to_string());
+        let is_unfolding = last.player.is_unfolding();
+        if is_unfolding {
+            last.player.stay_folded();
+        }
         // What nobody has seen yet is not gone back to, unless something is to be kept of it.
-        if self.opening_since.is_none() || recorded.is_some() {
+        if self.opening_since.is_none() || recorded.is_some() || is_unfolding {
             self.shelf.keep(last);
         }
         self.await_it();
@@ -155,7 +159,9 @@ impl Session {
             false => self.panels.notes.tell(said.join("\n")),
         }
         self.panels.notes.begin();
-        if self.player.start().is_replayed() {
+        if self.player.is_resumed() {
+            self.say(RESUMED.to_owned());
+        } else if self.player.start().is_replayed() {
             self.panels.notes.warn(REPLAYED.to_owned());
         }
         self.panels.notes.has_caption = true;
@@ -183,6 +189,8 @@ fn place_of(scene: &Scene) -> Option<usize> {
     (alone == own).then_some(place)
 }
 
+/// Said of a session that was cut off as it is there again.
+const RESUMED: &str = "as it was when it was cut off: play goes on from there";
 /// Said of a recording as it opens.
 const REPLAYED: &str = "a recording: it is replayed as it was done. A press on the world takes over from there; the list beside the \
                         timeline leads back to what was recorded";

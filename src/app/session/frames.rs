@@ -66,6 +66,9 @@ impl Session {
             return Ok(());
         }
         self.stay_without_name();
+        if !self.hand.is_busy() {
+            self.hand.stand_still(!self.player.is_playing());
+        }
         self.advance(start);
         self.inspect();
         self.dirty = false;

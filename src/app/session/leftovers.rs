@@ -2,8 +2,9 @@
 //! discarded.
 
 use super::Session;
+use super::shelf::Way;
 use crate::app::leftovers::note_offered;
-use crate::app::player::{Keeping, Order, Player};
+use crate::app::player::{Keeping, Player};
 
 impl Session {
     /// Takes what was found at the start, and offers the newest where it never was.
@@ -31,20 +32,18 @@ impl Session {
         self.touch();
     }
 
-    /// Goes on with a session of the list, where it ended.
+    /// Goes on with a session of the list, where it ended, once what was done in it is worked out again; who does not wait for that is where
+    /// one came from, and finds it by redo.
     pub(super) fn go_on_with_leftover(&mut self, place: usize) {
         self.panels.notes.offer = None;
         let Some(place) = self.leftovers.len().checked_sub(place + 1) else { return };
         let leftover = self.leftovers.remove(place);
-        let end = leftover.start.recording().end();
         let keeping = Keeping { heir_of: Some(leftover.left), ..self.keeping() };
-        let player = Player::open(leftover.start, keeping, self.wake_up());
+        let player = Player::resume(leftover.start, keeping, self.wake_up());
         self.put_on(player);
-        // It is kept, whatever is opened before it is there.
-        self.opening_since = None;
-        self.player.ask(Order::GoTo(end, None));
+        self.came = self.shelf.has_before().then_some((Way::On, 1));
         self.player.play(false);
-        self.say("as it was when it was cut off: play goes on from there".to_owned());
+        self.settle();
         self.list_leftovers();
     }
 

@@ -14,6 +14,7 @@ use crate::app::resting::{Pointing, Way};
 use crate::app::starting;
 use crate::app::tools::{Hand, Scope};
 use crate::history::Do;
+use crate::render::{Camera, level_floor};
 use crate::scene::Scene;
 use crate::sim::{Cursor, PointId};
 
@@ -23,7 +24,9 @@ const DOUBLE: Duration = Duration::from_millis(400);
 impl Session {
     /// The pointer moved `[px]`.
     pub(in crate::app) fn point_at(&mut self, at: [f64; 2]) {
+        let before = self.camera;
         if self.pointer.move_to(at, &mut self.camera) {
+            self.keep_above_floor(before);
             (self.framing, self.follows) = (Framing::Free, false);
         }
         self.find_cell();
@@ -37,6 +40,13 @@ impl Session {
         self.with_scope(|hand, scope| hand.trace(scope, DVec2::from(at)));
         self.show_cursor();
         self.dirty = true;
+    }
+
+    /// In space the view, led by hand from where it was before, stays above the floor.
+    fn keep_above_floor(&mut self, before: Camera) {
+        let scenery = &self.shown().scenery;
+        let floor = level_floor(&scenery.planes, scenery.bounds).filter(|_| self.scene.dimensions() == 3);
+        self.camera = floor.map_or(self.camera, |floor| self.camera.kept_above(floor, &before));
     }
 
     /// The pointer left the window.
@@ -171,7 +181,9 @@ impl Session {
         }
         if !self.is_over_panels() && !self.is_covered() {
             let at = self.pointer.at.map(|at| self.in_first(at));
+            let before = self.camera;
             at.iter().for_each(|at| Pointer::scroll(*at, delta, &mut self.camera));
+            self.keep_above_floor(before);
             self.framing = Framing::Free;
         }
         self.dirty = true;

@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use super::Deed;
 use super::chosen::Chosen;
 use super::fastened::with_pins;
+use super::lifted;
 use super::marks::{Mark, Role};
 use super::pick::Scope;
 use super::rings::{Turned, axis_of};
@@ -263,10 +264,23 @@ impl Change {
         }
     }
 
-    /// What becomes of bodies under obstacles that are selected.
+    /// How far bodies that are selected are put beside that, so that they keep clear of what stands there `[m]`.
+    pub(super) fn lift(self, scope: Scope<'_>, chosen: &Chosen, about: DVec2) -> DVec3 {
+        lifted::lift(scope, chosen, |x| match self {
+            Change::Shift(by) => x + by,
+            _ => self.place(about, x.truncate()).extend(x.z),
+        })
+    }
+
+    /// What becomes of bodies that are selected, or that lie under obstacles that are.
     pub(super) fn outcome(self, scope: Scope<'_>, chosen: &Chosen, about: DVec2) -> Outcome {
-        if chosen.obstacles.is_empty() || scope.shown.dimensions != 2 {
+        if scope.shown.dimensions != 2 {
             return Outcome::default();
+        }
+        if chosen.obstacles.is_empty() {
+            let lift = self.lift(scope, chosen, about);
+            let (way, said) = (lift.truncate(), lifted::words(scope, lift));
+            return Outcome { way, own: way, said, ..Outcome::default() };
         }
         let chosen = &with_pins(scope, chosen);
         let scenery = &scope.shown.scenery;
@@ -300,8 +314,16 @@ impl Change {
         match outcome.refused {
             Some(why) => Deed::words(why.to_owned()),
             None => {
-                let (about, dimensions) = (about.extend(0.0), scope.shown.dimensions);
-                Deed { words: outcome.told(), ..self.deed(&with_pins(scope, chosen), about, dimensions) }
+                let dimensions = scope.shown.dimensions;
+                let (lift, words) = match dimensions {
+                    2 => (outcome.way.extend(0.0), outcome.told()),
+                    _ => {
+                        let lift = self.lift(scope, chosen, about);
+                        (lift, lifted::words(scope, lift).map(str::to_owned))
+                    }
+                };
+                let deed = self.deed(&with_pins(scope, chosen), about.extend(0.0), dimensions);
+                lifted::with(scope, lift, Deed { words, ..deed })
             }
         }
     }

@@ -56,6 +56,7 @@ impl Hand {
 
     /// What a click at the pixel would do, to be drawn.
     pub(in crate::app) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
+        let own = (self.tool(), self.maker, self.is_still);
         let mut marks = match (self.tool(), at) {
             (Tool::Muscle, Some(at)) => match &self.doing {
                 Doing::Driving(swipe) => self.drives.muscle.marks(scope, swipe, at),
@@ -74,11 +75,11 @@ impl Hand {
             (Tool::Push, Some(at)) if self.doing == Doing::Nothing => self.pushes().marks(scope, at),
             (Tool::Select, Some(at)) if self.command && !self.alt && !self.is_busy() => {
                 let part = Chosen::part_at(scope, at).map(|part| part.part_marks(scope));
-                part.unwrap_or_else(|| marks::of((self.tool(), self.maker), &self.doing, scope, Some(at)))
+                part.unwrap_or_else(|| marks::of(own, &self.doing, scope, Some(at)))
             }
             // What would come next is not shown over what has just come.
             (Tool::Build, _) if self.built_at.is_some() && !self.is_busy() => Vec::new(),
-            _ => marks::of((self.tool(), self.maker), &self.doing, scope, at.map(|at| self.led_at(scope, at))),
+            _ => marks::of(own, &self.doing, scope, at.map(|at| self.led_at(scope, at))),
         };
         let pull = if let Doing::Forcing(pull) = &self.doing { Some(pull) } else { None };
         marks.splice(0..0, push::arrows(scope, pull));

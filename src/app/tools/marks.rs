@@ -5,9 +5,10 @@ use glam::{DVec2, DVec3};
 use super::build::Maker;
 use super::chosen::Chosen;
 use super::erase::{Target, target};
+use super::handles::Change;
 use super::pick::{self, Scope};
-use super::selecting::carried;
-use super::{Doing, boxes, knot, skin};
+use super::selecting::{carried, pins};
+use super::{Doing, boxes, hub, knot, lifted, skin};
 use crate::app::action::Tool;
 use crate::app::player::Probe;
 use crate::sim::{BOX_EDGES, Figure, PointId};
@@ -85,12 +86,19 @@ const WIDTHS: [f64; 2] = [1.5, 7.0];
 const HALF_FORCE: f64 = 30.0;
 /// Radius of the ring around a point that is probed `[logical px]`.
 const RING: f64 = 9.0;
-/// Said of a body with pins that is moved while time stands still.
+/// Said of what is moved while time stands still: of a body with pins, before that too, and of a pin.
 const ALONG: &str = "its pins go along; the tool that selects (6) turns it";
+const WITH_PINS: &str = "paused: a drag moves it with its pins";
+const ALONE: &str = "paused: a drag moves the pin, its body stays";
 /// Bonds of a body that are drawn at most.
 const MOST: usize = 4000;
 
-pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, at: Option<DVec2>) -> Vec<Mark> {
+pub(super) fn of(
+    (tool, maker, is_still): (Tool, Maker, bool),
+    doing: &Doing,
+    scope: Scope<'_>,
+    at: Option<DVec2>,
+) -> Vec<Mark> {
     match (doing, tool) {
         (Doing::Grabbing(points), _) => {
             let mut marks = led(scope, points, at);
@@ -101,17 +109,24 @@ pub(super) fn of((tool, maker): (Tool, Maker), doing: &Doing, scope: Scope<'_>, 
         (Doing::Carrying(hold, what), _) => {
             let by = at.map_or(DVec3::ZERO, |at| scope.way(*hold, at));
             let what = what.left(scope);
-            let mut marks = carried(scope, by, &what, Role::Lead);
-            let is_held = what.points.iter().any(|point| scope.is_pinned(*point));
-            let words = at.filter(|_| is_held).map(|at| at + DVec2::new(16.0, -14.0) * scope.scale);
-            marks.extend(words.map(|at| Mark::Words(at, ALONG.to_owned())));
+            let lift = Change::Shift(by).lift(scope, &what, DVec2::ZERO);
+            let mut marks = carried(scope, by + lift, &what, Role::Lead);
+            let pins = pins(scope, by + lift, &what);
+            let is_held = !pins.is_empty() && pins.len() < what.points.len();
+            marks.extend(pins);
+            let words = lifted::words(scope, lift).or(is_held.then_some(ALONG));
+            marks.extend(at.zip(words).map(|(at, words)| beside(scope, at, words)));
             marks
         }
         // Shift is held.
         (Doing::Hauling(haul), _) => haul.marks(scope, at, maker.is_free),
         (Doing::Leading(lead), _) => led(scope, &[lead.point()], at),
         (Doing::Cutting(slash), _) => at.map_or_else(Vec::new, |at| slash.marks(scope, at)),
-        (Doing::Nothing, Tool::Hand) => at.map_or_else(Vec::new, |at| would_grab(scope, at)),
+        (Doing::Nothing, Tool::Hand) => at.map_or_else(Vec::new, |at| {
+            let mut marks = would_grab(scope, at);
+            marks.extend(Some(at).filter(|_| is_still).into_iter().flat_map(|at| would_carry(scope, at)));
+            marks
+        }),
         (Doing::Building(drag), _) => at.map_or_else(Vec::new, |at| maker.outline(scope, Some(drag), at)),
         (Doing::Drawing(path), _) => path.marks(maker, scope, at),
         (_, Tool::Build) => at.map_or_else(Vec::new, |at| maker.outline(scope, None, at)),
@@ -186,6 +201,27 @@ fn would_grab(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
         marks.extend(bonds.filter_map(|&ends| line(Role::Hold, scope, ends)));
         let beside = at + DVec2::new(16.0, -12.0) * scope.scale;
         marks.push(Mark::Words(beside, "drag: the bar goes along; with Shift it turns".to_owned()));
+    }
+    marks
+}
+
+/// Words beside the pointer.
+fn beside(scope: Scope<'_>, at: DVec2, words: &str) -> Mark {
+    Mark::Words(at + DVec2::new(16.0, -14.0) * scope.scale, words.to_owned())
+}
+
+/// While time stands still: the pins that go along with a body, or that a pin is moved alone.
+fn would_carry(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
+    let Some(hit) = scope.nearest(at).filter(|_| !scope.starts_at(at)) else { return Vec::new() };
+    if scope.is_pinned(hit.point) && !hub::is_hinged(scope, hit.point) {
+        // Of a bar it is said already that it goes as a whole.
+        let is_one = super::lead::bar(scope, hit.point).len() == 1 && scope.body(hit.point).len() > 1;
+        return if is_one { vec![beside(scope, at, ALONE)] } else { Vec::new() };
+    }
+    let under = Chosen::at(scope, at).unwrap_or_default();
+    let mut marks = pins(scope, DVec3::ZERO, &under);
+    if !marks.is_empty() {
+        marks.push(beside(scope, at, WITH_PINS));
     }
     marks
 }

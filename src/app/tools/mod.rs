@@ -41,6 +41,7 @@ mod knot;
 mod lead;
 #[cfg(test)]
 mod lead_tests;
+mod lifted;
 mod likeness;
 mod marks;
 #[cfg(test)]

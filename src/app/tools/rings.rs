@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use super::Deed;
 use super::chosen::Chosen;
 use super::handles::{Change, SAME_MASS};
+use super::lifted;
 use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_segment};
 use crate::history::{Do, Factors, MoveKeys};
@@ -264,8 +265,9 @@ impl Turned {
             about: vector(0.5 * (low + high)),
             ..MoveKeys::default()
         };
-        match self {
-            Turned::About(_, 0.0) | Turned::By(1.0) => Deed::default(),
+        let lift = self.lift(scope, chosen, 0.5 * (low + high));
+        let deed = match self {
+            Turned::About(_, 0.0) | Turned::By(1.0) => return Deed::default(),
             Turned::About(axis, angle) => {
                 let keys = MoveKeys { turn: Some(angle), axis: vector(AXES[axis].0), ..keys };
                 Deed::edit("turn", Do::Move(Box::new(keys)))
@@ -274,14 +276,28 @@ impl Turned {
                 let keys = MoveKeys { scale: Some(Factors::One(factor)), ..keys };
                 Deed::edit("scale", Do::Move(Box::new(keys)))
             }
-        }
+        };
+        let words = lifted::words(scope, lift).map(str::to_owned);
+        lifted::with(scope, lift, Deed { words, ..deed })
+    }
+
+    fn lift(self, scope: Scope<'_>, chosen: &Chosen, about: DVec3) -> DVec3 {
+        lifted::lift(scope, chosen, |x| self.place(about, x))
+    }
+
+    /// What is said of it beside the pointer.
+    pub(super) fn said(self, scope: Scope<'_>, chosen: &Chosen) -> String {
+        let lift = extent(scope, chosen).map(|[low, high]| self.lift(scope, chosen, 0.5 * (low + high)));
+        let more = lift.and_then(|lift| lifted::words(scope, lift));
+        format!("{}{}", self.words(), more.map_or_else(String::new, |more| format!(": {more}")))
     }
 
     /// Lines of what is selected where it would be.
     pub(super) fn preview(self, scope: Scope<'_>, chosen: &Chosen) -> Vec<Mark> {
         let Some([low, high]) = extent(scope, chosen) else { return Vec::new() };
         let about = 0.5 * (low + high);
-        let pixel = |x: DVec3| scope.camera.screen_from_world(self.place(about, x)).map(DVec2::from);
+        let lift = self.lift(scope, chosen, about);
+        let pixel = |x: DVec3| scope.camera.screen_from_world(self.place(about, x) + lift).map(DVec2::from);
         let line = |[a, b]: [DVec3; 2]| Some(Mark::Line(Role::Come, pixel(a)?, pixel(b)?, 1.5 * scope.scale));
         let scenery = &scope.shown.scenery;
         let has = |point: &crate::sim::PointId| chosen.points.binary_search(point).is_ok();

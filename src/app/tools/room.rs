@@ -12,7 +12,7 @@ use crate::sim::contact::surface::Plane;
 use crate::sim::plan::{Cleared, clear};
 use crate::sim::reach::reaches;
 use crate::sim::vector::truncate;
-use crate::sim::{Bond, Bonds, Bounds, Model, PointId, Polygon, blocked};
+use crate::sim::{Bond, Bonds, Bounds, Convex, Model, PointId, Polygon, blocked};
 
 /// Said where an obstacle would take in a body as a whole.
 const SWALLOWED: &str = "a body would be inside it as a whole: move the body first";
@@ -40,7 +40,7 @@ pub(super) struct Outcome {
     /// How far what comes is put out of obstacles `[m]`.
     pub(super) way: DVec2,
     /// How far of that the world does not put it: the tool does.
-    own: DVec2,
+    pub(super) own: DVec2,
     /// Bodies that an obstacle puts beside itself, and how far `[m]`.
     pub(super) moved: Vec<(Vec<PointId>, DVec2)>,
     /// Why it cannot be there.
@@ -49,13 +49,24 @@ pub(super) struct Outcome {
     pub(super) said: Option<&'static str>,
 }
 
-/// Obstacles without the world.
+/// Obstacles without the world, in the plane or in space.
 #[derive(Clone, Debug)]
-pub(in crate::app) struct Walls(Option<Obstacles<f64, 2>>);
+pub(in crate::app) struct Walls<const D: usize = 2>(Option<Obstacles<f64, D>>);
 
 impl Walls {
     /// Corners of the walls, a point and the normal of each plane, and the polygons.
     pub(in crate::app) fn of(bounds: Option<[[f64; 3]; 2]>, planes: &[[[f64; 3]; 2]], polygons: Vec<Polygon>) -> Self {
+        Walls::all(bounds, planes, (polygons, Vec::new()))
+    }
+}
+
+impl<const D: usize> Walls<D> {
+    /// The same, with balls and boxes of space.
+    pub(super) fn all(
+        bounds: Option<[[f64; 3]; 2]>,
+        planes: &[[[f64; 3]; 2]],
+        (polygons, convex): (Vec<Polygon>, Vec<Convex>),
+    ) -> Self {
         let bounds =
             bounds.map(|[min, max]| Bounds { min: truncate(min), max: truncate(max), restitution: 0.0, friction: 0.0 });
         let plane = |[point, normal]: &[[f64; 3]; 2]| Plane {
@@ -65,12 +76,13 @@ impl Walls {
             friction: 0.0,
             penalty: None,
         };
-        let model = Model::<2> { bounds, planes: planes.iter().map(plane).collect(), polygons, ..Model::default() };
+        let planes = planes.iter().map(plane).collect();
+        let model = Model::<D> { bounds, planes, polygons, convex, ..Model::default() };
         Walls(Obstacles::of(&model).ok())
     }
 
     /// How what hangs together by these bonds gets out of them; pins stay.
-    fn clear(&self, places: &[[f64; 2]], bonds: &Bonds, pinned: &[u32]) -> Cleared<2> {
+    pub(super) fn clear(&self, places: &[[f64; D]], bonds: &Bonds, pinned: &[u32]) -> Cleared<D> {
         let Some(obstacles) = &self.0 else { return Cleared::default() };
         let mut w = vec![1.0; places.len()];
         pinned.iter().for_each(|&pin| w[pin as usize] = 0.0);

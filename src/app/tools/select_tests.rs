@@ -184,6 +184,46 @@ fn a_knob_turns_and_corners_scale_about_what_stays() {
     assert!(matches!(&deed.commands[..], [Do::Move(keys)] if keys.obstacles == [1] && keys.turn.unwrap() < -0.5));
 }
 
+/// A soft box that lies on a floor.
+const LYING: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": true, "view": {"center": [0, 1], "height": 6},
+    "obstacles": [{"plane": {"point": [0, 0], "normal": [0, 1]}}],
+    "bodies": [{"make": "lattice", "columns": 5, "rows": 3, "spacing": 0.5, "origin": [-1, 0],
+        "material": {"kind": "spring", "stiffness": 900, "damping": 5, "mass": 2}}]}"#;
+
+#[test]
+fn what_lies_on_a_floor_keeps_clear_of_it_as_it_is_turned_scaled_or_moved_and_is_seen_so_before() {
+    let seen = shown(Scene::parse(LYING, "x.json").unwrap());
+    let (floor, body) = (at(&seen, 0.0, 0.0).y, at(&seen, 0.0, 0.5));
+    for way in 0..3 {
+        let mut hand = hand();
+        click(&mut hand, &seen, body);
+        let from = match way {
+            0 => handle(&hand, &seen, Handle::Turn),
+            1 => handle(&hand, &seen, Handle::Corner(0)),
+            _ => body,
+        };
+        let to = from + if way == 0 { DVec2::new(80.0, 60.0) } else { DVec2::new(0.0, 90.0) };
+        assert!(hand.press(scope(&seen), from).is_empty());
+        let marks = hand.marks(scope(&seen), Some(to));
+        let says = |mark: &Mark| matches!(mark, Mark::Words(_, words) if words.contains("put clear"));
+        assert!(marks.iter().any(says), "{way}: {marks:?}");
+        let y = |mark: &Mark| if let Mark::Line(_, from, ..) = mark { Some(from.y) } else { None };
+        let lowest = marks.iter().filter_map(y).fold(f64::MIN, f64::max);
+        // The box around it keeps nine pixels off it, turns with it and grows with it.
+        assert!((-1.0..20.0).contains(&(lowest - floor)), "{way}: {lowest} px, the floor is at {floor} px");
+        let deed = hand.release(scope(&seen), to);
+        let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+        assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None, "{way}");
+        let world = stage.history().world();
+        let all =
+            |axis: usize| (0..15).map(move |k| 2 * k + axis).map(|k| world.positions().get(k)).collect::<Vec<_>>();
+        let low = all(1).into_iter().fold(f64::MAX, f64::min);
+        assert!((0.0..1e-3).contains(&low), "{way}: it stands on the floor: {low}");
+        let middle = all(0).into_iter().sum::<f64>() / 15.0;
+        assert!(middle.abs() < 1e-9, "{way}: nothing moves it aside: {middle}");
+    }
+}
+
 #[test]
 fn what_is_selected_is_taken_away_wherever_the_cursor_is() {
     let seen = discs();

@@ -10,12 +10,16 @@ use super::marks::{Mark, Role};
 use super::pick::Scope;
 use super::region::Region;
 use super::rings::{Ring, RingGrip, Rings};
-use super::{Deed, Doing, Hand, stops};
+use super::{Deed, Doing, Hand, lifted, stops};
 use crate::app::action::Tool;
-use crate::sim::Knots;
+use crate::sim::{Knots, PointId};
 
 /// A press that moves less than this is a click `[logical px]`.
 const CLICK: f64 = 4.0;
+
+/// Radius of a ring about a pin `[logical px]`, and of how many pins there are rings at most.
+const PIN: f64 = 7.0;
+const MOST_PINS: usize = 100;
 
 impl Hand {
     /// With Ctrl, or by the second press of a double click, a bond or a point is selected; else a handle is taken; else what lies under the
@@ -188,10 +192,15 @@ impl Hand {
         match (&self.doing, at) {
             (Doing::Moving(hold, _), Some(at)) if is_drag(scope, [hold.at, at]) => {
                 let by = scope.way(*hold, at);
-                let outcome = Change::Shift(by).outcome(scope, chosen, DVec2::ZERO);
-                let outline = carried(scope, by, chosen, Role::Hold);
-                let moved = outline.into_iter().map(|mark| outcome.lines(scope, mark));
-                let words = outcome.words().map(|words| Mark::Words(at + DVec2::new(16.0, -10.0) * scope.scale, words));
+                let (change, about) = (Change::Shift(by), DVec2::ZERO);
+                let outcome = change.outcome(scope, chosen, about);
+                // In the plane the outcome has it.
+                let is_plane = scope.shown.dimensions == 2;
+                let lift = if is_plane { DVec3::ZERO } else { change.lift(scope, chosen, about) };
+                let outline = carried(scope, by + lift, chosen, Role::Hold).into_iter();
+                let moved = outline.chain(pins(scope, by + lift, chosen)).map(|mark| outcome.lines(scope, mark));
+                let said = outcome.words().or(lifted::words(scope, lift).map(str::to_owned));
+                let words = said.map(|words| Mark::Words(at + DVec2::new(16.0, -10.0) * scope.scale, words));
                 moved.chain(outcome.others(scope)).chain(words).collect()
             }
             (Doing::Handling(grip), Some(at)) => {
@@ -209,7 +218,7 @@ impl Hand {
             }
             (Doing::Turning(grip), Some(at)) => {
                 let turned = grip.turned(scope, at, self.shift);
-                let words = Mark::Words(at + DVec2::new(16.0, -10.0) * scope.scale, turned.words());
+                let words = Mark::Words(at + DVec2::new(16.0, -10.0) * scope.scale, turned.said(scope, chosen));
                 let rings = Rings::of(scope, chosen).into_iter().flat_map(|rings| rings.marks(scope, Some(grip.ring)));
                 outline.into_iter().chain(turned.preview(scope, chosen)).chain(rings).chain([words]).collect()
             }
@@ -257,6 +266,13 @@ pub(super) fn moved(scope: Scope<'_>, (hold, to): (Hold, DVec2), chosen: &Chosen
 /// The outline of bodies and obstacles where they are once they went so far `[m]`.
 pub(super) fn carried(scope: Scope<'_>, by: DVec3, chosen: &Chosen, role: Role) -> Vec<Mark> {
     chosen.outline(Scope { camera: &facing::before(scope.camera, by), ..scope }, role)
+}
+
+/// Rings about the pins that go along with bodies, where they are once those went so far `[m]`.
+pub(super) fn pins(scope: Scope<'_>, by: DVec3, chosen: &Chosen) -> Vec<Mark> {
+    let pins = chosen.points.iter().filter(|point| scope.is_pinned(**point)).take(MOST_PINS);
+    let at = |point: &PointId| scope.camera.screen_from_world(DVec3::from(scope.shown.place(point.index())) + by);
+    pins.filter_map(at).map(|at| Mark::Ring(Role::Hold, DVec2::from(at), PIN * scope.scale)).collect()
 }
 
 /// Whether a press that ends elsewhere moves what it was on.

@@ -104,6 +104,28 @@ fn while_time_stands_still_the_hand_moves_a_body_and_a_pin_as_far_as_the_pointer
         room.hand.stand_still(true);
         let from = room.pixel(point);
         let before = room.place(point as usize);
+        if tool == Tool::Hand {
+            // What goes along is seen before, and as it goes: of the cloth its pin, of the pin itself nothing.
+            let pin = room.pixel(0);
+            let said = |marks: &[super::Mark], name: &str| {
+                marks.iter().any(|mark| matches!(mark, super::Mark::Words(_, words) if words.contains(name)))
+            };
+            let ringed = |marks: &[super::Mark], at: DVec2| {
+                let is_it = |mark: &super::Mark| matches!(mark, super::Mark::Ring(super::Role::Hold, middle, _) if middle.distance(at) < 1.0);
+                marks.iter().any(is_it)
+            };
+            let marks = room.with(|hand, scope| hand.marks(scope, Some(from)));
+            assert!(ringed(&marks, pin) && said(&marks, if point == 0 { "its body stays" } else { "with its pins" }));
+            let by = DVec2::new(70.0, -50.0);
+            room.with(|hand, scope| hand.press(scope, from));
+            let marks = room.with(|hand, scope| hand.marks(scope, Some(from + by)));
+            let there = room.with(|_, scope| {
+                let way = scope.facing(before, from + by) - before;
+                DVec2::from(scope.camera.screen_from_world(DVec3::from(scope.shown.place(0)) + way).unwrap())
+            });
+            assert!(ringed(&marks, there), "{marks:?}");
+            room.hand.cancel();
+        }
         let deed = room.drag([from, from + DVec2::new(70.0, -50.0)]);
         assert!(matches!(deed.commands[..], [Do::Move(_)]) && deed.edit == Some("move"), "{deed:?}");
         room.give(&deed);
@@ -257,6 +279,57 @@ fn the_end_of_a_rope_is_tied_to_what_is_as_deep_as_it_is_and_not_to_what_is_seen
     };
     assert!(tied(0.0) && tied(-0.2), "beside it");
     assert!(!tied(-4.0), "four metres behind it");
+}
+
+/// A ball on a floor, and a loose point behind it.
+const BALL: &str = r#"{"wobble": 1, "dimensions": 3, "points": {"position": [[0, 0, -1.5]]},
+    "obstacles": [{"circle": {"center": [0, 0, 0], "radius": 1}}, {"plane": {"point": [0, -1, 0], "normal": [0, 1, 0]}}],
+    "view": {"target": [0, 0, 0], "distance": 9, "yaw": 0, "pitch": 0.4}}"#;
+
+#[test]
+fn what_is_drawn_onto_a_ball_lies_before_it_and_says_so() {
+    use crate::app::action::Primitive;
+    use crate::sim::Figure;
+    let mut room = Room::of(BALL, Tool::Build);
+    let pixel = |room: &Room, at: [f64; 3]| DVec2::from(room.camera.screen_from_world(at.into()).unwrap());
+    let (middle, behind) = (pixel(&room, [0.0; 3]), room.pixel(0));
+    let beside = middle - DVec2::new(140.0, 0.0);
+    let ball = room.shown.scenery.convex[0].figure;
+    let cases = [
+        // Across it, onto it from beside it, down from it, and along its foot through the floor.
+        (Primitive::Rope, middle - DVec2::new(60.0, 30.0), DVec2::new(130.0, 20.0)),
+        (Primitive::Rope, beside, DVec2::new(150.0, 10.0)),
+        (Primitive::Rope, middle - DVec2::new(0.0, 50.0), DVec2::ZERO),
+        (Primitive::Rope, behind - DVec2::new(90.0, 0.0), DVec2::new(90.0, 0.0)),
+        (Primitive::Cloth, middle - DVec2::new(50.0, 50.0), DVec2::new(100.0, 80.0)),
+        (Primitive::SolidCircle, middle - DVec2::new(20.0, 20.0), DVec2::new(50.0, 50.0)),
+        (Primitive::SolidBox, beside, DVec2::new(200.0, 40.0)),
+    ];
+    for (primitive, from, by) in cases {
+        room.hand.choose(primitive);
+        room.with(|hand, scope| hand.press(scope, from));
+        let would = room.with(|hand, scope| hand.marks(scope, Some(from + by)));
+        let says = |mark: &super::Mark| matches!(mark, super::Mark::Words(_, words) if words.contains("before what"));
+        assert!(would.iter().any(says), "{primitive:?} from {from}: {would:?}");
+        let deed = room.with(|hand, scope| hand.release(scope, from + by));
+        room.give(&deed);
+        let places = room.places();
+        let bonds = room.shown.scenery.bonds.ends().to_vec();
+        assert!(bonds.iter().flatten().all(|end| end.0 != 0), "{primitive:?} is not tied to what the ball hides");
+        let middles = bonds.iter().map(|ends| places[ends[0].index()].midpoint(places[ends[1].index()]));
+        for place in places.iter().copied().chain(middles).skip(1) {
+            assert!(place.length() > 1.0 - 1e-4 && place.y > -1.0 - 1e-4, "{primitive:?}: {place}");
+        }
+        for convex in &room.shown.scenery.convex[1..] {
+            assert!(convex.figure.extent()[0][1] > -1.0 - 1e-4, "{:?} is above the floor", convex.figure);
+            match convex.figure {
+                Figure::Ball { center, radius } => assert!(DVec3::from(center).length() > 1.0 + radius - 1e-4),
+                Figure::Box { .. } => assert!(!convex.figure.holds(ball.center(), 1.0 - 1e-3)),
+            }
+        }
+        assert!(places.len() > 1 || room.shown.scenery.convex.len() > 1);
+        room.undo();
+    }
 }
 
 impl Room {

@@ -89,6 +89,14 @@ impl Figure {
         }
     }
 
+    /// Whether a place is inside, or no further from it than `apart` `[m]`: of a box along its sides; below 0, deeper inside than that.
+    pub(crate) fn holds(&self, x: [f64; 3], apart: f64) -> bool {
+        match self.frame() {
+            None => length(sub(x, self.center())) <= self.radius() + apart,
+            Some(frame) => frame.within(x).iter().zip(frame.half).all(|(at, half)| at.abs() <= half + apart),
+        }
+    }
+
     /// How deep a place is inside `[m]`, and the way out that is the shortest; `None` outside.
     pub(crate) fn depth(&self, x: [f64; 3]) -> Option<(f64, [f64; 3])> {
         let Some(frame) = self.frame() else {

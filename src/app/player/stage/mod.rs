@@ -106,8 +106,17 @@ pub struct Folded {
     pub recording: Recording,
     /// Where it was `[s]`.
     time: f64,
-    rate: f64,
+    /// `None`: as the clock of the scene has it.
+    rate: Option<f64>,
     playing: bool,
+}
+
+impl Folded {
+    /// What was done of a start, at its end: it stands still there.
+    pub fn at_end(start: &Start) -> Self {
+        let recording = start.recording().clone();
+        Folded { time: recording.end(), recording, rate: None, playing: false }
+    }
 }
 
 impl Stage {
@@ -177,7 +186,7 @@ impl Stage {
     /// Start and log, to be played on from here some time.
     pub fn folded(&self) -> Folded {
         let Pace { rate, playing, .. } = self.pace;
-        Folded { recording: self.recording(), time: self.history.world().time(), rate, playing }
+        Folded { recording: self.recording(), time: self.history.world().time(), rate: Some(rate), playing }
     }
 
     /// The same history again, where it was folded: worked out from its start, as long as `goes_on` says so, which is told how much of it
@@ -193,7 +202,8 @@ impl Stage {
             return Ok(None);
         }
         stage.keep_time();
-        (stage.pace.rate, stage.pace.playing) = (folded.rate, folded.playing);
+        stage.pace.rate = folded.rate.unwrap_or(stage.pace.rate);
+        stage.pace.playing = folded.playing;
         Ok(Some(stage))
     }
 

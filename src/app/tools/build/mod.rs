@@ -9,6 +9,7 @@ mod fill;
 mod firm;
 mod form;
 mod grid;
+mod laid;
 mod links;
 mod matter;
 mod outline;
@@ -90,7 +91,9 @@ impl Drag {
     pub(super) fn new(scope: Scope<'_>, at: DVec2) -> Self {
         let is_plane = scope.shown.dimensions == 2;
         let point = if is_plane { tie::point_at(scope, at) } else { space::point_at(scope, at) };
-        Drag { pressed: at, from: place(scope, at), deep: scope.hold(at).place, point }
+        let seen = if is_plane { None } else { laid::surface(scope, at) };
+        let deep = seen.unwrap_or_else(|| scope.facing(scope.camera.focus(), at));
+        Drag { pressed: at, from: place(scope, at), deep, point }
     }
 }
 
@@ -245,11 +248,16 @@ impl Maker {
 /// Which ends of a rope are pinned, in words: that it holds itself is seen only once it hangs.
 fn pins_of(primitive: Primitive, keys: &AddKeys) -> Option<&'static str> {
     let rope = keys.bodies.first().filter(|_| primitive == Primitive::Rope)?;
-    match rope.pinned[..] {
-        [] => None,
-        [0] => Some("its start is pinned"),
-        [_] => Some("its end is pinned"),
-        _ => Some("both ends are pinned"),
+    pinned_ends([rope.pinned.contains(&0), rope.pinned.iter().any(|point| *point != 0)])
+}
+
+/// The same where it is known of its start and its end.
+fn pinned_ends(is_pinned: [bool; 2]) -> Option<&'static str> {
+    match is_pinned {
+        [false, false] => None,
+        [true, false] => Some("its start is pinned"),
+        [false, true] => Some("its end is pinned"),
+        [true, true] => Some("both ends are pinned"),
     }
 }
 

@@ -4,31 +4,36 @@ use glam::{DVec2, DVec3};
 
 use super::form::{ALL_PIECES, CLOTH, Hold, PIECES, short};
 use super::grid::Grid;
+use super::laid::{Lies, Solids, is_hidden, surface};
 use super::matter::{CLOTH_MASS, FRICTION, ROPE_MASS, rigid};
-use super::{CLICK, Drag, LEAST, Maker, OF_THE_PLANE, TOO_SMALL, outline, pins_of, usual_size};
+use super::{CLICK, Drag, LEAST, Maker, OF_THE_PLANE, TOO_SMALL, outline, pinned_ends, usual_size};
 use crate::app::action::Primitive;
 use crate::app::tools::Deed;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::Scope;
-use crate::body::hanging;
 use crate::history::Do;
 use crate::scene::{
-    AddKeys, BodyKeys, BondKeys, BoxKeys, CircleKeys, DiagonalsName, KindName, MakerName, ObstacleKeys, Vector,
+    AddKeys, BodyKeys, BondKeys, BoxKeys, CircleKeys, DiagonalsName, KindName, MakerName, MassKeys, ObstacleKeys,
+    PointKeys, Vector,
 };
 use crate::sim::{BOX_EDGES, PointId};
 
 /// A box is as thick as this share of its longest side at least `[1]`.
 const THICK: f64 = 0.3;
+/// Said where something finds no place before what stands there.
+const WITHIN: &str = "it lies in an obstacle: from here nothing before it is free";
 /// Half of what a click makes of a box, in what a click makes.
 const USUAL_BOX: [f64; 3] = [1.0, 0.25, 0.6];
 
 /// A primitive in its place.
 #[derive(Clone, Debug, PartialEq)]
-enum Form {
-    /// From one end to the other, each on what it hangs on.
+pub(super) enum Form {
+    /// From one end to the other in pieces of one length, each end on what it hangs on.
     Rope {
-        ends: [(DVec3, Hold); 2],
-        pieces: u32,
+        corners: Vec<DVec3>,
+        holds: [Hold; 2],
+        /// It goes round something.
+        is_bent: bool,
     },
     /// From its upper left corner along its rows and its columns, one cell each.
     Cloth {
@@ -47,9 +52,10 @@ enum Form {
 /// What a release at a pixel adds to the world; words where that is nothing.
 pub(super) fn build(maker: Maker, scope: Scope<'_>, drag: &Drag, at: DVec2) -> Deed {
     match form(maker, scope, Some(drag), at) {
-        Ok(form) => {
+        Ok((form, lies)) => {
             let keys = form.keys(scope.shown.point_count() as u32);
-            let words = pins_of(maker.primitive, &keys).map(str::to_owned);
+            let within = (lies == Lies::Within).then_some(WITHIN);
+            let words = within.or(form.pins()).map(str::to_owned);
             Deed { words, ..Deed::edit(maker.primitive.name(), Do::Add(Box::new(keys))) }
         }
         Err(words) => Deed::words(words),
@@ -59,9 +65,9 @@ pub(super) fn build(maker: Maker, scope: Scope<'_>, drag: &Drag, at: DVec2) -> D
 /// The outline of what would be added, and its size in words.
 pub(super) fn marks(maker: Maker, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Vec<Mark> {
     match form(maker, scope, drag, at) {
-        Ok(form) => {
+        Ok((form, lies)) => {
             let mut marks = form.lines(scope);
-            marks.push(outline::off(&marks, scope, at, form.words()));
+            marks.push(outline::off(&marks, scope, at, format!("{}{}", form.words(), lies.words())));
             marks
         }
         Err(words) => vec![outline::label(scope, at, words)],
@@ -76,23 +82,34 @@ pub(in crate::app) fn is_of_space(primitive: Primitive) -> bool {
 /// What a drag that ends at a pixel comes to; without one, or with one that is a click, one of the usual size.
 ///
 /// Errors: in words, that it is of the plane, or too small.
-fn form(maker: Maker, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Result<Form, String> {
+fn form(maker: Maker, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Result<(Form, Lies), String> {
     if !is_of_space(maker.primitive) {
         return Err(OF_THE_PLANE.to_owned());
     }
     let begun = drag.copied().unwrap_or_else(|| Drag::new(scope, at));
+    let solids = Solids::of(scope, at);
+    if maker.primitive == Primitive::Rope {
+        return rope(maker, scope, &solids, (begun, at));
+    }
+    solids.before(begun, |begun| solid_or_cloth(maker, scope, begun, at))
+}
+
+/// The least way of a drag `[px]`, and whether it is a click.
+fn is_click(scope: Scope<'_>, begun: Drag, at: DVec2) -> Result<bool, String> {
+    let far = begun.pressed.distance(at);
+    let is_click = far < CLICK * scope.scale;
+    if !is_click && far < LEAST * scope.scale { Err(TOO_SMALL.to_owned()) } else { Ok(is_click) }
+}
+
+/// A cloth, a ball or a box as deep as a drag was begun.
+fn solid_or_cloth(maker: Maker, scope: Scope<'_>, begun: Drag, at: DVec2) -> Result<Form, String> {
     let usual = usual_size(scope.camera.height());
     let [right, down] = axes(scope, begun.deep, begun.pressed);
-    let is_click = begun.pressed.distance(at) < CLICK * scope.scale;
-    if !is_click && begun.pressed.distance(at) < LEAST * scope.scale {
-        return Err(TOO_SMALL.to_owned());
-    }
-    let way =
-        if is_click { DVec3::ZERO } else { scope.facing(begun.deep, at) - scope.facing(begun.deep, begun.pressed) };
+    let is_click = is_click(scope, begun, at)?;
+    let way = if is_click { DVec3::ZERO } else { way(scope, begun, at) };
     let from = begun.deep;
     let [across, along] = [way.dot(right), way.dot(down)];
     Ok(match maker.primitive {
-        Primitive::Rope => rope(maker, scope, (begun, at), (way, is_click, usual)),
         Primitive::Cloth => {
             let [across, along] = if is_click { [2.0 * usual, 1.5 * usual] } else { [across, along] };
             let from = if is_click { from - 0.5 * (across * right + along * down) } else { from };
@@ -131,34 +148,37 @@ fn form(maker: Maker, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Resul
     })
 }
 
-/// A rope from where it was pressed: it hangs there, and on the point or the surface that it ends on.
-fn rope(
-    maker: Maker,
-    scope: Scope<'_>,
-    (begun, at): (Drag, DVec2),
-    (way, is_click, usual): (DVec3, bool, f64),
-) -> Form {
+/// How far a drag goes, as deep as it was begun `[m]`.
+fn way(scope: Scope<'_>, begun: Drag, at: DVec2) -> DVec3 {
+    scope.facing(begun.deep, at) - scope.facing(begun.deep, begun.pressed)
+}
+
+/// A rope from where it was pressed: it hangs there, and on the point or the surface that it ends on. It lies before what is on its way.
+fn rope(maker: Maker, scope: Scope<'_>, solids: &Solids, (begun, at): (Drag, DVec2)) -> Result<(Form, Lies), String> {
+    let usual = usual_size(scope.camera.height());
     let place = |point: PointId| DVec3::from(scope.shown.place(point.index()));
     let tied = |point: Option<PointId>| point.map(|point| (place(point), Hold::Point(point)));
     let free = |at: DVec3| (at, if maker.is_free { Hold::None } else { Hold::Pin });
     let from = tied(begun.point).unwrap_or_else(|| free(begun.deep));
-    let to = match is_click {
+    let to = match is_click(scope, begun, at)? {
         true => (from.0 + 2.0 * usual * below(scope), Hold::None),
         false => tied(point_at(scope, at).filter(|point| begun.point != Some(*point))).unwrap_or_else(|| {
-            let surface = scope.entry(at).filter(|_| scope.solid(at).is_some());
-            surface.map_or((begun.deep + way, Hold::None), free)
+            let solid = surface(scope, at).filter(|_| scope.solid(at).is_some());
+            solid.map_or((begun.deep + way(scope, begun, at), Hold::None), free)
         }),
     };
-    let ends =
-        if matches!(to.1, Hold::Point(_)) && !matches!(from.1, Hold::Point(_)) { [to, from] } else { [from, to] };
+    let is_tied = |hold: Hold| matches!(hold, Hold::Point(_));
+    let ends = if is_tied(to.1) && !is_tied(from.1) { [to, from] } else { [from, to] };
     let [least, most] = ALL_PIECES;
-    let pieces = (PIECES * ends[0].0.distance(ends[1].0) / usual).round().clamp(least, most) as u32;
-    Form::Rope { ends, pieces }
+    let pieces = |long: f64| (PIECES * long / usual).round().clamp(least, most) as u32;
+    let holds = ends.map(|(_, hold)| hold);
+    let (corners, lies) = solids.laid(scope, (ends.map(|(at, _)| at), holds.map(is_tied)), pieces);
+    Ok((Form::Rope { corners, holds, is_bent: lies == Lies::Before }, lies))
 }
 
-/// The point that a rope is tied to which begins or ends at a pixel.
+/// The point that a rope is tied to which begins or ends at a pixel: none that an obstacle hides.
 pub(super) fn point_at(scope: Scope<'_>, at: DVec2) -> Option<PointId> {
-    scope.reached(at).first().copied()
+    scope.reached(at).into_iter().find(|&point| !is_hidden(scope, at, scope.shown.place(point.index()).into()))
 }
 
 /// Which way things fall.
@@ -168,7 +188,7 @@ fn below(scope: Scope<'_>) -> DVec3 {
 
 /// Where the middle of what is so high `[m]` is that stands on the surface that was pressed on; on none, where it was pressed.
 fn lifted(scope: Scope<'_>, begun: Drag, half: f64) -> DVec3 {
-    if scope.entry(begun.pressed).is_some() { begun.deep - half * below(scope) } else { begun.deep }
+    if surface(scope, begun.pressed).is_some() { begun.deep - half * below(scope) } else { begun.deep }
 }
 
 /// To the right and down as it is seen at a place, each of length 1.
@@ -214,13 +234,19 @@ impl Form {
                 };
                 AddKeys { bodies: vec![body], ..AddKeys::default() }
             }
-            Form::Rope { ends, pieces } => of_rope(ends, *pieces, next),
+            Form::Rope { corners, holds, is_bent } => of_rope((corners, *is_bent), *holds, next),
         }
+    }
+
+    /// Which ends of a rope are pinned, in words.
+    fn pins(&self) -> Option<&'static str> {
+        let Form::Rope { holds, .. } = self else { return None };
+        pinned_ends(holds.map(|hold| hold == Hold::Pin))
     }
 
     fn words(&self) -> String {
         match self {
-            Form::Rope { ends: [from, to], .. } => format!("{} m", short(from.0.distance(to.0))),
+            Form::Rope { corners, .. } => format!("{} m", short(length(corners))),
             Form::Cloth { cell: [u, v], cells: [columns, rows], .. } => {
                 let [wide, high] = [u.length() * f64::from(*columns), v.length() * f64::from(*rows)];
                 format!("{} × {} m", short(wide), short(high))
@@ -238,9 +264,9 @@ impl Form {
         let line = |[a, b]: [DVec3; 2]| Some(outline::line(scope, Role::Come, [pixel(a)?, pixel(b)?]));
         let held = |at: DVec3, radius: f64| Some(Mark::Ring(Role::Hold, pixel(at)?, radius * scope.scale));
         match self {
-            Form::Rope { ends, pieces } => {
-                let corners = chain(ends, *pieces);
-                let rings = ends.iter().filter_map(|(at, hold)| match hold {
+            Form::Rope { corners, holds, .. } => {
+                let ends = corners.first().into_iter().chain(corners.last()).zip(holds);
+                let rings = ends.filter_map(|(at, hold)| match hold {
                     Hold::None => None,
                     Hold::Pin => held(*at, 5.0),
                     Hold::Point(_) => held(*at, 9.0),
@@ -270,29 +296,40 @@ impl Form {
     }
 }
 
-/// Where the corners of a rope are `[m]`.
-fn chain([from, to]: &[(DVec3, Hold); 2], pieces: u32) -> Vec<DVec3> {
-    hanging((to.0 - from.0).to_array(), u64::from(pieces), 0.0).into_iter().map(|x| from.0 + DVec3::from(x)).collect()
+/// How long a chain is `[m]`.
+fn length(corners: &[DVec3]) -> f64 {
+    corners.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
 }
 
 /// A chain of pieces of one length; one that ends on a point of the world is a bond to it.
-fn of_rope(ends: &[(DVec3, Hold); 2], pieces: u32, next: u32) -> AddKeys {
-    let corners = chain(ends, pieces);
-    let [at_first, at_last] = ends.map(|(_, hold)| if let Hold::Point(point) = hold { Some(point) } else { None });
-    let count = pieces + 1 - u32::from(at_first.is_some()) - u32::from(at_last.is_some());
-    let own = &corners[usize::from(at_first.is_some())..][..count as usize];
+fn of_rope((corners, is_bent): (&[DVec3], bool), holds: [Hold; 2], next: u32) -> AddKeys {
+    let [at_first, at_last] = holds.map(|hold| if let Hold::Point(point) = hold { Some(point) } else { None });
+    let own = &corners[usize::from(at_first.is_some())..corners.len() - usize::from(at_last.is_some())];
+    let count = own.len() as u32;
     let bond = |a: u32, b: u32| BondKeys { kind: Some(KindName::Rigid), ..BondKeys::new(a, b) };
-    let bonds = [at_first.map(|point| bond(point.0, next)), at_last.map(|point| bond(next + count - 1, point.0))];
-    let pins = [(ends[0].1, 0), (ends[1].1, count - 1)].into_iter().filter(|(hold, _)| *hold == Hold::Pin);
+    let tied = [at_first.map(|point| bond(point.0, next)), at_last.map(|point| bond(next + count - 1, point.0))];
+    let tied = tied.into_iter().flatten();
+    let pins = [(holds[0], 0), (holds[1], count - 1)].into_iter().filter(|(hold, _)| *hold == Hold::Pin);
+    let pinned = pins.map(|(_, point)| point).collect();
+    if is_bent {
+        let points = PointKeys {
+            position: own.iter().copied().map(vector).collect(),
+            mass: Some(MassKeys::Same(ROPE_MASS * length(own) / f64::from(count))),
+            velocity: None,
+            pinned,
+        };
+        let pieces = (1..count).map(|k| bond(next + k - 1, next + k));
+        return AddKeys { points: Some(points), bonds: pieces.chain(tied).collect(), ..AddKeys::default() };
+    }
     let way = own[own.len() - 1] - own[0];
     let body = BodyKeys {
         make: MakerName::Rope,
         count: Some(u64::from(count)),
         to: Some(vector(way)),
         origin: Some(vector(own[0])),
-        pinned: pins.map(|(_, point)| point).collect(),
+        pinned,
         material: Some(rigid(ROPE_MASS * way.length())),
         ..BodyKeys::default()
     };
-    AddKeys { bonds: bonds.into_iter().flatten().collect(), bodies: vec![body], ..AddKeys::default() }
+    AddKeys { bonds: tied.collect(), bodies: vec![body], ..AddKeys::default() }
 }
