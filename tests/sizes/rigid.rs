@@ -101,7 +101,7 @@ fn bodies_in_joints_go_over_to_points() {
 fn prism(off: f64) -> Value {
     let at = |k: u32| {
         let angle = f64::from(k % 6) * std::f64::consts::PI / 3.0;
-        [0.3 * libm::cos(angle), if k < 6 { -0.2 } else { 0.2 }, 0.3 * libm::sin(angle)]
+        [0.3 * angle.cos(), if k < 6 { -0.2 } else { 0.2 }, 0.3 * angle.sin()]
     };
     let tilted = |[x, y, z]: [f64; 3]| [0.96 * x - 0.28 * y, 0.28 * x + 0.96 * y, z];
     let places: Vec<[f64; 3]> = (0..12).map(at).chain([[0.0, 0.2 + off, 0.0]]).map(tilted).collect();
