@@ -97,29 +97,6 @@ fn bodies_in_joints_go_over_to_points() {
         .check_methods(["rigid 300 rigid bodies in joints", ORDER_2]);
 }
 
-/// A prism of six sides, tilted, that falls on a floor; a point of its upper side is this far off it `[m]`.
-fn prism(off: f64) -> Value {
-    let at = |k: u32| {
-        let angle = f64::from(k % 6) * std::f64::consts::PI / 3.0;
-        [0.3 * angle.cos(), if k < 6 { -0.2 } else { 0.2 }, 0.3 * angle.sin()]
-    };
-    let tilted = |[x, y, z]: [f64; 3]| [0.96 * x - 0.28 * y, 0.28 * x + 0.96 * y, z];
-    let places: Vec<[f64; 3]> = (0..12).map(at).chain([[0.0, 0.2 + off, 0.0]]).map(tilted).collect();
-    let ends: Vec<[u32; 2]> = (0..13).flat_map(|a| (0..a).map(move |b| [b, a])).collect();
-    let floor = json!({ "plane": { "point": [0, -0.4, 0], "normal": [0, 1, 0] }, "restitution": 0.5, "friction": 0.0 });
-    keys(&bonded(places, &ends, BondKind::Rigid), &json!({ "obstacles": [floor] }))
-}
-
-#[test]
-fn bodies_in_space_that_meet_planes_go_over_to_bonds() {
-    // The last point is a corner where it stands out.
-    assert_eq!(sizes::MOST_CORNERS, 12);
-    let [below, above] = [-1e-4, 1e-4].map(prism);
-    let fine = fine("rk8", 64);
-    let across = Across { size: "MOST_CORNERS", below, above, fine, seconds: 0.3, points: 13 };
-    across.check_methods(["rigid a rigid body", ORDER_2]);
-}
-
 #[test]
 fn large_cloths_go_over_to_single_precision() {
     let cloth = thrown(0.2, hung::<3>([40, sizes::LARGE_RIGID_SINGLE as u32 / 40], [true; 2]));
