@@ -3,9 +3,11 @@
 
 use crate::common;
 
+use serde_json::json;
+
 use common::physics::{angular_momentum, momentum, run_to, spring};
 use wobble::history::{Do, DriveOrNone, History, Log, SetKeys, Start, hash_now};
-use wobble::scene::{DriveKeys, Scene};
+use wobble::scene::{AddKeys, BondKeys, DriveKeys, Scene};
 use wobble::sim::{
     Angle, AngleDrive, Angles, Bond, Command, Drive, Held, Key, Method, Model, PointId, Signal, Solver, Wave, angle_at,
     build,
@@ -311,6 +313,41 @@ fn a_state_in_the_middle_of_a_ramp_goes_on_with_it() {
         steps(history, 1.0);
     }
     assert!((place(&on) - place(&live)).abs() < 1e-9 && place(&on) > 1.3, "{} {}", place(&on), place(&live));
+}
+
+#[test]
+fn muscles_whose_ends_other_rigid_bonds_hold_are_left_out_and_move_nothing() {
+    // Two braced squares side by side, all bonds between them muscles that are out of step: one more than the squares have motions.
+    let scene = |with_second: bool| {
+        let muscle = |a: u32, b: u32| {
+            let phase = 0.9 * f64::from(a + b);
+            json!({ "a": a, "b": b, "drive": { "amplitude": 0.2, "period": 0.7, "phase": phase } })
+        };
+        let firm = [[0, 1], [2, 3], [0, 2], [1, 3], [0, 3], [1, 2], [4, 5], [6, 7], [4, 6], [5, 7], [4, 7], [5, 6]];
+        let all = firm.map(|[a, b]: [u32; 2]| json!({ "a": a, "b": b })).into_iter();
+        let all = all.chain([muscle(1, 4), muscle(3, 6), muscle(1, 6)]).chain(with_second.then(|| muscle(3, 4)));
+        json!({ "wobble": 1, "points": { "position": [[0,1],[1,1],[0,2],[1,2],[2,1],[3,1],[2,2],[3,2]] },
+            "gravity": [0, 0], "bonds": all.collect::<Vec<_>>() })
+    };
+    let parsed = |keys: &serde_json::Value| Scene::parse(&keys.to_string(), "x.json").unwrap();
+    let is_said = |words: &[String], numbers: &str| {
+        words.iter().any(|word| word.contains("move nothing") && word.contains(numbers))
+    };
+    let mut held = parsed(&scene(true)).world(None).unwrap();
+    assert!(is_said(held.warnings(), "bonds 12, 13, 14 and 15"), "{:?}", held.warnings());
+    run_to(&mut *held, 0.5);
+    assert!(held.energy() < 1e-9, "{}", held.energy());
+    // As many as they have motions are muscles, until a bond comes that holds them.
+    let mut history = History::new(Start::from(parsed(&scene(false)))).unwrap();
+    assert!(history.world().warnings().is_empty() && history.world().bonds().get(14).drive.is_some());
+    steps(&mut history, 0.2);
+    let brace = AddKeys { bonds: vec![BondKeys::new(3, 4)], ..AddKeys::default() };
+    give(&mut history, Do::Add(Box::new(brace)), Some("brace"));
+    assert!(is_said(history.world().warnings(), "bonds 12, 13 and 14"), "{:?}", history.world().warnings());
+    assert!((0..16).all(|k| history.world().bonds().get(k).drive.is_none()));
+    steps(&mut history, 0.5);
+    history.undo().unwrap();
+    assert!(history.world().bonds().get(14).drive.is_some());
 }
 
 #[test]

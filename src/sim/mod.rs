@@ -75,6 +75,7 @@ pub use model::{Driving, MOST_GRAVITY, MOST_ITERATIONS, Method, Model, ModelErro
 pub use moved::{HandedOver, MovedBy, Why};
 pub use plan_part::PlanPart;
 pub use real::{Positions, Precision, Real};
+pub use rigid::holding::RigidPieces;
 pub use saved::{Saved, SavedWorld};
 pub use solver::{Order, Solver};
 pub use source::Source;

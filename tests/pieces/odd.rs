@@ -31,6 +31,31 @@ fn go(what: &str, world: &mut dyn Dynamics, t: f64) {
 }
 
 #[test]
+fn a_body_longer_than_its_box_takes_no_more_than_frames_have() {
+    let body = json!({"make": "lattice", "spacing": 0.21381413333333332, "columns": 3, "rows": 53, "origin": [-0.2276205, 0.9312781],
+        "angle": 1.592556, "velocity": [1.1799975060977161, -0.6342481276315841], "spin": 4.238607,
+        "material": {"kind": "rigid", "mass": 7.319854}});
+    let corners = [
+        [1.1400842360751613, -1.4473306181734573],
+        [-1.1296413835765298, -1.4151908229572698],
+        [0.687713917650121, -2.7753037094645556],
+        [0.01689689028228785, -0.6067346257752269],
+        [-0.7150534296314479, -2.755440223629491],
+    ];
+    let mut world = world(&json!({"wobble": 1, "bodies": [body], "contact": true, "gravity": [0, -9.81],
+        "forces": [{"points": [0], "force": [-19.292465133177704, -17.629456072415355]}],
+        "bounds": {"min": [-2.443462, -2.443462], "max": [2.443462, 2.443462], "restitution": 0.3, "friction": 0.3},
+        "obstacles": [{"polygon": [corners], "restitution": 0.3, "friction": 0.3}], "method": {"substep": 1.0 / 120.0}}));
+    let mut most = 0;
+    for _ in 0..30 {
+        let before = world.counters().work;
+        world.step();
+        most = most.max(world.counters().work - before);
+    }
+    assert!(world.is_finite() && most < 60_000_000, "{most} operations in a step: {:?}", world.moved_by());
+}
+
+#[test]
 fn what_has_no_size_moves_as_a_point() {
     let mut world = world(&triangle(&json!([[0, 1], [0, 1], [0, 1]]), &json!(1)));
     go("flight", &mut *world, 0.5);

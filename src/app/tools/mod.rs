@@ -28,7 +28,6 @@ mod handles;
 mod haul;
 #[cfg(test)]
 mod haul_tests;
-mod held;
 mod hidden;
 #[cfg(test)]
 mod hidden_tests;

@@ -9,14 +9,13 @@ use glam::DVec2;
 use super::Deed;
 use super::build::short;
 use super::drives::beside;
-use super::held::Frame;
 use super::marks::{Mark, Role};
 use super::pick::{self, Scope, distance_to_segment};
 use super::selecting::is_drag;
 use crate::app::count::counted;
 use crate::history::{Do, DriveOrNone, OneOrEach, SetKeys};
 use crate::scene::{DriveKeys, KeyName};
-use crate::sim::{Bond, BondKind, Drive, Driving, NoDrive, PointId};
+use crate::sim::{Bond, BondKind, Drive, Driving, NoDrive, PointId, RigidPieces};
 
 /// Said where nothing is clicked, or crossed by a stroke, that could be a muscle.
 const NO_BOND: &str = "no bond lies here that could be a muscle";
@@ -183,11 +182,11 @@ impl MuscleChoice {
         let scenery = &scope.shown.scenery;
         let all = scenery.bonds.iter().enumerate().map(|(place, bond)| (place, scenery.bond_number(place), bond));
         let mut plan = Plan { changes: Vec::new(), takes_away: true, left: 0, why: None };
-        let (mut others, frame) = (Vec::new(), OnceCell::new());
+        let (mut others, pieces) = (Vec::new(), OnceCell::new());
         for (place, number, bond) in all {
             let Some(&along) = met.get(&number) else { continue };
             let phase = self.phase_at(along, length);
-            if let Some(why) = no_muscle(scope, &bond, &frame) {
+            if let Some(why) = no_muscle(scope, &bond, &pieces) {
                 plan.left += 1;
                 plan.why.get_or_insert(why);
             } else if self.takes_away(&bond) {
@@ -274,9 +273,9 @@ impl MuscleChoice {
 }
 
 /// Why a bond cannot be a muscle in what is shown.
-fn no_muscle(scope: Scope<'_>, bond: &Bond, frame: &OnceCell<Frame>) -> Option<String> {
+fn no_muscle(scope: Scope<'_>, bond: &Bond, pieces: &OnceCell<RigidPieces>) -> Option<String> {
     let is_new = bond.kind == BondKind::Rigid && bond.drive.is_none();
-    let is_held = || is_new && frame.get_or_init(|| Frame::of(&scope.shown.scenery.bonds)).holds([bond.a, bond.b]);
+    let is_held = || is_new && pieces.get_or_init(|| scope.rigid_pieces()).holds_without_bond([bond.a, bond.b]);
     scope.shown.driving.of_bond(bond).map(words).or_else(|| is_held().then(|| HELD.to_owned()))
 }
 

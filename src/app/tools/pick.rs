@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::app::player::Shown;
 use crate::picture::Tint;
 use crate::render::{Camera, Pose};
-use crate::sim::{Angle, AngleDrive, PointId, segments_meet};
+use crate::sim::{Angle, AngleDrive, PointId, RigidPieces, segments_meet};
 
 /// What is taken by a press: how near its points are to the pixel at least `[logical px]`.
 const GRIP: f64 = 14.0;
@@ -292,6 +292,18 @@ impl Scope<'_> {
     pub(in crate::app) fn starts_at(&self, at: DVec2) -> bool {
         let is_led = || self.nearest(at).is_some_and(|hit| !self.is_pinned(hit.point));
         self.shown.starts && !is_led() && self.block(at).is_none()
+    }
+
+    /// What rigid bonds hold in its shape, where points are now; nothing in space.
+    pub(super) fn rigid_pieces(&self) -> RigidPieces {
+        if self.shown.dimensions != 2 {
+            return RigidPieces::default();
+        }
+        let place = |point: PointId| {
+            let [x, y, _] = self.shown.place(point.index());
+            [x, y]
+        };
+        RigidPieces::of(self.shown.scenery.bonds.iter(), place)
     }
 
     /// Where a pixel lies in the plane `[m]`.

@@ -102,6 +102,7 @@ impl<S: Real, const D: usize> World<S, D> {
         for place in detached.places(addition.pinned.iter().map(|point| point.0)) {
             detached.state.velocity[place] = zero();
         }
+        self.leave_out_idle_drives(&detached);
         self.spread();
         self.attach(detached);
         self.warn_of_stops_now(angles.clone());

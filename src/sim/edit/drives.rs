@@ -1,8 +1,15 @@
 //! Keys that players hold, as drives follow them.
 
+use std::sync::Arc;
+
+use super::recompile::Detached;
 use super::{Applied, done};
+use crate::sim::bond::PointId;
+use crate::sim::bonds::Bonds;
 use crate::sim::drive::{Held, Key, Signal};
+use crate::sim::plan;
 use crate::sim::real::Real;
+use crate::sim::vector::widen;
 use crate::sim::world::World;
 
 impl<S: Real, const D: usize> World<S, D> {
@@ -19,6 +26,22 @@ impl<S: Real, const D: usize> World<S, D> {
         let World { plan, around, .. } = self;
         plan.groups.iter_mut().for_each(|group| group.wake_if_driven(around, t));
         done(true)
+    }
+
+    /// Muscles among detached points whose ends other rigid bonds hold from now on are none any more.
+    pub(super) fn leave_out_idle_drives(&mut self, detached: &Detached<S, D>) {
+        if self.bonds.drives().next().is_none() {
+            return;
+        }
+        // Of others nothing changed: they may lie anywhere.
+        let place = |point: PointId| detached.place(point.0).map_or([0.0; D], |k| widen(detached.state.position[k]));
+        let mut bonds = Bonds::clone(&self.bonds);
+        let idle = plan::leave_out_idle_drives(&mut bonds, place);
+        if !idle.is_empty() {
+            self.bonds = Arc::new(bonds);
+            let numbers: Vec<usize> = idle.into_iter().map(|place| self.numbers.of_bond(place) as usize).collect();
+            self.warn_of_idle_drives(&numbers);
+        }
     }
 
     /// Drives that came know of the keys that are held already.

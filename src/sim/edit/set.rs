@@ -108,6 +108,7 @@ impl<S: Real, const D: usize> World<S, D> {
         places.iter().for_each(|&place| changes[place] = true);
         let detached = self.detach(&self.free_ends(&changes), false);
         self.bonds = Arc::new(changed);
+        self.leave_out_idle_drives(&detached);
         self.tell_drives();
         self.attach(detached);
         Ok(done(true))

@@ -46,7 +46,8 @@ pub(super) fn most_work<S: Real, const D: usize>(
     counters: &Counters,
 ) -> u64 {
     let (Some(budget), Some(watch)) = (budget, &group.watch) else { return u64::MAX };
-    let is_bounded = !matches!(group.engine, Engine::Bulk(_)) || matches!(group.kernel(), Some(Kernel::Joined(_)));
+    let is_bounded = !matches!(group.engine, Engine::Bulk(_))
+        || matches!(group.kernel(), Some(Kernel::Joined(_) | Kernel::Rigid(_)));
     if !watch.may_go || !is_bounded {
         return u64::MAX;
     }

@@ -23,7 +23,7 @@ pub(super) struct Lone<'a, S: Real, const D: usize, B: Solid<N>, const N: usize>
     among: Among<'a, S, D, B, N>,
     /// What pushes it at most, and that but for the mouse `[m/s^2]`.
     pushed: [f64; 2],
-    /// Operations of its flights and of what lies on surfaces.
+    /// Operations of its flights.
     spent: Cell<u64>,
 }
 
@@ -33,7 +33,7 @@ impl<'a, S: Real, const D: usize, B: Solid<N>, const N: usize> Lone<'a, S, D, B,
         Lone { body, field, among, pushed: field.pushed(), spent: Cell::new(0) }
     }
 
-    /// Operations of its flights and of what lay on surfaces.
+    /// Operations of its flights.
     pub(super) fn spent(&self) -> u64 {
         self.spent.get()
     }
@@ -118,9 +118,9 @@ impl<S: Real, const D: usize, B: Solid<N>, const N: usize> Assembly for Lone<'_,
         motion: &Self::Motion,
         span: (f64, f64),
         lying: &[Touch],
-        (_, book): (&Cell<u64>, Option<&mut Book>),
+        spent: (&Cell<u64>, Option<&mut Book>),
     ) -> Self::Motion {
-        self.among.slide(motion, self.field, span, lying, (&self.spent, book))
+        self.among.slide(motion, self.field, span, lying, spent)
     }
 
     fn first_hit(

@@ -126,6 +126,10 @@ impl<I: Inertial<N>, const N: usize> Answers<N> for Alone<'_, I, N> {
         Twist::STILL
     }
 
+    fn reversed(&self, twist: &Self::Motion, share: f64) -> Option<Self::Motion> {
+        Some(Twist { velocity: scale(twist.velocity, -share), spin: twist.spin.times(-share) })
+    }
+
     fn heaviest(&self) -> f64 {
         self.inertia.heaviest()
     }

@@ -149,6 +149,41 @@ mod tests {
     }
 
     #[test]
+    fn a_lever_that_friction_wedges_below_its_pin_comes_back_as_its_restitution_says() {
+        let pinned = Inertia { inverse: [0.0, 0.5] };
+        for (lean, friction) in [(0.3, 2.0), (0.01, 0.1), (2.0, 9.0), (-0.3, 2.0)] {
+            for restitution in [0.5, 1.0] {
+                let before = Twist { velocity: [0.0; 2], spin: -f64::signum(lean) };
+                let found = struck(pinned, before, &[on_floor([lean, -1.0], friction, restitution)]);
+                assert!((found.motion.spin + restitution * before.spin).abs() < 1e-12, "{lean}: {:?}", found.motion);
+                assert!(found.has_converged && found.impulses[0][1].abs() <= friction * found.impulses[0][0]);
+            }
+        }
+    }
+
+    #[test]
+    fn what_falls_between_rough_walls_comes_out_with_all_but_what_friction_takes() {
+        let body = Inertia { inverse: [0.25, 1.0 / (4.0 * 0.5)] };
+        for steep in [0.05, 0.1, 0.3, 1.0] {
+            for (friction, spin) in [(0.3, -1.0), (0.3, 0.0), (0.3, 0.3), (2.0, -1.0), (2.0, 0.0), (2.0, 0.3)] {
+                let wall = |side: f64| {
+                    let length = f64::sqrt(1.0 + steep * steep);
+                    let n = [-side / length, steep / length];
+                    let contact = on_floor([0.5 * side, 0.1 * side - 0.2], friction, 1.0);
+                    Contact { ways: [n, [-n[1], n[0]]], ..contact }
+                };
+                let before = Twist { velocity: [0.1, -2.0], spin };
+                let both = [-1.0, 1.0].map(wall);
+                let after = struck(body, before, &both).motion;
+                let kept = body.energy(&after) / body.energy(&before);
+                assert!((0.2..1.0 + 1e-9).contains(&kept), "{steep} {friction} {spin}: {kept}");
+                let slowest = both.iter().map(|contact| contact.speeds(&after)[0]).fold(f64::INFINITY, f64::min);
+                assert!(slowest > -1e-3, "{steep} {friction} {spin}: {slowest} m/s");
+            }
+        }
+    }
+
+    #[test]
     fn what_is_pinned_turns_alone() {
         let pinned = Inertia { inverse: [0.0, 0.5] };
         let before = Twist { velocity: [0.0; 2], spin: -1.0 };

@@ -20,6 +20,7 @@ mod contact;
 mod course;
 mod fall;
 mod field;
+pub(crate) mod holding;
 mod hull;
 pub(crate) mod inertia;
 mod joined;
@@ -133,6 +134,9 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
             let moving = || slots().map(|i| (points.position[i], points.velocity[i]));
             let parts = if is_reached { around.parts_near(moving(), (t, h)) } else { 1 };
             let mut log = Log::new(book.as_deref_mut());
+            // Of several none can be ahead of the others.
+            let locates = self.linkages.len() == 1;
+            log.most_work = if locates { self.most_work } else { u64::MAX };
             let most = h / f64::from(parts);
             let ends = match linkage.alone() {
                 Some(body) => {
@@ -143,11 +147,8 @@ impl<S: Real, const D: usize> Mover<S, D> for Rigid {
                     vec![end]
                 }
                 None => {
-                    // Of several none can be ahead of the others.
-                    let locates = self.linkages.len() == 1;
                     let joined = Moving::new(linkage, &field, (&anchors, t), &motions, locates);
                     let span = (t, h, joined.longest(h).min(most));
-                    log.most_work = if locates { self.most_work } else { u64::MAX };
                     let ends = advance(&joined, motions, span, &mut log);
                     log.work += joined.take_spent();
                     if let Some(gone) = log.broke {

@@ -32,11 +32,16 @@ pub(super) fn find(held: &Held<'_>) -> Option<Found> {
     Some(Found { pieces, rods })
 }
 
+/// All pieces among points, however many; `None`: lengths contradict each other.
+pub(super) fn all(held: &Held<'_>) -> Option<Vec<Piece>> {
+    let net = Net::new(held);
+    let (pieces, mut covered) = apart(held, &net, usize::MAX)?;
+    merge(pieces, &net, &mut covered)
+}
+
 /// Whether lengths contradict each other where bonds hold points in their places.
 pub(crate) fn contradicts(held: &Held<'_>) -> bool {
-    let net = Net::new(held);
-    let apart = apart(held, &net, usize::MAX);
-    apart.and_then(|(pieces, mut covered)| merge(pieces, &net, &mut covered)).is_none()
+    all(held).is_none()
 }
 
 /// The pieces that grow from single bonds, and which bonds are in one; `None`: lengths contradict each other, or there are more than `most`,

@@ -46,6 +46,17 @@ impl<S: Real, const D: usize> World<S, D> {
         }
     }
 
+    /// Tells of rigid bonds, by their numbers, whose drives were left out.
+    pub(crate) fn warn_of_idle_drives(&mut self, idle: &[usize]) {
+        if !idle.is_empty() {
+            let which = if idle.len() == 1 { "a muscle moves" } else { "muscles move" };
+            self.warnings.push(format!(
+                "{which} nothing, for other rigid bonds hold the ends: left out: make it a spring, or the body soft ({})",
+                list(idle)
+            ));
+        }
+    }
+
     /// What a body may lie inside of.
     fn solid(&self) -> &'static str {
         let has_obstacles = !self.model.polygons.is_empty() || !self.model.convex.is_empty();

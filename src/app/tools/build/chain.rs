@@ -6,7 +6,6 @@ use glam::DVec2;
 
 use super::corners::{area, crossing};
 use super::fill::filled;
-use super::firm::Firm;
 use super::links::Links;
 use super::outline::{label, line, pixel};
 use super::tie::{is_walled_off, nearest_of_skin};
@@ -202,8 +201,8 @@ impl Chain {
             pairs.remove(&sorted([a.0, b.0]));
         });
         let is_bonded = pairs.is_empty();
-        let firm = Firm::of(scope);
-        pairs.retain(|ends| ends[1] >= next || !firm.holds(*ends));
+        let firm = scope.rigid_pieces();
+        pairs.retain(|ends| ends[1] >= next || !firm.holds(ends.map(PointId)));
         if pairs.is_empty() && (is_drawn || self.own.is_empty()) {
             return Err(match is_drawn {
                 true if is_bonded => BONDED,
@@ -264,7 +263,7 @@ impl Chain {
             marks = marks.into_iter().map(|mark| mark.with(Role::Away)).collect();
         }
         let is_firm = match (last, node) {
-            (Some(Node::World(a)), Some(Node::World(b))) if a != b => Firm::of(scope).holds([a.0, b.0]),
+            (Some(Node::World(a)), Some(Node::World(b))) if a != b => scope.rigid_pieces().holds([a, b]),
             _ => false,
         };
         if is_outside {

@@ -6,7 +6,6 @@ mod corners;
 mod drawn_tests;
 mod figure;
 mod fill;
-mod firm;
 mod form;
 mod grid;
 mod laid;

@@ -28,6 +28,12 @@ const REPEATED: f64 = 1e-9;
 /// single one may take.
 const HALVINGS: u32 = 30;
 const HALVED: u32 = 4;
+/// Shares of friction with which an impact is looked for, one after the other, until there is one.
+const EASED: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0];
+/// Share of the speed that is to come back below which impulses that find no end have failed `[1]`.
+const RETURNED: f64 = 0.5;
+/// Share of the fastest hit by which such impulses may leave a contact slower off its surface than that `[1]`.
+const SLIGHT: f64 = 1e-3;
 
 /// Impulses of a contact in the plane, along its normal and across it `[kg m/s]`.
 pub(crate) type Impulse = [f64; 2];
@@ -89,6 +95,11 @@ pub(crate) trait Answers<const N: usize>: Sized {
     /// It stands still.
     fn stopped(&self, motion: &Self::Motion) -> Self::Motion;
 
+    /// It goes back as it came, at this share of its speed; `None` of what cannot be led so.
+    fn reversed(&self, _motion: &Self::Motion, _share: f64) -> Option<Self::Motion> {
+        None
+    }
+
     /// A mass and a moment of inertia that are no less than those of what moves.
     fn heaviest(&self) -> f64;
 
@@ -136,46 +147,92 @@ pub(crate) struct Pressed<M, const N: usize = 2> {
 }
 
 /// An impact: contacts that close give back what their restitution says, with no more energy than there was.
+///
+/// Where friction wedges what is to come back, so that no impulse does both, as a lever that meets a surface all but below its pin, the law
+/// has no answer: with less friction it has one. What is caught between surfaces that all but face each other goes back as it came.
 pub(crate) fn strike<A: Answers<N>, const N: usize>(
     body: &A,
     before: &A::Motion,
     rubs: &[Rub<N>],
 ) -> Pressed<A::Motion, N> {
+    let mut passes = 0;
+    for friction in EASED {
+        let eased: Vec<Rub<N>> = rubs.iter().map(|rub| Rub { friction: friction * rub.friction, ..*rub }).collect();
+        let found = restored(body, before, &eased);
+        passes += found.as_ref().map_or_else(|passes| *passes, |found| found.passes);
+        if let Ok(found) = found {
+            return Pressed { passes, ..found };
+        }
+        if rubs.iter().all(|rub| rub.friction == 0.0) {
+            break;
+        }
+    }
+    let back = rubs.iter().fold(1.0, |least: f64, rub| least.min(rub.restitution));
+    if let Some(motion) = body.reversed(before, back).filter(|_| back > 0.0) {
+        let taken = [body.energy(before) - body.energy(&motion), 0.0];
+        return Pressed { motion, taken, passes, is_stopped: false, ..stop(body, before, rubs.len()) };
+    }
+    let plastic = press(body, before, rubs, &[]);
+    passes += plastic.passes;
+    Pressed { passes, ..body.give_up(before, plastic) }
+}
+
+/// An impact by the law as it is; an error, and how often all contacts were gone through: it has no answer.
+fn restored<A: Answers<N>, const N: usize>(
+    body: &A,
+    before: &A::Motion,
+    rubs: &[Rub<N>],
+) -> Result<Pressed<A::Motion, N>, u32> {
     let most = body.energy(before) * (1.0 + body.rounding());
+    let fastest = (0..rubs.len()).fold(0.0, |most: f64, contact| most.max(-body.speeds(contact, before)[0]));
     let mut passes = 0;
     let mut with = |share: f64| {
         let aimed = |(contact, rub): (usize, &Rub<N>)| {
             let closing = (-body.speeds(contact, before)[0]).max(0.0);
             Rub { target: across(share * rub.restitution * closing), ..*rub }
         };
-        let pressed = press(body, before, &rubs.iter().enumerate().map(aimed).collect::<Vec<_>>(), &[]);
+        let aimed: Vec<Rub<N>> = rubs.iter().enumerate().map(aimed).collect();
+        let pressed = press(body, before, &aimed, &[]);
+        let is_short = |(contact, rub): (usize, &Rub<N>)| {
+            body.speeds(contact, &pressed.motion)[0] < RETURNED * rub.target[0] - SLIGHT * fastest
+        };
+        let is_wedged = !pressed.has_converged && aimed.iter().enumerate().any(is_short);
         let is_fine = body.energy(&pressed.motion) <= most;
         passes += pressed.passes;
-        (Pressed { passes, ..pressed }, is_fine)
+        (Pressed { passes, ..pressed }, is_fine, is_wedged)
     };
-    let (whole, is_fine) = with(1.0);
+    let (whole, is_fine, is_wedged) = with(1.0);
+    if is_wedged {
+        return Err(whole.passes);
+    }
     if is_fine {
-        return whole;
+        return Ok(whole);
     }
     // Newton's law of restitution together with friction may add energy: so much of it as does not.
-    let (plastic, is_fine) = with(0.0);
-    if !is_fine {
-        return body.give_up(before, plastic);
+    let (plastic, is_fine, is_wedged) = with(0.0);
+    if !is_fine || is_wedged {
+        return Err(plastic.passes);
     }
     let (mut low, mut high, mut found) = (0.0, 1.0, plastic);
     for _ in 0..HALVINGS {
         let share = 0.5 * (low + high);
-        let (next, is_fine) = with(share);
+        let (next, is_fine, is_wedged) = with(share);
+        if is_wedged {
+            return Err(next.passes);
+        }
         let is_over = next.passes > HALVED * body.most_passes(rubs.len());
         match is_fine {
             true => (low, found) = (share, next),
             false => high = share,
         }
         if is_over {
+            if low == 0.0 {
+                return Err(passes);
+            }
             break;
         }
     }
-    Pressed { passes, ..found }
+    Ok(Pressed { passes, ..found })
 }
 
 /// As [`press`], with no more energy than before and what targets ask for; where what slides on two surfaces at once has no

@@ -1,0 +1,40 @@
+//! Muscles among rigid bonds that hold their ends without them: no motion fits what they ask for, so they are rigid bonds like the others.
+//!
+//! A soft body, or a truss of just as many bonds as hold its shape, gives way to each muscle; in one of more, muscles would work against each
+//! other and against the rest, with energy from nowhere.
+
+use crate::sim::bond::{Bond, BondKind, PointId};
+use crate::sim::bonds::Bonds;
+use crate::sim::rigid::holding::RigidPieces;
+use crate::sim::rigid::shape::FITS;
+use crate::sim::vector::{flat, length, sub};
+
+/// Muscles that are looked at, at most: each by all bonds of its piece.
+const MOST: usize = 1_000;
+
+/// Takes the drives of rigid bonds whose ends others hold, with all points where they are `[m]`: such a bond is as long as they are apart
+/// from then on. Returns which.
+pub(crate) fn leave_out_idle_drives<const D: usize>(
+    bonds: &mut Bonds,
+    place: impl Fn(PointId) -> [f64; D],
+) -> Vec<usize> {
+    // In space no rigid bond has a drive.
+    if D != 2 || bonds.drives().next().is_none() {
+        return Vec::new();
+    }
+    let is_muscle = |(_, bond): &(usize, Bond)| bond.kind == BondKind::Rigid && bond.drive.is_some();
+    let muscles: Vec<(usize, Bond)> = bonds.iter().enumerate().filter(is_muscle).take(MOST).collect();
+    if muscles.is_empty() {
+        return Vec::new();
+    }
+    let pieces = RigidPieces::of(bonds.iter(), |point| flat(place(point)));
+    let idle = muscles.into_iter().filter(|(_, bond)| pieces.holds_without_bond([bond.a, bond.b]));
+    let idle: Vec<(usize, Bond)> = idle.collect();
+    for &(k, bond) in &idle {
+        let apart = length(sub(place(bond.a), place(bond.b)));
+        let fits = (apart - bond.rest_length).abs() <= FITS * bond.rest_length;
+        let rest_length = if fits { bond.rest_length } else { apart };
+        bonds.set(k, Bond { rest_length, drive: None, ..bond });
+    }
+    idle.into_iter().map(|(k, _)| k).collect()
+}
