@@ -150,7 +150,10 @@ pub fn by_mouse() -> [[&'static str; 2]; 11] {
         ["select: drag a corner", "scale it; with Shift in proportion"],
         ["select: drag the knob above", "turn it; with Shift in steps of 15°"],
         ["select, while plots are shown: click a point or a bond", "put a probe on it, or take it off"],
-        ["right or middle drag", "pan; in space the right button orbits, in cloths of the plane it cuts"],
+        [
+            "right or middle drag",
+            "pan; in space the right button orbits, above the floor, in cloths of the plane it cuts",
+        ],
         ["wheel", "zoom at the cursor"],
         ["wheel while a rope is drawn", "more or less slack"],
     ]

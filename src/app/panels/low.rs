@@ -53,7 +53,7 @@ mod tests {
             });
             panels.run_steps(12);
             let rect = |name: &str| panels.get_all_by_label(name).next().unwrap().rect();
-            let below = rect("1 x").top();
+            let below = rect("play").top();
             for name in
                 ["grab and throw; beside bodies, push", "wind: drag an arrow through the air", "Steel", "radius"]
             {
