@@ -220,7 +220,7 @@ fn an_obstacle_stops_where_what_it_pushes_has_no_room() {
 #[test]
 fn a_board_stops_on_limbs_and_on_pins() {
     let ragdoll = r#"{"wobble": 1, "contact": true, "gravity": [0, -9.81], "bounds": {"min": [-3, -2], "max": [3, 4], "friction": 0.5},
-        "obstacles": [{"box": {"min": [-2, 1], "max": [2, 1.28]}}], "bodies": [{"make": "ragdoll", "height": 1.5, "origin": [0, -2]}]}"#;
+        "obstacles": [{"box": {"min": [-2, 1], "max": [2, 1.28]}}], "bodies": [{"make": "ragdoll", "height": 1.5, "origin": [0, -2], "material": {"layered": false}}]}"#;
     let pinned = r#"{"wobble": 1, "contact": true, "obstacles": [{"box": {"min": [-1, 1], "max": [1, 1.3]}}],
         "bodies": [{"make": "lattice", "columns": 5, "rows": 5, "spacing": 0.2, "origin": [-0.4, -0.4], "pinned": [10, 14],
             "material": {"kind": "spring", "stiffness": 300, "damping": 1, "mass": 2}}]}"#;

@@ -316,6 +316,9 @@ fn what_is_drawn_onto_a_ball_lies_before_it_and_says_so() {
         let places = room.places();
         let bonds = room.shown.scenery.bonds.ends().to_vec();
         assert!(bonds.iter().flatten().all(|end| end.0 != 0), "{primitive:?} is not tied to what the ball hides");
+        let pinned = room.stage.history().world().pinned().to_vec();
+        assert!(pinned.iter().all(|pin| pin.0 != 0), "{primitive:?} pins nothing else");
+        assert!(primitive != Primitive::Rope || !pinned.is_empty(), "it hangs from where it was pressed");
         let middles = bonds.iter().map(|ends| places[ends[0].index()].midpoint(places[ends[1].index()]));
         for place in places.iter().copied().chain(middles).skip(1) {
             assert!(place.length() > 1.0 - 1e-4 && place.y > -1.0 - 1e-4, "{primitive:?}: {place}");

@@ -21,7 +21,7 @@ use crate::sim::{BOX_EDGES, PointId};
 /// A box is as thick as this share of its longest side at least `[1]`.
 const THICK: f64 = 0.3;
 /// Said where something finds no place before what stands there.
-const WITHIN: &str = "it lies in an obstacle: from here nothing before it is free";
+const WITHIN: &str = "it would lie in what stands there: draw it elsewhere, or turn the view";
 /// Half of what a click makes of a box, in what a click makes.
 const USUAL_BOX: [f64; 3] = [1.0, 0.25, 0.6];
 
@@ -52,10 +52,10 @@ pub(super) enum Form {
 /// What a release at a pixel adds to the world; words where that is nothing.
 pub(super) fn build(maker: Maker, scope: Scope<'_>, drag: &Drag, at: DVec2) -> Deed {
     match form(maker, scope, Some(drag), at) {
-        Ok((form, lies)) => {
+        Ok((_, Lies::Within)) => Deed::words(WITHIN.to_owned()),
+        Ok((form, _)) => {
             let keys = form.keys(scope.shown.point_count() as u32);
-            let within = (lies == Lies::Within).then_some(WITHIN);
-            let words = within.or(form.pins()).map(str::to_owned);
+            let words = form.pins().map(str::to_owned);
             Deed { words, ..Deed::edit(maker.primitive.name(), Do::Add(Box::new(keys))) }
         }
         Err(words) => Deed::words(words),
@@ -310,13 +310,14 @@ fn of_rope((corners, is_bent): (&[DVec3], bool), holds: [Hold; 2], next: u32) ->
     let tied = [at_first.map(|point| bond(point.0, next)), at_last.map(|point| bond(next + count - 1, point.0))];
     let tied = tied.into_iter().flatten();
     let pins = [(holds[0], 0), (holds[1], count - 1)].into_iter().filter(|(hold, _)| *hold == Hold::Pin);
-    let pinned = pins.map(|(_, point)| point).collect();
+    let pinned: Vec<u32> = pins.map(|(_, point)| point).collect();
     if is_bent {
         let points = PointKeys {
             position: own.iter().copied().map(vector).collect(),
             mass: Some(MassKeys::Same(ROPE_MASS * length(own) / f64::from(count))),
             velocity: None,
-            pinned,
+            // Points are numbered over the world, those of a body within it.
+            pinned: pinned.into_iter().map(|point| next + point).collect(),
         };
         let pieces = (1..count).map(|k| bond(next + k - 1, next + k));
         return AddKeys { points: Some(points), bonds: pieces.chain(tied).collect(), ..AddKeys::default() };

@@ -29,7 +29,7 @@ const REPEATED: f64 = 1e-9;
 const HALVINGS: u32 = 30;
 const HALVED: u32 = 4;
 /// Shares of friction with which an impact is looked for, one after the other, until there is one.
-const EASED: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0];
+const EASED: [f64; 3] = [1.0, 0.25, 0.0];
 /// Share of the speed that is to come back below which impulses that find no end have failed `[1]`.
 const RETURNED: f64 = 0.5;
 /// Share of the fastest hit by which such impulses may leave a contact slower off its surface than that `[1]`.
@@ -149,16 +149,20 @@ pub(crate) struct Pressed<M, const N: usize = 2> {
 /// An impact: contacts that close give back what their restitution says, with no more energy than there was.
 ///
 /// Where friction wedges what is to come back, so that no impulse does both, as a lever that meets a surface all but below its pin, the law
-/// has no answer: with less friction it has one. What is caught between surfaces that all but face each other goes back as it came.
+/// has no answer: with less friction it has one. What is caught between surfaces that all but face each other goes back as it came. Bodies in
+/// joints, which cannot, are taken as the law leaves them.
 pub(crate) fn strike<A: Answers<N>, const N: usize>(
     body: &A,
     before: &A::Motion,
     rubs: &[Rub<N>],
 ) -> Pressed<A::Motion, N> {
+    let back = rubs.iter().fold(1.0, |least: f64, rub| least.min(rub.restitution));
+    let reversed = body.reversed(before, back);
+    let is_one = reversed.is_some();
     let mut passes = 0;
-    for friction in EASED {
+    for &friction in if is_one { &EASED[..] } else { &EASED[..1] } {
         let eased: Vec<Rub<N>> = rubs.iter().map(|rub| Rub { friction: friction * rub.friction, ..*rub }).collect();
-        let found = restored(body, before, &eased);
+        let found = restored(body, (before, is_one), &eased);
         passes += found.as_ref().map_or_else(|passes| *passes, |found| found.passes);
         if let Ok(found) = found {
             return Pressed { passes, ..found };
@@ -167,8 +171,7 @@ pub(crate) fn strike<A: Answers<N>, const N: usize>(
             break;
         }
     }
-    let back = rubs.iter().fold(1.0, |least: f64, rub| least.min(rub.restitution));
-    if let Some(motion) = body.reversed(before, back).filter(|_| back > 0.0) {
+    if let Some(motion) = reversed.filter(|_| back > 0.0) {
         let taken = [body.energy(before) - body.energy(&motion), 0.0];
         return Pressed { motion, taken, passes, is_stopped: false, ..stop(body, before, rubs.len()) };
     }
@@ -177,10 +180,11 @@ pub(crate) fn strike<A: Answers<N>, const N: usize>(
     Pressed { passes, ..body.give_up(before, plastic) }
 }
 
-/// An impact by the law as it is; an error, and how often all contacts were gone through: it has no answer.
+/// An impact by the law as it is; an error, and how often all contacts were gone through: it has no answer. `minds`: impulses that find no end
+/// are none.
 fn restored<A: Answers<N>, const N: usize>(
     body: &A,
-    before: &A::Motion,
+    (before, minds): (&A::Motion, bool),
     rubs: &[Rub<N>],
 ) -> Result<Pressed<A::Motion, N>, u32> {
     let most = body.energy(before) * (1.0 + body.rounding());
@@ -196,7 +200,7 @@ fn restored<A: Answers<N>, const N: usize>(
         let is_short = |(contact, rub): (usize, &Rub<N>)| {
             body.speeds(contact, &pressed.motion)[0] < RETURNED * rub.target[0] - SLIGHT * fastest
         };
-        let is_wedged = !pressed.has_converged && aimed.iter().enumerate().any(is_short);
+        let is_wedged = minds && !pressed.has_converged && aimed.iter().enumerate().any(is_short);
         let is_fine = body.energy(&pressed.motion) <= most;
         passes += pressed.passes;
         (Pressed { passes, ..pressed }, is_fine, is_wedged)
@@ -226,7 +230,7 @@ fn restored<A: Answers<N>, const N: usize>(
             false => high = share,
         }
         if is_over {
-            if low == 0.0 {
+            if minds && low == 0.0 {
                 return Err(passes);
             }
             break;
