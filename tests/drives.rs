@@ -348,6 +348,16 @@ fn muscles_whose_ends_other_rigid_bonds_hold_are_left_out_and_move_nothing() {
     steps(&mut history, 0.5);
     history.undo().unwrap();
     assert!(history.world().bonds().get(14).drive.is_some());
+    // On a pin that something else hangs on too, far from the origin.
+    let pinned = json!({ "wobble": 1, "gravity": [0, 0], "points": { "position": [[10,10],[9,10],[11,10],[11,11],[10,11]], "pinned": [0] },
+        "bonds": [{ "a": 0, "b": 1 }, { "a": 0, "b": 2 }, { "a": 2, "b": 3 }, { "a": 3, "b": 4 }, { "a": 4, "b": 0 },
+            { "a": 0, "b": 3, "drive": { "amplitude": 0.2, "period": 0.7 } }] });
+    let mut history = History::new(Start::from(parsed(&pinned))).unwrap();
+    let brace = AddKeys { bonds: vec![BondKeys::new(2, 4)], ..AddKeys::default() };
+    give(&mut history, Do::Add(Box::new(brace)), Some("brace"));
+    assert!((history.world().bonds().get(5).rest_length - 2_f64.sqrt()).abs() < 1e-9);
+    steps(&mut history, 0.5);
+    assert!(history.world().energy() < 1e-9, "{}", history.world().energy());
 }
 
 #[test]

@@ -102,8 +102,8 @@ impl<S: Real, const D: usize> World<S, D> {
         for place in detached.places(addition.pinned.iter().map(|point| point.0)) {
             detached.state.velocity[place] = zero();
         }
-        self.leave_out_idle_drives(&detached);
         self.spread();
+        self.leave_out_idle_drives(&detached);
         self.attach(detached);
         self.warn_of_stops_now(angles.clone());
         Ok(Applied { angles, ..applied })

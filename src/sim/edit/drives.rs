@@ -33,10 +33,14 @@ impl<S: Real, const D: usize> World<S, D> {
         if self.bonds.drives().next().is_none() {
             return;
         }
-        // Of others nothing changed: they may lie anywhere.
-        let place = |point: PointId| detached.place(point.0).map_or([0.0; D], |k| widen(detached.state.position[k]));
+        let among = |point: PointId| detached.place(point.0).is_some();
+        // Pins, and what hangs on them elsewhere, are where they were.
+        let place = |point: PointId| match detached.place(point.0) {
+            Some(k) => widen(detached.state.position[k]),
+            None => self.place(point.index()),
+        };
         let mut bonds = Bonds::clone(&self.bonds);
-        let idle = plan::leave_out_idle_drives(&mut bonds, place);
+        let idle = plan::leave_out_idle_drives(&mut bonds, among, place);
         if !idle.is_empty() {
             self.bonds = Arc::new(bonds);
             let numbers: Vec<usize> = idle.into_iter().map(|place| self.numbers.of_bond(place) as usize).collect();

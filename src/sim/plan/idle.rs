@@ -9,29 +9,39 @@ use crate::sim::rigid::holding::RigidPieces;
 use crate::sim::rigid::shape::FITS;
 use crate::sim::vector::{flat, length, sub};
 
-/// Muscles that are looked at, at most: each by all bonds of its piece.
-const MOST: usize = 1_000;
+/// Bonds that are looked at for muscles, at most, for each of these all of its piece; more are looked at for the first one alone.
+const MOST: usize = 100_000;
 
-/// Takes the drives of rigid bonds whose ends others hold, with all points where they are `[m]`: such a bond is as long as they are apart
-/// from then on. Returns which.
+/// Takes the drives of rigid bonds whose ends others hold, of those with an end `among` some points, with all points where they are `[m]`:
+/// such a bond is as long as they are apart from then on. Returns which.
 pub(crate) fn leave_out_idle_drives<const D: usize>(
     bonds: &mut Bonds,
+    among: impl Fn(PointId) -> bool,
     place: impl Fn(PointId) -> [f64; D],
 ) -> Vec<usize> {
     // In space no rigid bond has a drive.
     if D != 2 || bonds.drives().next().is_none() {
         return Vec::new();
     }
-    let is_muscle = |(_, bond): &(usize, Bond)| bond.kind == BondKind::Rigid && bond.drive.is_some();
-    let muscles: Vec<(usize, Bond)> = bonds.iter().enumerate().filter(is_muscle).take(MOST).collect();
+    let is_muscle = |(_, bond): &(usize, Bond)| {
+        bond.kind == BondKind::Rigid && bond.drive.is_some() && (among(bond.a) || among(bond.b))
+    };
+    let muscles: Vec<(usize, Bond)> = bonds.iter().enumerate().filter(is_muscle).collect();
     if muscles.is_empty() {
         return Vec::new();
     }
     let pieces = RigidPieces::of(bonds.iter(), |point| flat(place(point)));
-    let idle = muscles.into_iter().filter(|(_, bond)| pieces.holds_without_bond([bond.a, bond.b]));
-    let idle: Vec<(usize, Bond)> = idle.collect();
+    let mut looked = 0;
+    let asked = muscles.into_iter().take_while(|(_, bond)| {
+        let own = pieces.bonds_about([bond.a, bond.b]);
+        let is_first = looked == 0;
+        looked += own;
+        is_first || looked <= MOST
+    });
+    let idle: Vec<(usize, Bond)> = asked.filter(|(_, bond)| pieces.holds_without_bond([bond.a, bond.b])).collect();
     for &(k, bond) in &idle {
         let apart = length(sub(place(bond.a), place(bond.b)));
+        debug_assert!(apart.is_finite(), "its ends are somewhere");
         let fits = (apart - bond.rest_length).abs() <= FITS * bond.rest_length;
         let rest_length = if fits { bond.rest_length } else { apart };
         bonds.set(k, Bond { rest_length, drive: None, ..bond });

@@ -67,6 +67,11 @@ impl RigidPieces {
         self.home(ends).is_some()
     }
 
+    /// How many bonds the piece has that holds two points; 0: none does.
+    pub(crate) fn bonds_about(&self, ends: [PointId; 2]) -> usize {
+        self.home(ends).map_or(0, |number| self.list[number as usize].bonds.len())
+    }
+
     /// Whether one piece still does where no bond joins them: by what else it is made of.
     pub fn holds_without_bond(&self, ends: [PointId; 2]) -> bool {
         let Some(number) = self.home(ends) else { return false };

@@ -58,7 +58,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let mut position = cleared.moved(&model.position).into_owned();
         let mut bonds = model.bonds.clone();
         let fitted = plan::fit_rest_lengths(model, &mut bonds, &mut position);
-        let idle = plan::leave_out_idle_drives(&mut bonds, |point| position[point.index()]);
+        let idle = plan::leave_out_idle_drives(&mut bonds, |_| true, |point| position[point.index()]);
         let state = State {
             position: position.iter().map(|&x| convert(x)).collect(),
             velocity: velocity.collect(),

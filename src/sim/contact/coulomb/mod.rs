@@ -171,7 +171,14 @@ pub(crate) fn strike<A: Answers<N>, const N: usize>(
             break;
         }
     }
-    if let Some(motion) = reversed.filter(|_| back > 0.0) {
+    // What comes off a surface is not led back to it.
+    let goes = |motion: &A::Motion| {
+        let speeds =
+            |motion: &A::Motion| (0..rubs.len()).map(|contact| body.speeds(contact, motion)[0]).collect::<Vec<_>>();
+        let fastest = speeds(before).into_iter().fold(0.0, |most: f64, speed| most.max(-speed));
+        speeds(motion).into_iter().all(|speed| speed >= -SLIGHT * fastest)
+    };
+    if let Some(motion) = reversed.filter(|motion| back > 0.0 && goes(motion)) {
         let taken = [body.energy(before) - body.energy(&motion), 0.0];
         return Pressed { motion, taken, passes, is_stopped: false, ..stop(body, before, rubs.len()) };
     }
