@@ -30,22 +30,6 @@ fn what_is_told_not_to_settle_goes_on_shaking() {
     assert!(free > 3.0 * settled, "{free} m/s, settled {settled} m/s");
 }
 
-/// A body that swings through where it will rest is within less than it sleeps in there.
-#[test]
-fn what_swings_falls_asleep_no_sooner_than_it_is_at_rest() {
-    let top = |height: f64| {
-        let lattice = json!({"make": "lattice", "columns": 12, "rows": 12, "spacing": 0.1, "origin": [-0.5, height],
-            "material": {"kind": "spring", "stiffness": 8000, "damping": 0.2, "mass": 2}});
-        let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": true, "method": {"solver": "live"}, "bodies": [lattice],
-            "bounds": {"min": [-4, 0], "max": [4, 12], "friction": 0.5}});
-        let (sample, world) = run(&scene, 4.0);
-        assert!(world.is_asleep(), "{} m/s", super::fastest(&sample));
-        sample.position.iter().map(|x| x[1]).fold(f64::NEG_INFINITY, f64::max)
-    };
-    let [low, high] = [0.05, 0.1].map(top);
-    assert!((low - high).abs() < 6e-5, "{low} and {high} m");
-}
-
 /// Its bell lies on its limbs, which cross as often as they are led back.
 #[test]
 fn a_jellyfish_on_its_limbs_comes_to_rest() {

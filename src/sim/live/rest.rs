@@ -19,8 +19,6 @@ const MOST_WAY: f64 = 5e-3;
 /// and one that has been slow for so long and does not slide `[s]`: it rolls on as slowly as what settles it lets it.
 const TREMBLE: f64 = 5.0;
 const LONG: f64 = 2.0;
-/// Mean speed above which what stays near a place swings through it `[m/s]`: what did of late sleeps once it has stayed for [`LONG`].
-const SWINGS: f64 = 0.01;
 /// Mean speed below which what touches settles `[m/s]`, and below which what is rigid does: that does not swing, and is to tip and roll.
 const SLOW: [f64; 2] = [1.0, 0.1];
 /// How long it may touch nothing meanwhile `[s]`: it hops.
@@ -38,8 +36,6 @@ pub(super) struct Rest {
     pub(super) touches: bool,
     /// Since when its points are about where they are `[s]`.
     since: Option<f64>,
-    /// When it swung through there last `[s]`.
-    swung: f64,
     /// How long it has been slow and touched something, hops apart `[s]`, and how long of that it did not slide.
     slow: f64,
     calm: f64,
@@ -200,19 +196,9 @@ impl<S: Real> Live<S> {
         let anchor = &mut self.anchor[of.points.range()];
         let is_near =
             |(&slot, at): (&u32, &[S; 2])| (0..2).all(|k| (points.position[slot as usize][k] - at[k]).abs() <= most);
-        let swings = || {
-            let square =
-                slots.iter().map(|&slot| points.velocity[slot as usize]).fold(S::ZERO, |sum, v| sum + dot(v, v));
-            square > S::from_f64(slots.len() as f64 * SWINGS * SWINGS)
-        };
         let rest = &mut self.rests[body];
         match rest.since {
-            Some(since) if slots.iter().zip(anchor.iter()).all(is_near) => {
-                if swings() {
-                    rest.swung = t;
-                }
-                t - since >= if t - rest.swung < STILL_TIME { LONG } else { STILL_TIME }
-            }
+            Some(since) if slots.iter().zip(anchor.iter()).all(is_near) => t - since >= STILL_TIME,
             _ => {
                 slots.iter().zip(anchor).for_each(|(&slot, at)| *at = points.position[slot as usize]);
                 rest.since = Some(t);

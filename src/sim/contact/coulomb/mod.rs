@@ -162,10 +162,10 @@ pub(crate) fn strike<A: Answers<N>, const N: usize>(
     let mut passes = 0;
     for &friction in if is_one { &EASED[..] } else { &EASED[..1] } {
         let eased: Vec<Rub<N>> = rubs.iter().map(|rub| Rub { friction: friction * rub.friction, ..*rub }).collect();
-        let found = restored(body, (before, is_one), &eased);
-        passes += found.as_ref().map_or_else(|passes| *passes, |found| found.passes);
-        if let Ok(found) = found {
-            return Pressed { passes, ..found };
+        match restored(body, (before, is_one), &eased) {
+            Ok(found) => return Pressed { passes: passes + found.passes, ..found },
+            Err(found) if !is_one => return body.give_up(before, found),
+            Err(found) => passes += found.passes,
         }
         if rubs.iter().all(|rub| rub.friction == 0.0) {
             break;
@@ -187,13 +187,12 @@ pub(crate) fn strike<A: Answers<N>, const N: usize>(
     Pressed { passes, ..body.give_up(before, plastic) }
 }
 
-/// An impact by the law as it is; an error, and how often all contacts were gone through: it has no answer. `minds`: impulses that find no end
-/// are none.
+/// An impact by the law as it is; an error, with what is nearest to one: it has no answer. `minds`: impulses that find no end are none.
 fn restored<A: Answers<N>, const N: usize>(
     body: &A,
     (before, minds): (&A::Motion, bool),
     rubs: &[Rub<N>],
-) -> Result<Pressed<A::Motion, N>, u32> {
+) -> Result<Pressed<A::Motion, N>, Pressed<A::Motion, N>> {
     let most = body.energy(before) * (1.0 + body.rounding());
     let fastest = (0..rubs.len()).fold(0.0, |most: f64, contact| most.max(-body.speeds(contact, before)[0]));
     let mut passes = 0;
@@ -214,7 +213,7 @@ fn restored<A: Answers<N>, const N: usize>(
     };
     let (whole, is_fine, is_wedged) = with(1.0);
     if is_wedged {
-        return Err(whole.passes);
+        return Err(whole);
     }
     if is_fine {
         return Ok(whole);
@@ -222,14 +221,14 @@ fn restored<A: Answers<N>, const N: usize>(
     // Newton's law of restitution together with friction may add energy: so much of it as does not.
     let (plastic, is_fine, is_wedged) = with(0.0);
     if !is_fine || is_wedged {
-        return Err(plastic.passes);
+        return Err(plastic);
     }
     let (mut low, mut high, mut found) = (0.0, 1.0, plastic);
     for _ in 0..HALVINGS {
         let share = 0.5 * (low + high);
         let (next, is_fine, is_wedged) = with(share);
         if is_wedged {
-            return Err(next.passes);
+            return Err(next);
         }
         let is_over = next.passes > HALVED * body.most_passes(rubs.len());
         match is_fine {
@@ -238,7 +237,7 @@ fn restored<A: Answers<N>, const N: usize>(
         }
         if is_over {
             if minds && low == 0.0 {
-                return Err(passes);
+                return Err(found);
             }
             break;
         }
