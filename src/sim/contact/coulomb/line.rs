@@ -2,11 +2,6 @@
 
 use super::{Friction, Impulse, REPEATED, Rub};
 
-/// Share of its parts from which on a difference of speeds is more than rounding.
-const SLIDING: f64 = 1e-6;
-/// Share of what presses that friction may leave of it at the least.
-const LEAST: f64 = 1e-3;
-
 /// Friction along a line.
 pub(crate) struct Line;
 
@@ -46,16 +41,6 @@ impl Friction<2> for Line {
                     return [push, side * rub.friction * push];
                 }
             }
-        }
-        // Of one motion alone, as that about a pin: what comes back says how it slides, whatever friction does.
-        let [kept, wanted] = [both / across * lacks[0], lacks[1]];
-        let slip = kept - wanted;
-        if held <= REPEATED * across * along && target > 0.0 && slip.abs() > SLIDING * (kept.abs() + wanted.abs()) {
-            let eased = across - slip.signum() * rub.friction * both;
-            // Where friction would lift the point more than what presses does, nothing comes back that it rubs.
-            let rubbed = if eased > LEAST * across { -slip.signum() * rub.friction } else { 0.0 };
-            let push = lacks[0] / (across + rubbed * both);
-            return [push, rubbed * push];
         }
         let push = (old[0] + (target - normal) / across).max(0.0);
         let after = speed + both * (push - old[0]);
