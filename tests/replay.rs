@@ -376,7 +376,7 @@ fn from_keyframes(name: &str, made: &Recording, count: usize) {
 /// WOBBLE_KEYFRAMES=20 WOBBLE_OTHER=(the program of another build).
 #[test]
 fn random_sessions_come_to_the_same_bits_whatever_is_varied() {
-    let (scenes, seconds) = (asked("WOBBLE_SCENES", 3.0) as usize, asked("WOBBLE_SECONDS", 10.0));
+    let (scenes, seconds) = (asked("WOBBLE_SCENES", 3.0) as usize, asked("WOBBLE_SECONDS", 6.0));
     let keyframes = asked("WOBBLE_KEYFRAMES", 2.0) as usize;
     let names =
         ["rim", "points", "spring-damper", "net", "gear", "jelly", "random-graph", "ring", "rope", "picture-obstacle"];

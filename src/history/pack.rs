@@ -283,10 +283,14 @@ fn layers_of(skins: &SkinMaterials) -> Vec<(bool, Vec<u32>)> {
     skins.lists().into_iter().filter_map(|(material, points)| Some((material.layered?, points))).collect()
 }
 
+/// Points by their numbers: a damaged one must not ask for more than there can be.
+fn possible(points: Vec<u32>) -> impl Iterator<Item = PointId> {
+    points.into_iter().filter(|&point| u64::from(point) < MAX_POINTS).map(PointId)
+}
+
 fn layer(skins: &mut SkinMaterials, lists: Vec<(bool, Vec<u32>)>) {
     for (is_layered, points) in lists {
-        // A damaged number must not ask for more than there can be.
-        for point in points.into_iter().filter(|&point| u64::from(point) < MAX_POINTS).map(PointId) {
+        for point in possible(points) {
             skins.set([point], SkinMaterial { layered: Some(is_layered), ..skins.of(point) });
         }
     }
@@ -349,8 +353,7 @@ impl Packed for SkinMaterials {
     fn take(from: &mut &[u8]) -> Option<Self> {
         let mut skins = SkinMaterials::default();
         for (material, points) in Vec::<(SkinMaterial, Vec<u32>)>::take(from)? {
-            // A damaged number must not ask for more than there can be.
-            skins.set(points.into_iter().filter(|&point| u64::from(point) < MAX_POINTS).map(PointId), material);
+            skins.set(possible(points), material);
         }
         Some(skins)
     }

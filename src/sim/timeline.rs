@@ -86,6 +86,28 @@ impl Timeline {
         true
     }
 
+    /// Substeps from now on are frames long, if none has begun yet in the frame that time lies in: between two of them, of less than a
+    /// frame. Returns whether that is so.
+    ///
+    /// They are as long whenever the stretch ends: the last one is shorter.
+    pub(crate) fn stretch_to_frames(&mut self) -> bool {
+        let time = self.time();
+        let into = time * FRAMES - (time * FRAMES + FRAME_SLACK).floor();
+        if into >= self.substep() * FRAMES - FRAME_SLACK {
+            return false;
+        }
+        (self.start, self.done, self.rest) = (time, 0, None);
+        (self.nominal, self.substep) = (1.0 / FRAMES, 1.0 / FRAMES);
+        self.count = self.knots.last().map(|&end| {
+            let frames = (end - time) * FRAMES;
+            let whole = (frames * (1.0 + SLACK)).floor();
+            let over = frames - whole;
+            self.rest = (over > SLACK * frames).then_some(over / FRAMES);
+            whole as u64 + u64::from(self.rest.is_some())
+        });
+        true
+    }
+
     /// Cuts the stretch from `start` to the next knot.
     fn cut(&mut self) {
         (self.done, self.rest) = (0, None);
@@ -226,6 +248,36 @@ mod tests {
         assert!(timeline.stretch(2), "what is left of 0.25 and 0.125 is one of 0.375");
         walk(&mut timeline, 2);
         assert_eq!(steps, [(0.5, 0.25), (0.75, 0.25), (1.0, 0.375), (1.375, 0.5)]);
+    }
+
+    #[test]
+    fn substeps_of_any_length_are_stretched_to_frames_where_one_begins() {
+        for end in [0.3, 0.305, 0.1 + 0.5 / 60.0, 20.0] {
+            let mut timeline = Timeline::new(1.0 / 60.0 / 81.0, [20.0, end]);
+            (0..3).for_each(|_| timeline.advance());
+            assert!(!timeline.stretch_to_frames(), "it is within a frame");
+            (3..6 * 81).for_each(|_| timeline.advance());
+            // Those of a stretch that is no whole number of frames are a little shorter.
+            if !timeline.stretch_to_frames() {
+                timeline.advance();
+                assert!(timeline.stretch_to_frames(), "{end}");
+            }
+            let start = timeline.time();
+            assert!((start - 0.1).abs() < 1.0 / 60.0 / 81.0, "{start}");
+            let mut ends = Vec::new();
+            while timeline.time() < end - 1e-12 {
+                let frame = frame_of(timeline.time());
+                timeline.advance();
+                assert_eq!(frame_of(timeline.time()), frame + 1, "one a frame");
+                ends.push(timeline.time());
+            }
+            assert_eq!((ends.len(), ends.last().copied()), (((end - start) * 60.0 - 1e-6).ceil() as usize, Some(end)));
+            let is_frame = |(k, &t): (usize, &f64)| t == end || (t - start - (k + 1) as f64 / 60.0).abs() < 1e-9;
+            assert!(ends.iter().enumerate().all(is_frame));
+            timeline.advance();
+            let next = 1.0 / 60.0;
+            assert!(end == 20.0 || (timeline.time() - end - next).abs() < 1e-3, "they stay as long");
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! What is pinned across a wall, some of it above and some below: led out only as far as its bonds yield, and no energy from that.
 
 use serde_json::{Value, json};
-use wobble::sim::{Command, Motion, PointId};
+use wobble::sim::{Command, Dynamics, Motion, PointId};
 
 use super::world;
 
@@ -47,6 +47,33 @@ fn ropes_that_are_pinned_below_a_floor_keep_their_lengths() {
         assert!(most < start + 3.0, "{kind}: from {start} J to {most} J");
         assert!(strain < 0.06, "{kind}: {strain}");
     }
+}
+
+/// Its lowest points are right below the pin that is left: by no turn are they put out at once.
+#[test]
+fn a_board_that_loses_one_of_its_pins_is_turned_out_of_a_floor_slowly() {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "method": {"solver": "live"},
+        "bodies": [{"make": "lattice", "columns": 5, "rows": 12, "spacing": 0.3, "origin": [0, -0.4],
+            "pinned": [55, 59], "material": {"kind": "rigid", "mass": 1}}],
+        "bounds": {"min": [-90, 0], "max": [90, 90], "friction": 0.3, "restitution": 1}});
+    let mut world = world(&scene);
+    let steps = |world: &mut Box<dyn Dynamics>, end: f64| {
+        let mut fastest = 0.0_f64;
+        while world.time() < end {
+            let (t, before) = (world.time(), world.sample(world.time()).position);
+            world.step();
+            let after = world.sample(world.time()).position;
+            let ways = before.iter().zip(&after).map(|(a, b)| (b[0] - a[0]).hypot(b[1] - a[1]));
+            fastest = fastest.max(ways.fold(0.0, f64::max) / (world.time() - t));
+        }
+        fastest
+    };
+    assert_eq!(steps(&mut world, 0.2), 0.0, "it stands on two pins");
+    world.apply(&Command::Unpin(vec![PointId(55)])).unwrap();
+    let fastest = steps(&mut world, 3.0);
+    let lowest = world.sample(world.time()).position.iter().fold(f64::INFINITY, |least, x| least.min(x[1]));
+    assert!(lowest > -1e-3, "it lies {lowest} m deep");
+    assert!(fastest < 20.0, "{fastest} m/s");
 }
 
 /// A disc that hangs on two threads lies across those of another one: contacts alone would push what is on both sides of a thread back and

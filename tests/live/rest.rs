@@ -30,14 +30,14 @@ fn what_is_told_not_to_settle_goes_on_shaking() {
     assert!(free > 3.0 * settled, "{free} m/s, settled {settled} m/s");
 }
 
-/// Its bell lies on its limbs, which cross as often as they are led back.
+/// Its bell lies on its limbs, which cross as often as they are led back: after 2 to 13 s, as it falls.
 #[test]
 fn a_jellyfish_on_its_limbs_comes_to_rest() {
     let jellyfish = json!({"make": "picture", "file": "pictures/jellyfish.png", "height": 1, "origin": [0, 1.5], "spacing": 0.12,
         "material": {"kind": "spring", "young": 200, "mass": 0.5}});
     let scene = json!({"wobble": 1, "contact": true, "gravity": [0, -9.81], "bodies": [jellyfish],
         "bounds": {"min": [-1.5, 0], "max": [1.5, 10], "friction": 0.4}});
-    let (sample, world) = run(&scene, 10.0);
+    let (sample, world) = run(&scene, 20.0);
     assert!(world.is_asleep(), "{} m/s", super::fastest(&sample));
 }
 

@@ -268,10 +268,11 @@ fn assert_outside(model: &Model<2>, polygon: &Polygon, case: &str) {
 
 #[test]
 fn points_in_a_notch_come_to_rest_in_its_tip() {
-    let surfaces = [(0.0, 0.0), (0.5, 0.0), (0.5, 0.3)];
-    let turns = |degrees: f64| [0.1, 1.15, 4.3].map(|turn| (degrees, turn));
-    for (degrees, turn) in [8.0, 16.0, 44.0, 140.0].into_iter().flat_map(turns) {
-        for (restitution, friction) in surfaces {
+    let (turns, surfaces) = ([0.1, 1.15, 4.3], [(0.0, 0.0), (0.5, 0.0), (0.5, 0.3)]);
+    // Every angle with all turns and with all surfaces, turned by another one each time.
+    for (k, degrees) in [8.0, 16.0, 44.0, 140.0].into_iter().enumerate() {
+        for (i, turn) in turns.into_iter().enumerate() {
+            let (restitution, friction) = surfaces[(i + k) % surfaces.len()];
             let (notch, turned) = notch(degrees, turn, restitution, friction);
             let wide = 0.7 * (0.5 * degrees).to_radians().tan().min(1.0);
             let thrown = |k: i32| [3.0 * (f64::from(k) * 2.3).cos(), 3.0 * (f64::from(k) * 3.1).sin()];

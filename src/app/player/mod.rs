@@ -97,9 +97,9 @@ pub struct Player {
     waiting_since: Option<Instant>,
     /// The last file that was asked for, and by which order.
     written: Option<(u64, PathBuf)>,
-    /// Only its start and its log are kept, and that was so once.
+    /// Only its start and its log are kept; the order by which that was so last.
     is_folded: bool,
-    was_folded: bool,
+    folded_by: Option<u64>,
     /// Whether it is to play, and the order that said so last.
     playing: bool,
     played_by: u64,
@@ -124,7 +124,7 @@ impl Player {
     pub fn resume(start: Start, keeping: Keeping, wake: impl Fn() + Send + 'static) -> Self {
         let beginning = Beginning::Folded(Folded::at_end(&start));
         let mut player = Player::begin((start, beginning), keeping, wake);
-        (player.is_folded, player.was_folded, player.playing) = (true, true, false);
+        (player.is_folded, player.folded_by, player.playing) = (true, Some(0), false);
         (player.edits, player.goes_on) = (vec![0], true);
         player
     }
@@ -149,7 +149,7 @@ impl Player {
             waiting_since: None,
             written: None,
             is_folded: false,
-            was_folded: false,
+            folded_by: None,
             playing,
             played_by: 0,
             advances: 0,
@@ -199,7 +199,8 @@ impl Player {
     }
 
     fn take(&mut self, papers: &mut thread::Papers) -> News {
-        let fresh = papers.fresh.take();
+        // What was laid down before it was folded is not there any more.
+        let fresh = papers.fresh.take().filter(|fresh| self.folded_by.is_none_or(|fold| fresh.serial >= fold));
         let is_new = fresh.is_some();
         if let Some(fresh) = fresh {
             papers.spare = Some(std::mem::replace(&mut self.shown, fresh));
@@ -285,7 +286,7 @@ impl Player {
     pub fn fold(&mut self) {
         if !self.is_folded {
             self.ask(Order::Fold);
-            self.was_folded = true;
+            self.folded_by = Some(self.serial);
             let figures = self.shown.figures.clone();
             *self.shown = Shown { figures, ..Shown::default() };
         }
@@ -293,7 +294,7 @@ impl Player {
 
     /// Whether it was folded and is worked out again, or is to be.
     pub fn is_unfolding(&self) -> bool {
-        !self.is_folded && self.was_folded && !self.is_open()
+        !self.is_folded && self.folded_by.is_some() && !self.is_open()
     }
 
     /// How much of it is worked out again, 0 to 1.

@@ -1,6 +1,7 @@
 //! Time without a window: a clock that is nobody's, a history, and what comes of both.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::{Keeping, Order, Pace, Player, Shown, Stage};
@@ -393,4 +394,20 @@ fn what_is_worked_out_anew_tells_how_far_it_is_and_goes_no_further_than_it_is_wa
     let whole = whole.unwrap().unwrap();
     assert_eq!((whole.history().world().time(), positions(whole.history())), before);
     assert!(told.is_sorted() && told.last() == Some(&1.0), "{told:?}");
+}
+
+#[test]
+fn what_was_laid_down_before_it_was_folded_is_not_shown_as_if_it_were_there_again() {
+    let mut player = Player::open(scene().into(), Keeping::default(), || {});
+    assert!(player.wait_until_open(Duration::from_secs(20)).opened.is_some());
+    player.fold();
+    let desk = Arc::clone(&player.desk);
+    let serial = player.serial();
+    drop(desk.wait_for(serial, Duration::from_secs(20)));
+    // As one that came between the order and its being done.
+    desk.lock().fresh = Some(Box::new(Shown { dimensions: 2, serial: serial - 1, ..Shown::default() }));
+    assert!(!player.poll().is_new && !player.is_open());
+    player.play(false);
+    assert!(player.is_unfolding());
+    assert!(player.wait_until_open(Duration::from_secs(20)).opened.is_some());
 }

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use super::recompile::Detached;
 use super::{Applied, done};
 use crate::sim::bond::PointId;
-use crate::sim::bonds::Bonds;
 use crate::sim::drive::{Held, Key, Signal};
 use crate::sim::plan;
 use crate::sim::real::Real;
@@ -30,22 +29,20 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// Muscles among detached points whose ends other rigid bonds hold from now on are none any more.
     pub(super) fn leave_out_idle_drives(&mut self, detached: &Detached<S, D>) {
-        if self.bonds.drives().next().is_none() {
-            return;
-        }
         let among = |point: PointId| detached.place(point.0).is_some();
         // Pins, and what hangs on them elsewhere, are where they were.
         let place = |point: PointId| match detached.place(point.0) {
             Some(k) => widen(detached.state.position[k]),
             None => self.place(point.index()),
         };
-        let mut bonds = Bonds::clone(&self.bonds);
-        let idle = plan::leave_out_idle_drives(&mut bonds, among, place);
-        if !idle.is_empty() {
-            self.bonds = Arc::new(bonds);
-            let numbers: Vec<usize> = idle.into_iter().map(|place| self.numbers.of_bond(place) as usize).collect();
-            self.warn_of_idle_drives(&numbers);
+        let idle = plan::idle_drives(&self.bonds, among, place);
+        if idle.is_empty() {
+            return;
         }
+        let bonds = Arc::make_mut(&mut self.bonds);
+        idle.iter().for_each(|&(place, bond)| bonds.set(place, bond));
+        let numbers: Vec<usize> = idle.iter().map(|&(place, _)| self.numbers.of_bond(place) as usize).collect();
+        self.warn_of_idle_drives(&numbers);
     }
 
     /// Drives that came know of the keys that are held already.

@@ -262,16 +262,20 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     /// Steps of the world are made longer, where short ones are needed by nobody that is left: by powers of two, so that the substeps
-    /// of others stay as they are, and where a longer one begins, so that none depends on when a run ends. Returns whether there is no more
-    /// to do.
+    /// of others stay as they are, and where a longer one begins, so that none depends on when a run ends. Where somebody's are frames, so
+    /// are they, or two might fall into one frame. Returns whether there is no more to do.
     fn stretch_steps(&mut self) -> bool {
         if self.model.method.substep.is_some() {
             return true;
         }
-        let mut factor = 1;
         let longest = self.plan.groups.iter().filter(|group| group.points.len() > 0);
         let longest = longest.map(|group| group.substep).fold(0.0, f64::max).min(STEP);
-        while f64::from(2 * factor) * self.timeline.nominal() <= longest * (1.0 + 1e-9) {
+        let nominal = self.timeline.nominal();
+        if longest == STEP {
+            return nominal >= STEP * (1.0 - 1e-9) || self.timeline.stretch_to_frames();
+        }
+        let mut factor = 1;
+        while f64::from(2 * factor) * nominal <= longest * (1.0 + 1e-9) {
             factor *= 2;
         }
         factor == 1 || self.timeline.stretch(factor)

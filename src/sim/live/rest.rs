@@ -137,7 +137,11 @@ impl<S: Real> Live<S> {
             let [sticks, slips] = touches[k];
             let rest = &mut self.rests[body];
             rest.debt = (cluster.debt * count).to_f64() / cluster.own() as f64;
-            rest.lies = if cluster.sunk[k] { Lies::Within } else { Lies::Clear };
+            rest.lies = match cluster.stands(k) {
+                true => rest.lies,
+                false if cluster.sunk[k] => Lies::Within,
+                false => Lies::Clear,
+            };
             rest.is_tethered = cluster.sunk[k] && cluster.tethers.holds(k);
             rest.touches = sticks + slips > 0;
             rest.aloft = if rest.touches { 0.0 } else { rest.aloft + h };

@@ -16,6 +16,8 @@ use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};
 
 /// Share of what two things close within a substep in which hits count as one.
 const AT_ONCE: f64 = 0.02;
+/// Arm, as a share of the distance from its pin, below which a push does not turn a frame.
+const DEAD: f64 = 1e-6;
 
 /// No frame.
 const NONE: u32 = u32::MAX;
@@ -116,8 +118,20 @@ impl Frame {
     /// Inverse mass of the point at `x` along a direction `[1/kg]`.
     #[inline(always)]
     fn weight(&self, x: [f64; 2], n: [f64; 2]) -> f64 {
-        let lever = cross(sub(x, self.now.middle), n);
+        let arm = sub(x, self.now.middle);
+        let lever = cross(arm, n);
+        // A pin bears what is pressed right at it.
+        if self.inverse[0] == 0.0 && lever * lever <= DEAD * DEAD * dot(arm, arm) {
+            return 0.0;
+        }
         self.inverse[0] + lever * lever * self.inverse[1]
+    }
+
+    /// Which share of its way a point at `x` goes along the direction `n`: on a pin it goes around that.
+    fn along(&self, x: [f64; 2], n: [f64; 2]) -> f64 {
+        let arm = sub(x, self.now.middle);
+        let length = dot(arm, arm).sqrt();
+        if self.inverse[0] == 0.0 && length > 0.0 { cross(arm, n).abs() / length } else { 1.0 }
     }
 
     /// A push at `x`: `[kg m]`, or `[kg m/s]` where it changes velocities.
@@ -150,6 +164,12 @@ impl Frame {
     fn way_of(&self, q: [f64; 2]) -> [f64; 2] {
         add(sub(self.now.middle, self.start.middle), sub(self.now.turned(q), self.start.turned(q)))
     }
+}
+
+/// What presses so far `[kg m]` against what gives so much `[1/kg]`; nothing where that does not give.
+#[inline(always)]
+pub(super) fn against<S: Real>(way: S, w: S) -> S {
+    if w == S::ZERO { S::ZERO } else { way / w }
 }
 
 impl<S: Real> Cluster<S> {
@@ -276,6 +296,12 @@ impl<S: Real> Cluster<S> {
             return S::ONE;
         }
         self.frame(p).map_or(S::ONE, |frame| S::from_f64(frame.weight(widen(self.now[p]), widen(n))))
+    }
+
+    /// Which share of its way a point goes along the direction `n`: less than 1 around a pin.
+    #[inline(always)]
+    pub(super) fn along(&self, p: usize, n: [S; 2]) -> S {
+        self.frame(p).map_or(S::ONE, |frame| S::from_f64(frame.along(widen(self.now[p]), widen(n))))
     }
 
     /// By how much a point that goes with a frame was put elsewhere in this substep, without speed `[m]`; of others nobody asks.

@@ -6,6 +6,11 @@ use super::rest::Lies;
 use crate::sim::real::Real;
 
 impl<S: Real> Cluster<S> {
+    /// Whether all of a body is pinned: until it is not, nobody knows how it lies.
+    pub(super) fn stands(&self, k: usize) -> bool {
+        self.w[self.bases[k] as usize..self.bases[k + 1] as usize].iter().all(|&w| w == S::ZERO)
+    }
+
     /// Looks which bodies that nobody looked at yet lie in something, deeper than a substep leads them out.
     pub(super) fn see_within(&mut self, common: &Common<S>) {
         if self.lies.iter().all(|&lies| lies == Lies::Clear) {
@@ -41,6 +46,8 @@ impl<S: Real> Cluster<S> {
     #[inline(always)]
     pub(super) fn led_out(&mut self, ends: [usize; 2], out: [S; 2], depth: S) -> S {
         let most = if self.note_within(ends[0], depth) { self.gentle } else { depth };
+        // So far along its own way: around a pin one that is right beyond it would turn without end.
+        let most = most * self.along(ends[0], out).min(self.along(ends[1], out));
         if self.is_tethered(ends[0]) {
             return self.yields(ends[0], out, most).min(self.yields(ends[1], out, most));
         }

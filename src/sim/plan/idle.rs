@@ -12,13 +12,13 @@ use crate::sim::vector::{flat, length, sub};
 /// Bonds that are looked at for muscles, at most, for each of these all of its piece; more are looked at for the first one alone.
 const MOST: usize = 100_000;
 
-/// Takes the drives of rigid bonds whose ends others hold, of those with an end `among` some points, with all points where they are `[m]`:
-/// such a bond is as long as they are apart from then on. Returns which.
-pub(crate) fn leave_out_idle_drives<const D: usize>(
-    bonds: &mut Bonds,
+/// Rigid bonds with drives whose ends others hold, of those with an end `among` some points, with all points where they are `[m]`: their
+/// places, and what they are without their drives. Such a bond is as long as its ends are apart from then on.
+pub(crate) fn idle_drives<const D: usize>(
+    bonds: &Bonds,
     among: impl Fn(PointId) -> bool,
     place: impl Fn(PointId) -> [f64; D],
-) -> Vec<usize> {
+) -> Vec<(usize, Bond)> {
     // In space no rigid bond has a drive.
     if D != 2 || bonds.drives().next().is_none() {
         return Vec::new();
@@ -38,13 +38,13 @@ pub(crate) fn leave_out_idle_drives<const D: usize>(
         looked += own;
         is_first || looked <= MOST
     });
-    let idle: Vec<(usize, Bond)> = asked.filter(|(_, bond)| pieces.holds_without_bond([bond.a, bond.b])).collect();
-    for &(k, bond) in &idle {
+    let idle = asked.filter(|(_, bond)| pieces.holds_without_bond([bond.a, bond.b]));
+    let without = |(k, bond): (usize, Bond)| {
         let apart = length(sub(place(bond.a), place(bond.b)));
         debug_assert!(apart.is_finite(), "its ends are somewhere");
         let fits = (apart - bond.rest_length).abs() <= FITS * bond.rest_length;
         let rest_length = if fits { bond.rest_length } else { apart };
-        bonds.set(k, Bond { rest_length, drive: None, ..bond });
-    }
-    idle.into_iter().map(|(k, _)| k).collect()
+        (k, Bond { rest_length, drive: None, ..bond })
+    };
+    idle.map(without).collect()
 }

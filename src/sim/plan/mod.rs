@@ -40,7 +40,7 @@ pub(crate) use clear::{Cleared, clear};
 pub(crate) use drive::gust_rate;
 pub(crate) use fit::{Fitted, fit_rest_lengths};
 pub(crate) use gather::{NOWHERE, fixtures, ties};
-pub(crate) use idle::leave_out_idle_drives;
+pub(crate) use idle::idle_drives;
 pub(crate) use lot::OWN;
 pub(crate) use precision::is_single;
 pub(crate) use reconcile::reconcile;

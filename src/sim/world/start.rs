@@ -58,7 +58,8 @@ impl<S: Real, const D: usize> World<S, D> {
         let mut position = cleared.moved(&model.position).into_owned();
         let mut bonds = model.bonds.clone();
         let fitted = plan::fit_rest_lengths(model, &mut bonds, &mut position);
-        let idle = plan::leave_out_idle_drives(&mut bonds, |_| true, |point| position[point.index()]);
+        let idle = plan::idle_drives(&bonds, |_| true, |point| position[point.index()]);
+        idle.iter().for_each(|&(place, bond)| bonds.set(place, bond));
         let state = State {
             position: position.iter().map(|&x| convert(x)).collect(),
             velocity: velocity.collect(),
@@ -111,7 +112,7 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_flat(&position);
         world.warn_of_nested(&position);
         world.warn_of_fit(&fitted);
-        world.warn_of_idle_drives(&idle);
+        world.warn_of_idle_drives(&idle.iter().map(|&(place, _)| place).collect::<Vec<_>>());
         world.begin(&state);
         world.within = cleared.stuck;
         world.foresee();

@@ -16,6 +16,8 @@ pub(crate) mod disc;
 pub(crate) mod line;
 mod smooth;
 
+use std::borrow::Cow;
+
 use crate::sim::vector::{add, scale, sub};
 
 /// Share of an energy that is rounding.
@@ -161,7 +163,8 @@ pub(crate) fn strike<A: Answers<N>, const N: usize>(
     let is_one = reversed.is_some();
     let mut passes = 0;
     for &friction in if is_one { &EASED[..] } else { &EASED[..1] } {
-        let eased: Vec<Rub<N>> = rubs.iter().map(|rub| Rub { friction: friction * rub.friction, ..*rub }).collect();
+        let ease = |rub: &Rub<N>| Rub { friction: friction * rub.friction, ..*rub };
+        let eased: Cow<'_, [Rub<N>]> = if friction == 1.0 { rubs.into() } else { rubs.iter().map(ease).collect() };
         match restored(body, (before, is_one), &eased) {
             Ok(found) => return Pressed { passes: passes + found.passes, ..found },
             Err(found) if !is_one => return body.give_up(before, found),
