@@ -82,6 +82,8 @@ fn digitless(line: &str) -> String {
 /// Words that are less wide stand above their button, not beside it `[points]`.
 const NARROW: f32 = 200.0;
 
+/// Where less than this is left below the buttons, of what is seen and what to try the second is said alone `[points]`.
+const LOW: f32 = 200.0;
 /// The size of the line at the cursor until it was shown, about `[points]`.
 const HINT_SIZE: egui::Vec2 = vec2(220.0, 28.0);
 
@@ -260,8 +262,12 @@ impl Notes {
         ([seen, to_try], is_canvas): ([&str; 2], bool),
         wishes: &mut Vec<Wish>,
     ) -> f32 {
+        // Both would cover what they are about.
+        let is_low = places.room.bottom() - top < LOW;
         let top = words(context, (places, top), CAPTION, |ui| {
-            ui.add(Label::new(RichText::new(seen).color(colors(ui).text)).wrap());
+            if !is_low {
+                ui.add(Label::new(RichText::new(seen).color(colors(ui).text)).wrap());
+            }
             ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(colors(ui).weak)).wrap());
         });
         self.caption_end = Some((places.room.width(), top));
@@ -398,6 +404,27 @@ mod tests {
 
     use super::super::Sheet;
     use super::*;
+
+    #[test]
+    fn in_a_low_window_what_to_try_is_said_alone() {
+        let high = |height: f32| {
+            let context = egui::Context::default();
+            let mut notes = Notes { has_caption: true, ..Notes::default() };
+            let caption = Some(["a soft body falls, lands and wobbles for a while", "hold it up"]);
+            let facts = Facts { caption, ..Facts::default() };
+            for _ in 0..3 {
+                let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, vec2(400.0, height)));
+                let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+                let mut output = context.run_ui(input, |ui| {
+                    let places = Places::new(ui.ctx().content_rect(), false);
+                    notes.show(ui.ctx(), &places, &facts, &mut Vec::new());
+                });
+                output.textures_delta.clear();
+            }
+            context.memory(|memory| memory.area_rect(Id::unique(CAPTION))).unwrap().height()
+        };
+        assert!(high(180.0) + 14.0 < high(700.0), "{} {}", high(180.0), high(700.0));
+    }
 
     #[test]
     fn the_hint_lies_over_nothing_that_is_said() {
