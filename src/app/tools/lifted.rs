@@ -3,13 +3,14 @@
 
 use glam::DVec3;
 
+use super::Deed;
 use super::chosen::Chosen;
 use super::others::Others;
 use super::pick::Scope;
 use super::room::Walls;
-use super::{Deed, skin};
 use crate::history::Do;
 use crate::scene::Vector;
+use crate::sim::triangles::outer_sides;
 use crate::sim::vector::truncate;
 use crate::sim::{Bond, Bonds, PointId};
 
@@ -54,7 +55,9 @@ pub(super) fn lift(scope: Scope<'_>, chosen: &Chosen, place: impl Fn(DVec3) -> D
         };
         let mut others = Others::of(scope, &points);
         let mut walls = still.clone();
-        return lifted(scope, &outer(scope, points), &still, place, |places, is_before| {
+        let count = points.len();
+        let looked = outer(scope, points);
+        let lift = lifted(scope, &looked, &still, &place, |places, is_before| {
             if is_before {
                 others.leave_out(places, least(scope));
             } else if others.come_near(places) {
@@ -64,6 +67,9 @@ pub(super) fn lift(scope: Scope<'_>, chosen: &Chosen, place: impl Fn(DVec3) -> D
             }
             walls.clone()
         });
+        // What lies wholly within a rim touches nothing of it.
+        let holds = looked.len() < count && others.lie_within(|x| place(x) + lift.way);
+        return if holds { Lift { said: Some(NO_ROOM), ..Lift::default() } } else { lift };
     }
     let convex = scenery.convex.iter().enumerate().filter(|(k, _)| is_left(&scenery.solid_numbers, *k));
     let convex = convex.map(|(_, convex)| *convex).collect();
@@ -76,12 +82,14 @@ fn outer(scope: Scope<'_>, points: Vec<PointId>) -> Vec<PointId> {
     if points.len() <= MOST[0] {
         return points;
     }
-    let covered = skin::corners(scope, &points);
-    let mut rim: Vec<PointId> = skin::sides(scope, &points).into_iter().flatten().collect();
-    rim.extend(points.into_iter().filter(|point| covered.binary_search(point).is_err()));
-    rim.sort_unstable();
-    rim.dedup();
-    rim
+    let mut is_own = vec![false; scope.shown.point_count()];
+    points.iter().for_each(|point| is_own[point.index()] = true);
+    let own = scope.shown.scenery.triangles.iter().filter(|corners| corners.iter().all(|at| is_own[at.index()]));
+    let own: Vec<[u32; 3]> = own.map(|corners| corners.map(|corner| corner.0)).collect();
+    let mut is_looked_at = is_own;
+    own.iter().flatten().for_each(|&corner| is_looked_at[corner as usize] = false);
+    outer_sides(own).into_iter().flat_map(|side| side.ends).for_each(|end| is_looked_at[end as usize] = true);
+    points.into_iter().filter(|point| is_looked_at[point.index()]).collect()
 }
 
 /// The same of some points, ascending, among what stands still, and what `around` says stands about places: where they were before, then where

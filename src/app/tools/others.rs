@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::pick::{self, Scope, distance_to_sides};
 use crate::picture::Tint;
@@ -77,14 +77,29 @@ impl<'a> Others<'a> {
         });
     }
 
-    /// Whether something at some places `[m]` is near to others than those that are told already.
+    /// Whether something at some places `[m]` is no further than its own size from others than those that are told already.
     pub(super) fn come_near(&mut self, places: &[[f64; 2]]) -> bool {
         let Some(own) = around(places.iter().copied().map(DVec2::from)) else { return false };
+        let far = DVec2::splat((own[1] - own[0]).max_element());
+        let own = [own[0] - far, own[1] + far];
         let mut is_new = false;
         for body in self.bodies.iter_mut().filter(|body| !body.is_met && meet(body.around, own)) {
             (body.is_met, is_new) = (true, true);
         }
         is_new
+    }
+
+    /// Whether one of those that something came near to lies wholly within what the points cover, once `place` has led that elsewhere.
+    pub(super) fn lie_within(&self, place: impl Fn(DVec3) -> DVec3) -> bool {
+        if !self.bodies.iter().any(|body| body.is_met) {
+            return false;
+        }
+        let mut covered = loops(self.scope, &self.own);
+        for corner in covered.iter_mut().flatten() {
+            *corner = place(DVec2::from(*corner).extend(0.0)).truncate().to_array();
+        }
+        let first = |body: &Body| at(self.scope, body.triangles[0][0]).to_array();
+        self.bodies.iter().filter(|body| body.is_met).any(|body| pick::is_inside(&covered, first(body)))
     }
 
     /// The outlines of all that something came near to.

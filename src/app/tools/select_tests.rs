@@ -276,6 +276,23 @@ fn what_is_moved_keeps_clear_of_other_bodies_by_the_hand_too_while_time_stands_s
 }
 
 #[test]
+fn a_body_of_very_many_points_keeps_clear_too_and_is_not_laid_around_another() {
+    let text = PAIR
+        .replace("MEETS", "true")
+        .replacen("0.3", "0.02", 1)
+        .replace(r#""radius": 0.8, "spacing": 0.3"#, r#""radius": 0.3, "spacing": 0.1"#);
+    let seen = shown(Scene::parse(&text, "x.json").unwrap());
+    let large = Chosen::at(scope(&seen), at(&seen, -2.0, 0.9)).unwrap();
+    assert!(large.points.len() > 4_000, "{}", large.points.len());
+    for (to, words) in [([0.2, 1.1], "moved aside"), ([1.05, 0.95], "overlaps")] {
+        let mut hand = hand();
+        hand.select(large.clone());
+        let deed = drag(&mut hand, &seen, [at(&seen, -2.0, 0.9), at(&seen, to[0], to[1])]);
+        assert!(deed.words.as_ref().is_some_and(|said| said.contains(words)), "{to:?}: {:?}", deed.words);
+    }
+}
+
+#[test]
 fn bodies_and_obstacles_that_are_moved_together_keep_clear_and_where_there_is_no_room_it_is_said() {
     let seen = shown(Scene::parse(&PAIR.replace("MEETS", "true"), "x.json").unwrap());
     let mut hand = hand();
