@@ -23,6 +23,9 @@ struct Frame {
     region_color: vec4<f32>,
     obstacle_color: vec4<f32>,
     rim_color: vec4<f32>,
+    // Of balls and boxes in space: where no light falls, and where all does.
+    shade_color: vec4<f32>,
+    lit_color: vec4<f32>,
     // Left, top, right, bottom of what obstacles may cover [px].
     obstacles: vec4<f32>,
     // Centre and radius of the mouse region [px], and its shape: 1 round, 2 square.

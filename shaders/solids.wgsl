@@ -163,6 +163,6 @@ fn fragment(in: Solid) -> Seen {
     let far = length(vec3(frame.clip_from_world[0].z, frame.clip_from_world[1].z, frame.clip_from_world[2].z));
     let whole = length(vec3(frame.clip_from_world[0].w, frame.clip_from_world[1].w, frame.clip_from_world[2].w));
     let depth = far / whole * (1.0 - 1.0 / place);
-    let color = mix(frame.obstacle_color, frame.rim_color, 0.1 + 0.75 * light / hits);
+    let color = mix(frame.shade_color, frame.lit_color, light / hits);
     return Seen(vec4(color.rgb, color.a * share), clamp(depth, 0.0, 1.0));
 }

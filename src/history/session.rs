@@ -44,7 +44,7 @@ pub struct History {
     /// Whole second that is marked already, or was passed over.
     second: f64,
     /// When the last keyframe was taken.
-    kept: Kept,
+    pub(super) kept: Kept,
     /// The same start by other methods.
     pub(super) companions: Vec<Companion>,
     refused: Vec<Refusal>,

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::branch::Spot;
 use super::command::{Do, Entry};
+use super::keyframes::Kept;
 use super::session::History;
 use crate::sim::Dynamics;
 
@@ -38,6 +39,11 @@ const RESET: &str = "back to the start";
 impl History {
     /// Goes back to just before the last edit. Nothing to undo is no error.
     pub fn undo(&mut self) -> Option<Undone> {
+        self.undo_telling(|_| ())
+    }
+
+    /// The same, which tells as it goes how much of what is worked out anew for it there is, 0 to 1.
+    pub fn undo_telling(&mut self, tell: impl FnMut(f64)) -> Option<Undone> {
         let before = self.world().time();
         let (branch, place) = (self.branch, self.frame.place);
         let (name, again, back) = match self.edit_before(place) {
@@ -53,19 +59,24 @@ impl History {
             }
         };
         self.undone.push(Redo { spot: again, name: name.clone() });
-        self.go(back);
+        self.go(back, tell);
         Some(Undone { name, seconds: self.world().time() - before })
     }
 
     /// Goes to just after what was undone last, or else after the edit that comes next in the log. Nothing to do again is no
     /// error.
     pub fn redo(&mut self) -> Option<Undone> {
+        self.redo_telling(|_| ())
+    }
+
+    /// The same, which tells as it goes how much of what is worked out anew for it there is, 0 to 1.
+    pub fn redo_telling(&mut self, tell: impl FnMut(f64)) -> Option<Undone> {
         let before = self.world().time();
         let Redo { spot, name } = match self.undone.pop() {
             Some(redo) => redo,
             None => self.next_edit()?,
         };
-        self.go(spot);
+        self.go(spot, tell);
         Some(Undone { name, seconds: self.world().time() - before })
     }
 
@@ -196,13 +207,14 @@ impl History {
         let t = if t.is_nan() { self.from() } else { t.clamp(self.from(), self.end().max(self.tree.end(self.branch))) };
         self.is_free = false;
         self.restore(Spot { branch: self.branch, place: usize::MAX, time: t });
+        self.kept = Kept::at(&self.frame);
         let mut is_stopped = false;
         while !is_stopped {
             let next = self.tree.entry(self.branch, self.frame.place).map(|entry| entry.at);
             match next {
                 Some(at) if self.frame.is_due(at) => self.pass(),
-                Some(at) if at <= t => self.frame.step(Some(at), &self.scene),
-                _ if self.frame.ends_by(t) => self.frame.step(next, &self.scene),
+                Some(at) if at <= t => self.step_again(Some(at)),
+                _ if self.frame.ends_by(t) => self.step_again(next),
                 _ => break,
             }
             is_stopped = !goes_on(self.frame.world.time());
@@ -229,24 +241,34 @@ impl History {
         self.go_to(self.tree.end(number));
     }
 
-    /// To a spot that the history was at, exactly; what comes after it is not followed.
-    fn go(&mut self, spot: Spot) {
+    /// A step that was taken before. Copies are kept on the way as they were then: what is undone next is found from them, though all was worked out
+    /// anew.
+    fn step_again(&mut self, next: Option<f64>) {
+        self.keyframes.keep_now_and_then(&mut self.kept, self.branch, &self.frame);
+        self.frame.step(next, &self.scene);
+    }
+
+    /// To a spot that the history was at, exactly; what comes after it is not followed. It tells before each step how much of the way is gone.
+    fn go(&mut self, spot: Spot, mut tell: impl FnMut(f64)) {
         self.leave(spot.branch, true);
         self.restore(spot);
         self.branch = spot.branch;
         self.is_free = true;
+        self.kept = Kept::at(&self.frame);
+        let from = self.world().time();
         loop {
+            tell(((self.world().time() - from) / (spot.time - from).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0));
             let next = self.tree.entry(self.branch, self.frame.place).map(|entry| entry.at);
             match next {
                 Some(at) if self.frame.place < spot.place => {
                     if self.frame.is_due(at) {
                         self.pass()
                     } else {
-                        self.frame.step(Some(at), &self.scene)
+                        self.step_again(Some(at))
                     }
                 }
                 // A step that was cut short for what was undone is not: no file knows why.
-                _ if self.frame.ends_by(spot.time) => self.frame.step(None, &self.scene),
+                _ if self.frame.ends_by(spot.time) => self.step_again(None),
                 _ => break,
             }
         }
@@ -273,5 +295,36 @@ impl History {
             self.tree.leave(self.branch);
         }
         self.tree.enter(to);
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+    use crate::sim::PointId;
+
+    #[test]
+    fn what_was_worked_out_anew_is_undone_from_near_by() {
+        let text = r#"{"wobble": 1, "gravity": [0, -9.81], "method": {"substep": 0.001}, "points": {"position": [[0, 0], [1, 0], [0, 1]]},
+            "bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 90}, {"a": 1, "b": 2, "kind": "spring", "stiffness": 90}]}"#;
+        let mut history = History::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        (0..4000).for_each(|_| history.step());
+        history.give(vec![Do::Pin(vec![PointId(0)])], Some("pin")).unwrap();
+        (0..500).for_each(|_| history.step());
+        let end = history.world().time();
+        let mut again = History::new(history.recording().into()).unwrap();
+        again.go_to(end);
+        let mut told = Vec::new();
+        let undone = again.undo_telling(|share| told.push(share)).unwrap();
+        assert_eq!(undone.name, "pin");
+        assert!(told.len() < 400, "{} steps of 4000", told.len());
+        assert!(told.is_sorted() && told.last() == Some(&1.0), "{told:?}");
+        history.undo().unwrap();
+        let places = |history: &History| (0..6).map(|k| history.world().positions().get(k)).collect::<Vec<_>>();
+        assert_eq!((again.world().time(), places(&again)), (history.world().time(), places(&history)));
+        let redone = again.redo_telling(|_| ()).unwrap();
+        assert_eq!(redone.name, "pin");
     }
 }

@@ -25,6 +25,8 @@ pub(super) struct Frame {
     region_color: Color,
     obstacle_color: Color,
     rim_color: Color,
+    shade_color: Color,
+    lit_color: Color,
     obstacles: [f32; 4],
     region: [f32; 4],
     walls: [f32; 4],
@@ -48,7 +50,7 @@ pub(super) struct Frame {
     difference_full: f32,
 }
 
-const _: () = assert!(size_of::<Frame>() == 460);
+const _: () = assert!(size_of::<Frame>() == 492);
 
 /// What stands for no wall, in the shaders too `[m]`.
 const FAR: f64 = 1e30;
@@ -80,6 +82,8 @@ impl Frame {
             region_color: look.region,
             obstacle_color: look.obstacle,
             rim_color: look.wall,
+            shade_color: look.solid[0],
+            lit_color: look.solid[1],
             obstacles: [0.0; 4],
             region: region(view, camera).unwrap_or_default(),
             walls: walls(view, buffers.origin),

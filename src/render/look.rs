@@ -109,6 +109,8 @@ pub struct Look {
     pub wall: Color,
     /// The inside of obstacles.
     pub obstacle: Color,
+    /// Balls and boxes in space: where no light falls on them, and where all does.
+    pub solid: [Color; 2],
     /// The numbers of the grid.
     pub number: Color,
     /// Bonds.
@@ -175,6 +177,7 @@ impl Default for Look {
             number: hex(0x9a_a8_bf, 1.0),
             wall: hex(0x6e_80_9c, 1.0),
             obstacle: hex(0x30_3d_53, 1.0),
+            solid: [hex(0x4a_5a_76, 1.0), hex(0xa6_b8_d2, 1.0)],
             bond: hex(0x8f_a6_c2, 1.0),
             rope: hex(0xd8_bb_8c, 1.0),
             strain: STRAIN_COLORS,
@@ -220,6 +223,7 @@ impl Look {
                 number: hex(0x56_62_75, 1.0),
                 wall: hex(0x6f_7d_94, 1.0),
                 obstacle: hex(0xc9_d2_df, 1.0),
+                solid: [hex(0x4e_5d_75, 1.0), hex(0x9c_ab_c2, 1.0)],
                 bond: hex(0x52_67_84, 1.0),
                 rope: hex(0x8a_66_2c, 1.0),
                 strain: STRAIN_ON_LIGHT,
@@ -239,6 +243,7 @@ impl Look {
             number: of.number,
             wall: of.wall,
             obstacle: of.obstacle,
+            solid: of.solid,
             bond: of.bond,
             rope: of.rope,
             strain: of.strain,
@@ -296,6 +301,10 @@ mod tests {
             // Obstacles are large: their inside is seen by less, and their rim stands out from it.
             let least = if palette == Palette::Dark { 1.6 } else { 1.35 };
             assert!(on_ground(look.obstacle) >= least, "{palette:?}: {}", on_ground(look.obstacle));
+            // In space their shape is seen by light and shade, and both on the floor, which is hardly other than the ground.
+            let [shade, lit] = look.solid.map(on_ground);
+            assert!(shade >= 2.0 && lit >= 2.0, "{palette:?}: {shade} {lit}");
+            assert!(contrast(look.solid[0], look.solid[1]) >= 2.0, "{palette:?}");
             let rim = contrast(look.wall, look.obstacle);
             assert!(rim >= 2.4, "{palette:?}: {rim}");
             assert_eq!(look.colored(palette.other()).colored(palette), look);

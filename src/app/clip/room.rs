@@ -8,11 +8,11 @@ use crate::scene::room::{Drawing, Lies, Wanted, in_view};
 use crate::sim::Dynamics;
 
 /// Said of a copy that is put where another body is: nothing is free.
-pub(super) const IN_ANOTHER: &str = "there is no free room in view: it lies in another body";
+pub(super) const IN_ANOTHER: &str = "no free space in view: it overlaps another body";
 /// Said of a copy that is put beside what it is of: there is room for it, but not in view.
-const OUT_OF_VIEW: &str = "there is no free room in view: it lies beside it, partly out of view (F shows all)";
+const OUT_OF_VIEW: &str = "no free space in view: it lies beside it, partly out of view (F shows all)";
 /// Said where it would lie in obstacles or beyond walls wherever it is put.
-const NO_ROOM: &str = "there is no room for it in view: make some, or look from further away (wheel)";
+const NO_ROOM: &str = "no space for it in view: clear some, or zoom out (wheel)";
 
 /// Where a copy comes.
 #[derive(Clone, Debug, PartialEq)]

@@ -106,7 +106,7 @@ fn where_nothing_is_free_it_says_that_it_lies_in_another_and_in_solid_ground_not
     let text = crowded("").replacen(BOX, &format!("{large}, {}", BOX.replace("-5, -3.5", "-3, 0")), 1);
     let mut full = stage(&text);
     let (_, said) = put(&mut full, &points(96..105), wish([1.1, 0.0, 0.0], false)).unwrap();
-    assert_eq!(said, Some("there is no free room in view: it lies in another body"));
+    assert_eq!(said, Some("no free space in view: it overlaps another body"));
     let ground = r#", "obstacles": [{"box": {"min": [-4.2, -3.6], "max": [5.5, 3.6]}}, {"box": {"min": [-5.5, -2], "max": [-4, 3.6]}}]"#;
     let mut solid = stage(&crowded(ground));
     let count = solid.history().world().point_count();
@@ -116,7 +116,7 @@ fn where_nothing_is_free_it_says_that_it_lies_in_another_and_in_solid_ground_not
     let mut other = stage(&crowded("").replacen(BOX, &wide, 1));
     let clip = Clip::of(other.history(), &points(0..27));
     let why = solid.obey(Order::Add(Box::new(move |history| clip.coming(history, &wish([3.0, 2.0, 0.0], true)))));
-    assert!(matches!(why, Some(Note::Refused(why)) if why.contains("no room")));
+    assert!(matches!(why, Some(Note::Refused(why)) if why.contains("no space")));
     assert_eq!(solid.history().world().point_count(), count + 9, "nothing of it came");
     assert!(put(&mut other, &points(0..27), wish([0.0, 2.0, 0.0], true)).is_ok());
 }

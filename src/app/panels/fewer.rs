@@ -1,7 +1,7 @@
 //! Words where there is little room: fewer, but whole ones.
 
 /// Words that none of the others ends with: they lead on to what follows.
-const LEADING: [&str; 11] = ["a", "its", "is", "long", "more", "of", "than", "the", "this", "to", "while"];
+const LEADING: [&str; 12] = ["a", "at", "its", "is", "long", "more", "of", "than", "the", "this", "to", "while"];
 
 /// Words, then less and less of them: what stands before a colon or a comma, and that without its last words.
 pub(super) fn shorter(words: &str) -> Vec<String> {
@@ -29,6 +29,7 @@ mod tests {
     fn where_words_have_no_room_there_are_fewer_of_them_but_whole_ones() {
         for (words, less) in [
             ("paused", &["paused"][..]),
+            ("at rest", &["at rest"]),
             ("paused while this is open", &["paused while this is open", "paused"]),
             ("replay: press to take over", &["replay"]),
             ("34 % of its speed: 20 ms of work a frame", &["34 % of its speed", "34 %", "34"]),

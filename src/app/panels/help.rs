@@ -24,20 +24,31 @@ const SEARCH: &str = "search the keys";
 /// Rows that a heading takes.
 const HEADING: usize = 2;
 
+/// The field that a search of the keys is written in.
+fn search_id() -> egui::Id {
+    egui::Id::unique("search of the keys")
+}
+
 pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState) {
     let stays = sheet::show(context, "keys", "Keys", |ui| {
         let height = (room.height() - ABOVE).max(40.0);
         let whole = (room.width() - BESIDE).clamp(160.0, WIDEST);
         ui.set_width(whole);
         let hint = RichText::new("search …").italics();
-        let field = ui.add(TextEdit::singleline(&mut state.keys_search).hint_text(hint).desired_width(f32::INFINITY));
+        let field = TextEdit::singleline(&mut state.keys_search).id(search_id()).hint_text(hint);
+        let field = ui.add(field.desired_width(f32::INFINITY));
         takes_words(&field);
+        // What is typed is looked for.
+        if std::mem::take(&mut state.is_fresh) {
+            field.request_focus();
+        }
+        sheet::entered(ui, &field);
         field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, SEARCH));
         ui.add_space(4.0);
         let groups = found(&state.keys_search);
         ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink(false).show(ui, |ui| {
             if groups.is_empty() {
-                ui.weak("no key is called so, and none does that");
+                ui.weak("no key found: try another word");
             }
             let count = (((whole + BETWEEN) / (LEAST + BETWEEN)) as usize).clamp(1, 3);
             let width = (whole - BAR - (count - 1) as f32 * BETWEEN) / count as f32;
@@ -117,7 +128,7 @@ mod tests {
                 let room = ui.available_rect_before_wrap();
                 show(ui.ctx(), room, state);
             },
-            PanelState::default(),
+            PanelState { is_fresh: true, ..PanelState::default() },
         );
         harness.run_steps(6);
         harness
@@ -142,11 +153,10 @@ mod tests {
     }
 
     #[test]
-    fn a_search_leaves_what_it_finds() {
+    fn what_is_typed_is_looked_for_at_once() {
         let mut keys = shown([1280.0, 720.0]);
-        keys.get_by_label(SEARCH).click();
-        keys.run_steps(2);
-        keys.get_by_label(SEARCH).type_text("grid");
+        assert!(keys.ctx.text_edit_focused(), "nobody clicked on the field");
+        keys.event(egui::Event::Text("grid".to_owned()));
         keys.run_steps(4);
         assert!(keys.query_by_label("the grid and its numbers").is_some());
         assert!(keys.query_by_label("play or pause").is_none() && keys.query_by_label("Time").is_none());

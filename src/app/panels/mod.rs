@@ -60,6 +60,7 @@ mod settings_tests;
 mod sheet;
 #[cfg(test)]
 mod small_tests;
+mod steady;
 pub(super) mod theme;
 pub(super) mod ticks;
 mod top;
@@ -71,6 +72,7 @@ mod ways;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Duration;
 
 use super::action::{Action, Primitive, Showing, Tool};
 use super::matter::{Bearings, Matter, MatterChange, Overload};
@@ -339,6 +341,8 @@ pub(super) struct Facts {
     pub(super) is_opening: bool,
     /// Nothing of it is there yet: for how long it is being made, and how far that is.
     pub(super) opening: Option<Opening>,
+    /// What is undone or done again and is not there yet: in words, for how long already, and how much of it is worked out, 0 to 1.
+    pub(super) going: Option<(&'static str, Duration, f32)>,
     /// A step takes long.
     pub(super) is_busy: bool,
     pub(super) dimensions: usize,

@@ -9,6 +9,7 @@ use egui::{
 };
 
 use super::fewer::that_fits;
+use super::steady::steady;
 use super::theme::colors;
 use super::{Facts, Wish, short};
 use crate::app::player::{Acts, Figures, Moved, Movers, Rung, Yielded};
@@ -71,16 +72,34 @@ pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let size = vec2(width, ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
         ui.set_min_width(width);
-        let lines = lines(&facts.figures);
-        if !lines.is_empty() {
-            in_bar(ui, &facts.figures, (lines, is_roomy), wishes);
+        let now = Note::of(&facts.figures);
+        let is_urgent = facts.is_opening || now.short[0].1 == Tone::Away;
+        let note = steady(ui.ctx(), "physics", (now, is_urgent), |a, b| a.short == b.short);
+        if !note.lines.is_empty() {
+            in_bar(ui, (note, is_roomy), wishes);
         }
     });
 }
 
+/// What is said: all lines, and in short where there is room and where there is little.
+#[derive(Clone, Debug, PartialEq)]
+struct Note {
+    lines: Vec<Line>,
+    short: [(String, Tone); 2],
+}
+
+impl Note {
+    fn of(figures: &Figures) -> Self {
+        let lines = lines(figures);
+        let short = [true, false].map(|is_roomy| in_short(figures, lines.len(), is_roomy));
+        Note { lines, short }
+    }
+}
+
 /// The same, in a room of its own.
-fn in_bar(ui: &mut Ui, figures: &Figures, (lines, is_roomy): (Vec<Line>, bool), wishes: &mut Vec<Wish>) {
-    let (words, tone) = in_short(figures, lines.len(), is_roomy);
+fn in_bar(ui: &mut Ui, (note, is_roomy): (Note, bool), wishes: &mut Vec<Wish>) {
+    let Note { lines, short } = note;
+    let (words, tone) = short[usize::from(!is_roomy)].clone();
     // What it is about, where the line of time has room beside that.
     let about = if is_roomy { format!("physics: {words}") } else { words.clone() };
     let room = ui.available_width() - 2.0 * ui.spacing().button_padding.x - 2.0;

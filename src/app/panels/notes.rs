@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use egui::{Align2, Area, Button, Id, Label, Pos2, Rect, RichText, vec2};
+use egui::{Align2, Area, Button, Id, Label, LayerId, Pos2, Rect, RichText, vec2};
 
 use super::beside::titles_end;
 use super::complaint::{Complaint, Cover};
@@ -41,7 +41,7 @@ pub(in crate::app) struct Notes {
     /// Width of the room in which the caption of this scene was last shown, and where it ended `[points]`.
     caption_end: Option<(f32, f32)>,
     /// Nobody has touched anything yet: a line at the cursor says how, where the cursor is `[points]`.
-    pub(in crate::app) hint_at: Option<Pos2>,
+    pub(in crate::app) hint: Option<(Pos2, &'static str)>,
 }
 
 /// A line that goes by itself.
@@ -82,9 +82,9 @@ fn digitless(line: &str) -> String {
 /// Words that are less wide stand above their button, not beside it `[points]`.
 const NARROW: f32 = 200.0;
 
-/// The line at the cursor.
-const HINT: &str = "press and drag: grab it, throw it";
-/// Its size until it was shown, about `[points]`.
+/// Where less than this is left below the buttons, of what is seen and what to try the second is said alone `[points]`.
+const LOW: f32 = 200.0;
+/// The size of the line at the cursor until it was shown, about `[points]`.
 const HINT_SIZE: egui::Vec2 = vec2(220.0, 28.0);
 
 impl Notes {
@@ -214,13 +214,17 @@ impl Notes {
         if let Some(line) = self.offer.as_ref().filter(|_| !facts.waits) {
             words(context, (places, top), OFFER, |ui| offer(ui, line, wishes));
         }
-        if let Some(at) = self.hint_at {
+        if let Some((at, line)) = self.hint {
             let id = Id::unique("hint");
             let size = context.memory(|memory| memory.area_rect(id)).map_or(HINT_SIZE, |rect| rect.size());
             let rect = kept_in(Rect::from_min_size(at + vec2(18.0, 18.0), size), Some(at), places.room);
+            // What is said already lies there: nobody could read both.
+            if lies_on_words(context, rect) {
+                return;
+            }
             let place = Area::new(id).order(egui::Order::Tooltip).interactable(false);
             place.fixed_pos(rect.min).show(context, |ui| {
-                floating(ui).show(ui, |ui| ui.label(RichText::new(HINT).color(colors(ui).text)));
+                floating(ui).show(ui, |ui| ui.label(RichText::new(line).color(colors(ui).text)));
             });
         }
     }
@@ -258,8 +262,12 @@ impl Notes {
         ([seen, to_try], is_canvas): ([&str; 2], bool),
         wishes: &mut Vec<Wish>,
     ) -> f32 {
+        // Both would cover what they are about.
+        let is_low = places.room.bottom() - top < LOW;
         let top = words(context, (places, top), CAPTION, |ui| {
-            ui.add(Label::new(RichText::new(seen).color(colors(ui).text)).wrap());
+            if !is_low {
+                ui.add(Label::new(RichText::new(seen).color(colors(ui).text)).wrap());
+            }
             ui.add(Label::new(RichText::new(format!("Try: {to_try}")).color(colors(ui).weak)).wrap());
         });
         self.caption_end = Some((places.room.width(), top));
@@ -283,6 +291,17 @@ const OFFER: &str = "offer";
 /// Whether something that floats is said here.
 pub(super) fn is_own(id: Id) -> bool {
     [COMPLAINT, WARNED, DONE, CAPTION, CANVAS, OFFER, "hint"].into_iter().any(|name| Id::unique(name) == id)
+}
+
+/// Whether something that is said lies in a place.
+fn lies_on_words(context: &egui::Context, place: Rect) -> bool {
+    let lies = |name: &str| {
+        let layer = LayerId::new(egui::Order::Middle, Id::unique(name));
+        context.memory(|memory| {
+            memory.areas().is_visible(&layer) && memory.area_rect(layer.id).is_some_and(|rect| rect.intersects(place))
+        })
+    };
+    [COMPLAINT, WARNED, DONE, CAPTION, CANVAS, OFFER].into_iter().any(lies)
 }
 
 /// What edits warned of, each with a button that closes it. Returns the place of one that is closed.
@@ -385,6 +404,50 @@ mod tests {
 
     use super::super::Sheet;
     use super::*;
+
+    #[test]
+    fn in_a_low_window_what_to_try_is_said_alone() {
+        let high = |height: f32| {
+            let context = egui::Context::default();
+            let mut notes = Notes { has_caption: true, ..Notes::default() };
+            let caption = Some(["a soft body falls, lands and wobbles for a while", "hold it up"]);
+            let facts = Facts { caption, ..Facts::default() };
+            for _ in 0..3 {
+                let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, vec2(400.0, height)));
+                let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+                let mut output = context.run_ui(input, |ui| {
+                    let places = Places::new(ui.ctx().content_rect(), false);
+                    notes.show(ui.ctx(), &places, &facts, &mut Vec::new());
+                });
+                output.textures_delta.clear();
+            }
+            context.memory(|memory| memory.area_rect(Id::unique(CAPTION))).unwrap().height()
+        };
+        assert!(high(180.0) + 14.0 < high(700.0), "{} {}", high(180.0), high(700.0));
+    }
+
+    #[test]
+    fn the_hint_lies_over_nothing_that_is_said() {
+        let context = egui::Context::default();
+        let seen = |at: Pos2| {
+            let mut notes = Notes { hint: Some((at, "press and drag")), ..Notes::default() };
+            notes.warn("a line that is to be read".to_owned());
+            for _ in 0..3 {
+                let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, vec2(400.0, 320.0)));
+                let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+                let mut output = context.run_ui(input, |ui| {
+                    let places = Places::new(ui.ctx().content_rect(), false);
+                    notes.show(ui.ctx(), &places, &Facts::default(), &mut Vec::new());
+                });
+                output.textures_delta.clear();
+            }
+            let layer = LayerId::new(egui::Order::Tooltip, Id::unique("hint"));
+            context.memory(|memory| memory.areas().is_visible(&layer))
+        };
+        assert!(seen(pos2(200.0, 250.0)));
+        let warned = context.memory(|memory| memory.area_rect(Id::unique(WARNED))).unwrap();
+        assert!(!seen(warned.center() - vec2(30.0, 15.0)), "{warned}");
+    }
 
     #[test]
     fn what_is_said_of_pins_too_far_apart_is_said_once() {

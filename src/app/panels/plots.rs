@@ -281,8 +281,14 @@ fn clear_of(corner: Pos2, size: Vec2, room: Rect, taken: &[Rect]) -> Option<(Pos
     None
 }
 
+/// From this width on there is room for a word beside the buttons above the plots `[points]`.
+const WORDED: f32 = 205.0;
+
 fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>) {
-    ui.label(RichText::new("Plots").color(colors(ui).text).strong());
+    // Its buttons would lie over the word.
+    if ui.available_width() >= WORDED {
+        ui.label(RichText::new("Plots").color(colors(ui).text).strong());
+    }
     // Where there is but one choice nothing is to be chosen.
     if is_short && plots.probes().iter().any(Option::is_some) {
         choices(ui, plots);

@@ -5,6 +5,7 @@ use egui::{Align, Label, Layout, Rect, RichText, Role, Slider, WidgetInfo, vec2}
 use super::choosing::choice;
 use super::fewer::{shorter, that_fits};
 use super::icons::{self, Icon};
+use super::steady::steady;
 use super::theme::colors;
 use super::{At, Facts, Wish, described, icon, moving, short};
 use crate::app::action::Action;
@@ -36,7 +37,10 @@ pub(super) fn show(ui: &mut egui::Ui, left: &mut Option<At>, facts: &Facts, wish
                 let size = vec2(width, ui.spacing().interact_size.y);
                 ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
                     ui.set_min_width(width);
-                    let (words, matters) = state(facts);
+                    let now = state(facts);
+                    let is_same = |a: &(String, bool), b: &(String, bool)| kind(&a.0) == kind(&b.0) || a.1;
+                    let is_urgent = now.1 || facts.waits;
+                    let (words, matters) = steady(ui.ctx(), "how it stands", (now, is_urgent), is_same);
                     let words = that_fits(ui, shorter(&words), width);
                     let words = RichText::new(words).color(if matters { colors(ui).accent } else { colors(ui).weak });
                     ui.add(Label::new(words).truncate());
@@ -144,6 +148,11 @@ fn timeline(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) -> Option<
         wishes.push(Wish::GoTo(time));
     }
     Some(line.rect)
+}
+
+/// What words say, whatever their numbers are.
+fn kind(words: &str) -> &str {
+    words.trim_start_matches(|sign: char| sign.is_ascii_digit())
 }
 
 /// In words how it stands, and whether that matters.

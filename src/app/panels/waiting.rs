@@ -30,6 +30,21 @@ pub(in crate::app) struct Opening {
 /// back to.
 pub(super) fn show(context: &egui::Context, opening: Opening, title: &str, wishes: &mut Vec<Wish>) {
     let Opening { since, share, can_stop } = opening;
+    said(context, (since, share), &words(&format!("Opening {title}"), since), |ui| {
+        if can_stop && ui.button("Cancel").on_hover_text("back to the scene before (Esc)").clicked() {
+            wishes.push(Wish::StopOpening);
+        }
+    });
+}
+
+/// Says likewise that something is undone or done again, which is to be worked out first.
+pub(super) fn going(context: &egui::Context, (name, since, share): (&str, Duration, f32)) {
+    let since = since.as_secs_f64();
+    said(context, (since, Some(share)), &words(name, since), |_| ());
+}
+
+/// Some words in the middle, with what can be done beside them, and how much is worked out.
+fn said(context: &egui::Context, (since, share): (f64, Option<f32>), words: &str, beside: impl FnOnce(&mut egui::Ui)) {
     context.request_repaint_after(LOOK);
     if since < PATIENCE {
         return;
@@ -38,10 +53,8 @@ pub(super) fn show(context: &egui::Context, opening: Opening, title: &str, wishe
         floating(ui).show(ui, |ui| {
             ui.horizontal(|ui| {
                 ui.spinner();
-                ui.label(RichText::new(words(title, since)).color(colors(ui).text));
-                if can_stop && ui.button("Cancel").on_hover_text("back to the scene before (Esc)").clicked() {
-                    wishes.push(Wish::StopOpening);
-                }
+                ui.label(RichText::new(words).color(colors(ui).text));
+                beside(ui);
             });
             if let Some(share) = share {
                 ui.add(ProgressBar::new(share).desired_width(LINE).desired_height(8.0));
@@ -52,8 +65,8 @@ pub(super) fn show(context: &egui::Context, opening: Opening, title: &str, wishe
 }
 
 /// "Opening A million points, 3 s".
-fn words(title: &str, since: f64) -> String {
-    if since < 1.0 { format!("Opening {title}") } else { format!("Opening {title}, {since:.0} s") }
+fn words(what: &str, since: f64) -> String {
+    if since < 1.0 { what.to_owned() } else { format!("{what}, {since:.0} s") }
 }
 
 /// "40 % of what was done is worked out again".
@@ -85,6 +98,16 @@ mod tests {
         assert!(alone.x > 100.0 && size(4.0, None, true).x > alone.x + 40.0, "with its button");
         assert!(size(4.0, Some(0.4), false).y > alone.y + 10.0, "with how far it is");
         assert_eq!(worked_out(0.409), "40 % of what was done is worked out again");
-        assert_eq!(words("A million points", 4.2), "Opening A million points, 4 s");
+        assert_eq!(words("Opening A million points", 4.2), "Opening A million points, 4 s");
+        let context = egui::Context::default();
+        let seen = |since: u64| {
+            for _ in 0..2 {
+                let all = ("Undoing", Duration::from_millis(since), 0.4);
+                let mut shown = context.run_ui(egui::RawInput::default(), |ui| going(ui.ctx(), all));
+                shown.textures_delta.clear();
+            }
+            context.memory(|memory| memory.area_rect(Id::unique("opening"))).map_or(0.0, |rect| rect.width())
+        };
+        assert!(seen(100) < 1.0 && seen(900) > 100.0);
     }
 }

@@ -20,6 +20,7 @@ mod rungs;
 #[cfg(test)]
 mod rungs_tests;
 mod save;
+mod share;
 mod shown;
 mod softness;
 mod stage;
@@ -95,6 +96,8 @@ pub struct Player {
     /// The last order, and since when one has not been done.
     serial: u64,
     waiting_since: Option<Instant>,
+    /// What leads to another time and is not done yet: by which order, in words, and since when.
+    going: Option<(u64, &'static str, Instant)>,
     /// The last file that was asked for, and by which order.
     written: Option<(u64, PathBuf)>,
     /// Only its start and its log are kept; the order by which that was so last.
@@ -147,6 +150,7 @@ impl Player {
             shown: Box::default(),
             serial: 0,
             waiting_since: None,
+            going: None,
             written: None,
             is_folded: false,
             folded_by: None,
@@ -208,6 +212,7 @@ impl Player {
         if papers.done >= self.serial {
             self.waiting_since = None;
         }
+        self.going.take_if(|(serial, ..)| papers.done >= *serial || papers.failure.is_some());
         // What could not be done is nothing to save.
         let refused = std::mem::take(&mut papers.refused);
         self.edits.retain(|edit| !refused.contains(edit));
@@ -230,6 +235,11 @@ impl Player {
         // A file needs no world.
         self.is_folded = matches!(order, Order::Fold) || self.is_folded && matches!(order, Order::Save(_));
         self.waiting_since.get_or_insert_with(Instant::now);
+        if let Some(words) = order.going() {
+            let since = self.going.map_or_else(Instant::now, |(.., since)| since);
+            self.going = Some((self.serial, words, since));
+            self.desk.begin_anew();
+        }
         if let Order::Play(_) | Order::Step(_) | Order::Reset = order {
             self.played_by = self.serial;
         }
@@ -295,6 +305,11 @@ impl Player {
     /// Whether it was folded and is worked out again, or is to be.
     pub fn is_unfolding(&self) -> bool {
         !self.is_folded && self.folded_by.is_some() && !self.is_open()
+    }
+
+    /// What is undone or done again and is not there yet, in words, for how long already, and how much of it is worked out, 0 to 1.
+    pub fn going(&self) -> Option<(&'static str, Duration, f32)> {
+        self.going.map(|(_, words, since)| (words, since.elapsed(), self.worked_out()))
     }
 
     /// How much of it is worked out again, 0 to 1.

@@ -141,6 +141,15 @@ impl Order {
         self.is_edit() || is_hand || is_gone || matches!(self, Order::Give(_, Some(_)) | Order::Exact | Order::TakeBack)
     }
 
+    /// What it is called while it is worked out, of what may take long.
+    pub(super) fn going(&self) -> Option<&'static str> {
+        match self {
+            Order::Undo(_) => Some("Undoing"),
+            Order::Redo(_) => Some("Redoing"),
+            _ => None,
+        }
+    }
+
     /// Whether the world goes to another time by it, where what was done is done already.
     pub(super) fn goes(&self) -> bool {
         matches!(

@@ -1,6 +1,6 @@
 //! The thread that steps: takes orders, hands out what there is to see, and never waits for the window.
 
-use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use super::keep::Keeper;
 use super::order::{Note, Order};
 use super::save;
+use super::share::Share;
 use super::shown::Shown;
 use super::stage::{Folded, Stage};
 use crate::history::{HistoryError, Start};
@@ -24,8 +25,8 @@ pub(super) struct Desk {
     is_dismissed: AtomicBool,
     /// Orders before this one are not wanted any more, but for files: what is being worked out anew for them is left.
     given_up: AtomicU64,
-    /// How much of a history is worked out that was folded, as the bits of a share, 0 to 1.
-    worked_out: AtomicU32,
+    /// How much of a history is worked out that was folded, or of what is undone or done again.
+    worked_out: Arc<Share>,
 }
 
 /// What lies on the desk.
@@ -71,16 +72,21 @@ impl Desk {
         self.is_dismissed.load(Ordering::Acquire) || serial < self.given_up.load(Ordering::Acquire)
     }
 
-    /// How much of a history that was folded is worked out again, 0 to 1.
+    /// How much of a history that was folded is worked out again, or of what is undone or done again, 0 to 1.
     pub(super) fn worked_out(&self) -> f32 {
-        f32::from_bits(self.worked_out.load(Ordering::Relaxed))
+        self.worked_out.read()
+    }
+
+    /// Something else is to be worked out: nothing of it is there yet.
+    pub(super) fn begin_anew(&self) {
+        self.worked_out.tell(0.0);
     }
 
     /// Works out what was folded, for an order. `Ok(None)`: that was given up meanwhile.
     fn unfold(&self, folded: &Folded, serial: u64) -> Result<Option<Stage>, HistoryError> {
-        self.worked_out.store(0, Ordering::Relaxed);
+        self.begin_anew();
         Stage::unfolded(folded, |share| {
-            self.worked_out.store((share as f32).to_bits(), Ordering::Relaxed);
+            self.worked_out.tell(share);
             !self.is_given_up(serial)
         })
     }
@@ -110,7 +116,8 @@ impl Desk {
     fn open(&self, stage: Result<Stage, HistoryError>) -> Option<Stage> {
         let mut papers = self.lock();
         match stage {
-            Ok(stage) => {
+            Ok(mut stage) => {
+                stage.tell_of(&self.worked_out);
                 papers.scene = Some(Arc::new(stage.history().scene().clone()));
                 Some(stage)
             }

@@ -240,8 +240,8 @@ impl Session {
     /// Ends what is under way; else closes the topmost of what lies over the world; it never leaves.
     fn cancel(&mut self) {
         // A sheet lies over all else.
-        if self.panels.sheet.take().is_some() {
-            return;
+        if self.panels.sheet.is_some() {
+            return self.close_sheet();
         }
         if self.asked.is_some() {
             return self.unanswered();

@@ -166,6 +166,7 @@ impl Session {
             asks: self.asked.is_some() && self.import.is_none(),
             is_opening: !self.player.is_open(),
             opening: self.opening(),
+            going: self.player.going().filter(|_| self.player.is_open()),
             is_busy: self.player.is_busy(),
             dimensions: self.scene.dimensions(),
             seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },

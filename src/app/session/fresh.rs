@@ -63,7 +63,7 @@ impl Session {
 /// A scene with all that it draws by lot drawn anew; else words that nothing is.
 pub(super) fn rolled(scene: &Scene, seed: u64) -> Result<Scene, &'static str> {
     let mut scene = scene.clone();
-    if reseeded(&mut scene, seed) { Ok(scene) } else { Err("nothing in this scene is drawn by lot") }
+    if reseeded(&mut scene, seed) { Ok(scene) } else { Err("nothing in this scene is random") }
 }
 
 /// Gives all that a scene draws by lot other seeds, from `seed` on. Returns whether there is anything.

@@ -16,6 +16,10 @@ impl Session {
         }
         if news.is_new {
             self.dirty = true;
+            if self.wants_hint {
+                // What lies under the pointer may have gone.
+                self.place_hint();
+            }
             self.whereabouts.note(self.player.shown());
             self.meet_neighbors();
             self.find_misfits();

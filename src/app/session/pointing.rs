@@ -192,7 +192,7 @@ impl Session {
     /// Someone has found out what to do: nothing more is said of it.
     fn used(&mut self) {
         self.framed.hold();
-        (self.wants_hint, self.panels.notes.hint_at) = (false, None);
+        (self.wants_hint, self.panels.notes.hint) = (false, None);
         self.panels.notes.has_caption = false;
     }
 
@@ -226,11 +226,15 @@ impl Session {
         [at.x, at.y].map(|x| f64::from(x * scale))
     }
 
-    /// The hint goes with the pointer.
+    /// The hint goes with the pointer, and says what a press would do there now.
     pub(super) fn place_hint(&mut self) {
         let is_wanted =
             self.wants_hint && self.hand.tool() == Tool::Hand && !self.is_over_panels() && !self.is_covered();
-        self.panels.notes.hint_at = self.place_of_pointer().filter(|_| is_wanted);
+        let at = self.pixel().filter(|_| is_wanted);
+        let words = at.and_then(|at| self.with_scope(|hand, scope| hand.hint(scope, at)));
+        let hint = self.place_of_pointer().zip(words);
+        self.panels_dirty |= self.panels.notes.hint != hint;
+        self.panels.notes.hint = hint;
     }
 
     /// Whether the pointer is over a panel, or over what floats over the world.

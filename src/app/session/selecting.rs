@@ -15,9 +15,9 @@ use crate::history::{Do, Group};
 use crate::sim::PointId;
 
 /// Said when something is hidden: how it is found again.
-const HIDDEN: &str = "hidden: the tool that selects (6) shows its outline; Ctrl+Shift+H shows all";
+const HIDDEN: &str = "hidden: the Select tool (6) shows its outline; Ctrl+Shift+H shows all";
 /// Said where nothing is selected.
-const NOTHING: &str = "select something first: the tool for that is 6";
+const NOTHING: &str = "select something first, with the Select tool (6)";
 
 /// So many points of a selection are looked at, where it is asked where that is seen.
 const MOST_SEEN: usize = 2_000;

@@ -6,7 +6,7 @@ use super::Session;
 use crate::app::action::Tool;
 use crate::app::keyboard::Keyboard;
 use crate::app::keys::{Down, Held};
-use crate::app::panels::{Sheet, settings_search_id};
+use crate::app::panels::settings_search_id;
 
 impl Session {
     /// Hands an event to the panels: keys only where they write or nothing else is meant by them.
@@ -23,7 +23,7 @@ impl Session {
 
     /// Whether what is typed goes into a field: also into one that is only about to be shown.
     pub(in crate::app) fn is_writing(&self) -> bool {
-        let is_coming = self.panels.is_fresh && self.panels.sheet.is_some_and(|sheet| sheet != Sheet::Help);
+        let is_coming = self.panels.is_fresh && self.panels.sheet.is_some();
         is_coming || self.egui.egui_ctx().text_edit_focused()
     }
 

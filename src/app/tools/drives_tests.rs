@@ -224,7 +224,7 @@ fn while_paused_a_body_is_moved_with_the_pins_that_it_hangs_and_turns_on() {
     assert!(hand.press(scope(&seen), middle).is_empty() && hand.is_carrying());
     hand.release(scope(&seen), middle);
     assert!(hand.press(scope(&seen), rim).is_empty());
-    assert!(said(&seen, &hand, to).contains("pins go along"));
+    assert!(said(&seen, &hand, to).contains("pins move too"));
     let deed = hand.release(scope(&seen), to);
     give(&mut stage, deed);
     stage.show(&mut seen.0);

@@ -7,9 +7,9 @@ use super::pick::Scope;
 use crate::sim::Figure;
 
 /// Said of ground where the hand presses on it.
-pub(super) const GROUND: &str = "ground, which the hand lets be: the tool that selects (6) moves it";
+pub(super) const GROUND: &str = "this is ground, which the hand cannot move: the Select tool (6) can";
 /// Said of it before that.
-const WOULD_BE: &str = "ground: tool 6 moves it";
+const WOULD_BE: &str = "ground: the Select tool (6) moves it";
 
 impl Scope<'_> {
     /// The number of the obstacle that a pixel lies in and that the hand drags: one that is not larger than the view.

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::Deed;
 use super::chosen::Chosen;
 use super::fastened::with_pins;
-use super::lifted;
+use super::lifted::{self, Lift};
 use super::marks::{Mark, Role};
 use super::pick::Scope;
 use super::rings::{Turned, axis_of};
@@ -264,8 +264,8 @@ impl Change {
         }
     }
 
-    /// How far bodies that are selected are put beside that, so that they keep clear of what stands there `[m]`.
-    pub(super) fn lift(self, scope: Scope<'_>, chosen: &Chosen, about: DVec2) -> DVec3 {
+    /// How bodies that are selected are put beside that, so that they keep clear of what stands there.
+    pub(super) fn lift(self, scope: Scope<'_>, chosen: &Chosen, about: DVec2) -> Lift {
         lifted::lift(scope, chosen, |x| match self {
             Change::Shift(by) => x + by,
             _ => self.place(about, x.truncate()).extend(x.z),
@@ -277,15 +277,15 @@ impl Change {
         if scope.shown.dimensions != 2 {
             return Outcome::default();
         }
+        let Lift { way, said } = self.lift(scope, chosen, about);
+        let way = way.truncate();
         if chosen.obstacles.is_empty() {
-            let lift = self.lift(scope, chosen, about);
-            let (way, said) = (lift.truncate(), lifted::words(scope, lift));
             return Outcome { way, own: way, said, ..Outcome::default() };
         }
         let chosen = &with_pins(scope, chosen);
         let scenery = &scope.shown.scenery;
         let is_chosen = |number: &&u32| chosen.obstacles.contains(number);
-        let moved = |x: DVec2| self.place(about, x);
+        let moved = |x: DVec2| self.place(about, x) + way;
         let polygons = scenery.polygons.iter().zip(&scenery.solid_numbers).filter(|(_, number)| is_chosen(number));
         let polygons = polygons.map(|(polygon, _)| {
             let mut polygon = polygon.clone();
@@ -305,7 +305,8 @@ impl Change {
             let at = here(scope, point);
             if is_moved(point) { moved(at) } else { at }
         };
-        under(scope, (&planes, polygons.collect()), &chosen.obstacles, place)
+        let outcome = under(scope, (&planes, polygons.collect()), &chosen.obstacles, place);
+        Outcome { way, own: way, said: outcome.said.or(said), ..outcome }
     }
 
     /// The command that does it to what is selected and to the pins that are stuck in it, or why it cannot be.
@@ -318,8 +319,8 @@ impl Change {
                 let (lift, words) = match dimensions {
                     2 => (outcome.way.extend(0.0), outcome.told()),
                     _ => {
-                        let lift = self.lift(scope, chosen, about);
-                        (lift, lifted::words(scope, lift).map(str::to_owned))
+                        let Lift { way, said } = self.lift(scope, chosen, about);
+                        (way, said.map(str::to_owned))
                     }
                 };
                 let deed = self.deed(&with_pins(scope, chosen), about.extend(0.0), dimensions);

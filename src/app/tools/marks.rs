@@ -5,10 +5,9 @@ use glam::{DVec2, DVec3};
 use super::build::Maker;
 use super::chosen::Chosen;
 use super::erase::{Target, target};
-use super::handles::Change;
 use super::pick::{self, Scope};
-use super::selecting::{carried, pins};
-use super::{Doing, boxes, hub, knot, lifted, skin};
+use super::selecting::{dragged, pins};
+use super::{Doing, boxes, hub, knot, skin};
 use crate::app::action::Tool;
 use crate::app::player::Probe;
 use crate::sim::{BOX_EDGES, Figure, PointId};
@@ -87,7 +86,7 @@ const HALF_FORCE: f64 = 30.0;
 /// Radius of the ring around a point that is probed `[logical px]`.
 const RING: f64 = 9.0;
 /// Said of what is moved while time stands still: of a body with pins, before that too, and of a pin.
-const ALONG: &str = "its pins go along; the tool that selects (6) turns it";
+const ALONG: &str = "its pins move too; the Select tool (6) can turn it";
 const WITH_PINS: &str = "paused: a drag moves it with its pins";
 const ALONE: &str = "paused: a drag moves the pin, its body stays";
 /// Bonds of a body that are drawn at most.
@@ -109,13 +108,11 @@ pub(super) fn of(
         (Doing::Carrying(hold, what), _) => {
             let by = at.map_or(DVec3::ZERO, |at| scope.way(*hold, at));
             let what = what.left(scope);
-            let lift = Change::Shift(by).lift(scope, &what, DVec2::ZERO);
-            let mut marks = carried(scope, by + lift, &what, Role::Lead);
-            let pins = pins(scope, by + lift, &what);
-            let is_held = !pins.is_empty() && pins.len() < what.points.len();
-            marks.extend(pins);
-            let words = lifted::words(scope, lift).or(is_held.then_some(ALONG));
-            marks.extend(at.zip(words).map(|(at, words)| beside(scope, at, words)));
+            let (mut marks, said) = dragged(scope, by, &what, Role::Lead);
+            let pins = what.points.iter().filter(|point| scope.is_pinned(**point)).count();
+            let is_held = pins > 0 && pins < what.points.len();
+            let words = said.or(is_held.then(|| ALONG.to_owned()));
+            marks.extend(at.zip(words).map(|(at, words)| beside(scope, at, &words)));
             marks
         }
         // Shift is held.

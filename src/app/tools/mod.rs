@@ -32,6 +32,7 @@ mod hidden;
 #[cfg(test)]
 mod hidden_tests;
 mod hinge;
+mod hint;
 mod holding;
 mod hover;
 mod hub;
@@ -48,6 +49,7 @@ mod matrix_tests;
 mod muscles;
 #[cfg(test)]
 mod muscles_tests;
+mod others;
 mod part;
 mod pick;
 mod press;

@@ -341,6 +341,12 @@ impl Scope<'_> {
         inside.next_back().map(|(_, &number)| number)
     }
 
+    /// The left upper and the right lower corner of what of the picture is seen beside panels `[px]`.
+    pub(super) fn seen(&self) -> [DVec2; 2] {
+        let view = DVec2::from(self.camera.viewport().map(f64::from));
+        [self.free[0].max(DVec2::ZERO).min(view), self.free[1].min(view).max(DVec2::ZERO)]
+    }
+
     /// Whether a point is held.
     pub(in crate::app) fn is_pinned(&self, point: PointId) -> bool {
         self.shown.scenery.pinned.binary_search(&point).is_ok()

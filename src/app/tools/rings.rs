@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::Deed;
 use super::chosen::Chosen;
 use super::handles::{Change, SAME_MASS};
-use super::lifted;
+use super::lifted::{self, Lift};
 use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_segment};
 use crate::history::{Do, Factors, MoveKeys};
@@ -277,18 +277,18 @@ impl Turned {
                 Deed::edit("scale", Do::Move(Box::new(keys)))
             }
         };
-        let words = lifted::words(scope, lift).map(str::to_owned);
-        lifted::with(scope, lift, Deed { words, ..deed })
+        let words = lift.said.map(str::to_owned);
+        lifted::with(scope, lift.way, Deed { words, ..deed })
     }
 
-    fn lift(self, scope: Scope<'_>, chosen: &Chosen, about: DVec3) -> DVec3 {
+    fn lift(self, scope: Scope<'_>, chosen: &Chosen, about: DVec3) -> Lift {
         lifted::lift(scope, chosen, |x| self.place(about, x))
     }
 
     /// What is said of it beside the pointer.
     pub(super) fn said(self, scope: Scope<'_>, chosen: &Chosen) -> String {
         let lift = extent(scope, chosen).map(|[low, high]| self.lift(scope, chosen, 0.5 * (low + high)));
-        let more = lift.and_then(|lift| lifted::words(scope, lift));
+        let more = lift.and_then(|lift| lift.said);
         format!("{}{}", self.words(), more.map_or_else(String::new, |more| format!(": {more}")))
     }
 
@@ -296,7 +296,7 @@ impl Turned {
     pub(super) fn preview(self, scope: Scope<'_>, chosen: &Chosen) -> Vec<Mark> {
         let Some([low, high]) = extent(scope, chosen) else { return Vec::new() };
         let about = 0.5 * (low + high);
-        let lift = self.lift(scope, chosen, about);
+        let lift = self.lift(scope, chosen, about).way;
         let pixel = |x: DVec3| scope.camera.screen_from_world(self.place(about, x) + lift).map(DVec2::from);
         let line = |[a, b]: [DVec3; 2]| Some(Mark::Line(Role::Come, pixel(a)?, pixel(b)?, 1.5 * scope.scale));
         let scenery = &scope.shown.scenery;

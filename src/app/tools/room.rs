@@ -9,26 +9,27 @@ use super::pick::{Scope, is_inside};
 use crate::scene::{AddKeys, Vector};
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::contact::surface::Plane;
+use crate::sim::measure;
 use crate::sim::plan::{Cleared, clear};
 use crate::sim::reach::reaches;
 use crate::sim::vector::truncate;
 use crate::sim::{Bond, Bonds, Bounds, Convex, Model, PointId, Polygon, blocked};
 
 /// Said where an obstacle would take in a body as a whole.
-const SWALLOWED: &str = "a body would be inside it as a whole: move the body first";
+const SWALLOWED: &str = "a body would be inside it: move the body first";
 /// Said where a body finds no way out of obstacles, or of walls alone.
 const NO_ROOM: [&str; 2] =
     ["no room here: it would be stuck in the obstacle", "no room here: it would be stuck in the wall"];
 /// Said where it is put out of them.
-const OUT: [&str; 2] = ["put out of the obstacle", "put out of the wall"];
+const OUT: [&str; 2] = ["moved aside: an obstacle was in the way", "moved aside: a wall was in the way"];
 /// Said of a body that is drawn around an obstacle.
-const BESIDE: &str = "put beside the obstacle: a body has none within itself";
+const BESIDE: &str = "moved beside the obstacle: a body cannot be built around one";
 /// Said of one that finds no place beside it.
-const AROUND: &str = "no room here: an obstacle would be within it";
+const AROUND: &str = "no room here: an obstacle would be inside it";
 /// Said of an obstacle that is put onto what pins hold.
-const HELD: &str = "it lies on what pins hold: neither gives way";
+const HELD: &str = "it overlaps something pinned: neither can move";
 /// Said of an obstacle that is put between pins.
-const TAUT: &str = "the bonds between two pins cannot go round it: leave them more room, or take a pin away first";
+const TAUT: &str = "what hangs between two pins cannot go round it: leave it more room, or take a pin away first";
 /// Said of a body with pins that is put into an obstacle, or into walls alone.
 const STAYS: [&str; 2] = ["its pins hold it in the obstacle", "its pins hold it in the wall"];
 /// Ways that are shorter are not told of `[logical px]`.
@@ -79,6 +80,17 @@ impl<const D: usize> Walls<D> {
         let planes = planes.iter().map(plane).collect();
         let model = Model::<D> { bounds, planes, polygons, convex, ..Model::default() };
         Walls(Obstacles::of(&model).ok())
+    }
+
+    /// Others in their place where these cannot be.
+    pub(super) fn or(self, others: &Self) -> Self {
+        if self.0.is_some() { self } else { others.clone() }
+    }
+
+    /// Whether they are near to something of these places `[m]`.
+    pub(super) fn may_touch(&self, places: &[[f64; D]]) -> bool {
+        let around = measure::extent(places);
+        self.0.as_ref().zip(around).is_some_and(|(obstacles, around)| obstacles.may_touch(around))
     }
 
     /// How what hangs together by these bonds gets out of them; pins stay.
@@ -236,8 +248,8 @@ impl Outcome {
     pub(super) fn words(&self) -> Option<String> {
         let aside = match self.moved.len() {
             0 => None,
-            1 => Some("a body is put beside it".to_owned()),
-            many => Some(format!("{many} bodies are put beside it")),
+            1 => Some("it pushes a body aside".to_owned()),
+            many => Some(format!("it pushes {many} bodies aside")),
         };
         self.refused.or(self.said).map(str::to_owned).or(aside)
     }

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::handles::{Frame, Handle};
 use super::tests::{opened, pixel, scope, shown};
@@ -205,7 +205,7 @@ fn what_lies_on_a_floor_keeps_clear_of_it_as_it_is_turned_scaled_or_moved_and_is
         let to = from + if way == 0 { DVec2::new(80.0, 60.0) } else { DVec2::new(0.0, 90.0) };
         assert!(hand.press(scope(&seen), from).is_empty());
         let marks = hand.marks(scope(&seen), Some(to));
-        let says = |mark: &Mark| matches!(mark, Mark::Words(_, words) if words.contains("put clear"));
+        let says = |mark: &Mark| matches!(mark, Mark::Words(_, words) if words.contains("moved aside"));
         assert!(marks.iter().any(says), "{way}: {marks:?}");
         let y = |mark: &Mark| if let Mark::Line(_, from, ..) = mark { Some(from.y) } else { None };
         let lowest = marks.iter().filter_map(y).fold(f64::MIN, f64::max);
@@ -222,6 +222,102 @@ fn what_lies_on_a_floor_keeps_clear_of_it_as_it_is_turned_scaled_or_moved_and_is
         let middle = all(0).into_iter().sum::<f64>() / 15.0;
         assert!(middle.abs() < 1e-9, "{way}: nothing moves it aside: {middle}");
     }
+}
+
+/// Two soft discs beside each other over a floor, and a box.
+const PAIR: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": MEETS, "view": {"center": [0, 1], "height": 8},
+    "obstacles": [{"plane": {"point": [0, 0], "normal": [0, 1]}}, {"box": {"min": [-4.5, 2.2], "max": [-3.5, 3]}}],
+    "bodies": [{"make": "disc", "radius": 0.8, "spacing": 0.3, "origin": [-2, 0.9],
+        "material": {"kind": "spring", "stiffness": 900, "damping": 5, "mass": 2}},
+      {"make": "disc", "radius": 0.8, "spacing": 0.3, "origin": [1, 0.9],
+        "material": {"kind": "spring", "stiffness": 900, "damping": 5, "mass": 2}}]}"#;
+
+/// The middles of the outlines of both discs of a world, and how far apart their nearest points are `[m]`.
+fn apart(seen: &Seen, commands: Vec<Do>) -> f64 {
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    assert_eq!(stage.obey(Order::Give(commands, Some("move"))), None);
+    let x = stage.history().world().positions();
+    let count = stage.history().world().point_count();
+    let at = |k: usize| DVec2::new(x.get(2 * k), x.get(2 * k + 1));
+    let middle = |range: std::ops::Range<usize>| range.clone().map(at).sum::<DVec2>() / range.len() as f64;
+    middle(0..count / 2).distance(middle(count / 2..count))
+}
+
+#[test]
+fn what_is_moved_keeps_clear_of_other_bodies_by_the_hand_too_while_time_stands_still() {
+    for (tool, meets) in [(Tool::Hand, true), (Tool::Select, true), (Tool::Hand, false)] {
+        let seen = shown(Scene::parse(&PAIR.replace("MEETS", &meets.to_string()), "x.json").unwrap());
+        let [from, to] = [[-2.0, 0.9], [0.7, 1.2]].map(|[x, y]| at(&seen, x, y));
+        let mut hand = Hand::default();
+        hand.take(tool);
+        hand.stand_still(true);
+        assert!(hand.press(scope(&seen), from).is_empty());
+        hand.trace(scope(&seen), to);
+        let marks = hand.marks(scope(&seen), Some(to));
+        let says = |mark: &Mark| matches!(mark, Mark::Words(_, words) if words.contains("moved aside"));
+        assert_eq!(marks.iter().any(says), meets, "{tool:?}: {marks:?}");
+        let deed = hand.release(scope(&seen), to);
+        let [Do::Move(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+        let by = DVec3::from(keys.by.unwrap().embed()).truncate();
+        // The outline was where it comes.
+        let role = if tool == Tool::Hand { super::Role::Lead } else { super::Role::Hold };
+        let line = |mark: &Mark| match mark {
+            Mark::Line(of, from, ..) if *of == role => Some(*from),
+            _ => None,
+        };
+        let outline: Vec<DVec2> = marks.iter().filter_map(line).collect();
+        let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;
+        let lies = at(&seen, -2.0 + by.x, 0.9 + by.y);
+        assert!(middle.distance(lies) < 12.0, "{tool:?}: seen at {middle}, it comes to {lies}");
+        let apart = apart(&seen, deed.commands.clone());
+        assert_eq!(apart > 1.45, meets, "{tool:?}: {apart} m from middle to middle");
+        assert!(apart < 1.8, "no further than it takes: {apart} m");
+    }
+}
+
+#[test]
+fn a_body_of_very_many_points_keeps_clear_too_and_is_not_laid_around_another() {
+    let text = PAIR
+        .replace("MEETS", "true")
+        .replacen("0.3", "0.02", 1)
+        .replace(r#""radius": 0.8, "spacing": 0.3"#, r#""radius": 0.3, "spacing": 0.1"#);
+    let seen = shown(Scene::parse(&text, "x.json").unwrap());
+    let large = Chosen::at(scope(&seen), at(&seen, -2.0, 0.9)).unwrap();
+    assert!(large.points.len() > 4_000, "{}", large.points.len());
+    for (to, words) in [([0.2, 1.1], "moved aside"), ([1.05, 0.95], "overlaps")] {
+        let mut hand = hand();
+        hand.select(large.clone());
+        let deed = drag(&mut hand, &seen, [at(&seen, -2.0, 0.9), at(&seen, to[0], to[1])]);
+        assert!(deed.words.as_ref().is_some_and(|said| said.contains(words)), "{to:?}: {:?}", deed.words);
+    }
+}
+
+#[test]
+fn bodies_and_obstacles_that_are_moved_together_keep_clear_and_where_there_is_no_room_it_is_said() {
+    let seen = shown(Scene::parse(&PAIR.replace("MEETS", "true"), "x.json").unwrap());
+    let mut hand = hand();
+    let disc = Chosen::at(scope(&seen), at(&seen, -2.0, 0.9)).unwrap();
+    hand.select(Chosen { obstacles: vec![1], ..disc });
+    let [from, to] = [[-2.0, 0.9], [-2.0, 0.3]].map(|[x, y]| at(&seen, x, y));
+    let deed = drag(&mut hand, &seen, [from, to]);
+    assert_eq!(deed.words.as_deref(), Some("moved aside: something was in the way"));
+    let [Do::Move(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    let by = keys.by.unwrap().embed();
+    assert!(by[1] > -0.2 && by[1] < 0.0 && keys.obstacles == [1], "both stay over the floor: {by:?}");
+    // A gap between two floors that is lower than it is.
+    let narrow = r#"{"wobble": 1, "contact": true, "view": {"center": [0, 1], "height": 8},
+        "obstacles": [{"plane": {"point": [3, 0], "normal": [1, 0]}}, {"plane": {"point": [4, 0], "normal": [-1, 0]}}],
+        "points": {"position": [[3.2, 0], [3.8, 0.1], [3.5, 0.6]]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 0}]}"#;
+    let seen = shown(Scene::parse(narrow, "x.json").unwrap());
+    let mut hand = self::hand();
+    let all = Chosen { points: (0..3).map(PointId).collect(), ..Chosen::default() };
+    hand.select(all);
+    let corner = handle(&hand, &seen, Handle::Corner(2));
+    assert!(hand.press(scope(&seen), corner).is_empty());
+    let marks = hand.marks(scope(&seen), Some(corner + DVec2::new(400.0, -200.0)));
+    let says = |mark: &Mark| matches!(mark, Mark::Words(_, words) if words.contains("no room here"));
+    assert!(marks.iter().any(says), "{marks:?}");
 }
 
 #[test]

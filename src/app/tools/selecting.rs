@@ -6,11 +6,12 @@ use super::chosen::Chosen;
 use super::facing::{self, Hold};
 use super::ground::GROUND;
 use super::handles::{Change, Frame, Grip, Handle};
+use super::lifted::Lift;
 use super::marks::{Mark, Role};
 use super::pick::Scope;
 use super::region::Region;
 use super::rings::{Ring, RingGrip, Rings};
-use super::{Deed, Doing, Hand, lifted, stops};
+use super::{Deed, Doing, Hand, stops};
 use crate::app::action::Tool;
 use crate::sim::{Knots, PointId};
 
@@ -191,17 +192,9 @@ impl Hand {
         let frame = Frame::of(scope, chosen);
         match (&self.doing, at) {
             (Doing::Moving(hold, _), Some(at)) if is_drag(scope, [hold.at, at]) => {
-                let by = scope.way(*hold, at);
-                let (change, about) = (Change::Shift(by), DVec2::ZERO);
-                let outcome = change.outcome(scope, chosen, about);
-                // In the plane the outcome has it.
-                let is_plane = scope.shown.dimensions == 2;
-                let lift = if is_plane { DVec3::ZERO } else { change.lift(scope, chosen, about) };
-                let outline = carried(scope, by + lift, chosen, Role::Hold).into_iter();
-                let moved = outline.chain(pins(scope, by + lift, chosen)).map(|mark| outcome.lines(scope, mark));
-                let said = outcome.words().or(lifted::words(scope, lift).map(str::to_owned));
-                let words = said.map(|words| Mark::Words(at + DVec2::new(16.0, -10.0) * scope.scale, words));
-                moved.chain(outcome.others(scope)).chain(words).collect()
+                let (mut marks, said) = dragged(scope, scope.way(*hold, at), chosen, Role::Hold);
+                marks.extend(said.map(|words| Mark::Words(at + DVec2::new(16.0, -10.0) * scope.scale, words)));
+                marks
             }
             (Doing::Handling(grip), Some(at)) => {
                 let Some(frame) = frame else { return outline };
@@ -263,8 +256,22 @@ pub(super) fn moved(scope: Scope<'_>, (hold, to): (Hold, DVec2), chosen: &Chosen
     Change::Shift(scope.way(hold, to)).fitted(scope, &chosen, DVec2::ZERO)
 }
 
+/// What is seen of bodies and obstacles that are dragged so far `[m]`: the outline where they will be, with their pins, what they push aside, and
+/// what is to be known of it.
+pub(super) fn dragged(scope: Scope<'_>, by: DVec3, chosen: &Chosen, role: Role) -> (Vec<Mark>, Option<String>) {
+    let (change, about) = (Change::Shift(by), DVec2::ZERO);
+    let outcome = change.outcome(scope, chosen, about);
+    // In the plane the outcome has it.
+    let is_plane = scope.shown.dimensions == 2;
+    let Lift { way, said } = if is_plane { Lift::default() } else { change.lift(scope, chosen, about) };
+    let outline = carried(scope, by + way, chosen, role).into_iter();
+    let moved = outline.chain(pins(scope, by + way, chosen)).map(|mark| outcome.lines(scope, mark));
+    let marks = moved.chain(outcome.others(scope)).collect();
+    (marks, outcome.words().or(said.map(str::to_owned)))
+}
+
 /// The outline of bodies and obstacles where they are once they went so far `[m]`.
-pub(super) fn carried(scope: Scope<'_>, by: DVec3, chosen: &Chosen, role: Role) -> Vec<Mark> {
+fn carried(scope: Scope<'_>, by: DVec3, chosen: &Chosen, role: Role) -> Vec<Mark> {
     chosen.outline(Scope { camera: &facing::before(scope.camera, by), ..scope }, role)
 }
 

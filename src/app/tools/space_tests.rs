@@ -309,7 +309,8 @@ fn what_is_drawn_onto_a_ball_lies_before_it_and_says_so() {
         room.hand.choose(primitive);
         room.with(|hand, scope| hand.press(scope, from));
         let would = room.with(|hand, scope| hand.marks(scope, Some(from + by)));
-        let says = |mark: &super::Mark| matches!(mark, super::Mark::Words(_, words) if words.contains("before what"));
+        let says =
+            |mark: &super::Mark| matches!(mark, super::Mark::Words(_, words) if words.contains("in front of what"));
         assert!(would.iter().any(says), "{primitive:?} from {from}: {would:?}");
         let deed = room.with(|hand, scope| hand.release(scope, from + by));
         room.give(&deed);
@@ -333,6 +334,30 @@ fn what_is_drawn_onto_a_ball_lies_before_it_and_says_so() {
         assert!(places.len() > 1 || room.shown.scenery.convex.len() > 1);
         room.undo();
     }
+}
+
+/// A ball far before what the camera looks at.
+const NEAR_BALL: &str = r#"{"wobble": 1, "dimensions": 3, "points": {"position": [[0, 9, 0]]},
+    "obstacles": [{"circle": {"center": [0, 0, 4], "radius": 0.6}}],
+    "view": {"target": [0, 0, 0], "distance": 9, "yaw": 0, "pitch": 0}}"#;
+
+#[test]
+fn a_cloth_that_is_drawn_over_a_ball_is_never_behind_it() {
+    use crate::app::action::Primitive;
+    let mut room = Room::of(NEAR_BALL, Tool::Build);
+    let middle = DVec2::from(room.camera.screen_from_world([0.0, 0.0, 4.0].into()).unwrap());
+    room.hand.choose(Primitive::Cloth);
+    // It begins beside the ball, where nothing is seen.
+    let [from, to] = [middle - DVec2::new(170.0, 40.0), middle + DVec2::new(150.0, 60.0)];
+    room.with(|hand, scope| hand.press(scope, from));
+    let would = room.with(|hand, scope| hand.marks(scope, Some(to)));
+    let says = |mark: &super::Mark| matches!(mark, super::Mark::Words(_, words) if words.contains("in front of"));
+    assert!(would.iter().any(says), "{would:?}");
+    let deed = room.with(|hand, scope| hand.release(scope, to));
+    room.give(&deed);
+    let places = room.places();
+    assert!(places.len() > 20);
+    assert!(places.iter().skip(1).all(|place| place.z > 4.0), "{places:?}");
 }
 
 impl Room {

@@ -188,7 +188,7 @@ fn panel(
             scroll.auto_shrink([true, !is_fixed]).show(ui, |ui| {
                 all(ui, facts, &found, &mut sink);
                 if found.is_empty() {
-                    ui.label(RichText::new("nothing that can be set here is called so").color(colors(ui).weak));
+                    ui.label(RichText::new("no setting found: try another word").color(colors(ui).weak));
                 }
             });
         });

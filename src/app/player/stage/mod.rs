@@ -15,6 +15,7 @@ use super::order::{Note, Order};
 use super::pace::Pace;
 use super::rungs::{Rungs, Yielded};
 use super::save::{self, Seen};
+use super::share::Share;
 use super::shown::{Latest, Scenery};
 use super::softness::Relaxed;
 use super::watch::Watch;
@@ -98,6 +99,8 @@ pub struct Stage {
     jam: Option<Jam>,
     /// The pins that are led, and how far they may be from others.
     led: Option<(Vec<PointId>, Vec<Reach>)>,
+    /// How much of what is undone or done again is worked out.
+    worked_out: Arc<Share>,
 }
 
 /// A history without its worlds.
@@ -177,10 +180,16 @@ impl Stage {
             tracks: Vec::new(),
             jam: None,
             led: None,
+            worked_out: Arc::default(),
         };
         stage.warned = stage.history.world().warnings().to_vec();
         stage.look();
         Ok(stage)
+    }
+
+    /// What is undone and done again tells here how much of it is worked out.
+    pub fn tell_of(&mut self, worked_out: &Arc<Share>) {
+        self.worked_out = Arc::clone(worked_out);
     }
 
     /// Start and log, to be played on from here some time.
@@ -288,14 +297,16 @@ impl Stage {
             Order::Haul(way) => self.haul(way),
             Order::Add(adder) => Some(self.add(adder)),
             Order::Undo(cursor) => {
-                let undone = self.history.undo();
+                let told = Arc::clone(&self.worked_out);
+                let undone = self.history.undo_telling(|share| told.tell(share));
                 if undone.is_some() {
                     self.pace.gone_for_good(&self.history, cursor);
                 }
                 Some(undone.map_or(Note::NothingToUndo, |undone| Note::Undone(undone.name, undone.seconds)))
             }
             Order::Redo(cursor) => {
-                let redone = self.history.redo();
+                let told = Arc::clone(&self.worked_out);
+                let redone = self.history.redo_telling(|share| told.tell(share));
                 if redone.is_some() {
                     self.pace.gone_for_good(&self.history, cursor);
                 }

@@ -1,4 +1,5 @@
-//! Where what is built in space lies: on or before what is seen under the pointer, never within it, for who draws sees no depth.
+//! Where what is built in space lies: on or before what is seen under the pointer, never within it, for who draws sees no depth. A cloth lies
+//! before all balls and boxes that are seen where it is drawn.
 
 use glam::{DVec2, DVec3};
 
@@ -41,8 +42,8 @@ impl Lies {
     pub(super) fn words(self) -> &'static str {
         match self {
             Lies::There => "",
-            Lies::Before => ", before what is there",
-            Lies::Within => ", in what is there",
+            Lies::Before => ", in front of what is there",
+            Lies::Within => ": no room, something is in the way",
         }
     }
 }
@@ -105,13 +106,20 @@ impl Solids {
         self.has_room(place, 0.0) && self.bounds.is_none_or(is_in)
     }
 
-    /// Whether something would lie in nothing.
+    /// Whether a ball or a box is seen before a place.
+    fn is_hidden(&self, place: DVec3) -> bool {
+        let ray = [self.eye.to_array(), (place - self.eye).to_array()];
+        self.figures.iter().any(|figure| figure.entry(ray, 0.0).is_some_and(|share| share < HIDDEN))
+    }
+
+    /// Whether something would lie in nothing, and be seen: a cloth all over, what stands on the ground may stand behind something.
     fn is_clear(&self, form: &Form) -> bool {
         match form {
             Form::Rope { corners, .. } => self.is_clear_of(corners),
             Form::Cloth { corner, cell: [u, v], cells: [columns, rows], .. } => {
                 let node = |i: u32, j: u32| *corner + f64::from(i) * *u + f64::from(j) * *v;
-                (0..=*rows).all(|j| (0..=*columns).all(|i| self.is_free(node(i, j))))
+                let is_seen = |place: DVec3| self.is_free(place) && !self.is_hidden(place);
+                (0..=*rows).all(|j| (0..=*columns).all(|i| is_seen(node(i, j))))
             }
             Form::Ball { center, radius } => self.has_room(*center, *radius),
             Form::Box([low, high]) => {

@@ -36,8 +36,8 @@ pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2, held: Option<Vec<Poin
     marks
 }
 
-/// Words about an outline: beside the cursor, unless they would lie across it; else over it, under it or at a side of it, where there is room
-/// in view.
+/// Words about an outline, in what of the view is free: on a side of the cursor where they do not lie across it; else over it, under it or at a
+/// side of it, as near to the cursor as may be; where it is all over the view, beside the cursor.
 pub(super) fn off(outline: &[Mark], scope: Scope<'_>, at: DVec2, words: String) -> Mark {
     let size = LETTER * DVec2::new(words.chars().count() as f64, 1.0) * scope.scale;
     let ends = outline.iter().flat_map(|mark| match mark {
@@ -47,20 +47,26 @@ pub(super) fn off(outline: &[Mark], scope: Scope<'_>, at: DVec2, words: String) 
     });
     let [low, high] = ends.fold([at; 2], |[low, high], end| [low.min(end), high.max(end)]);
     let (beside, apart) = (at + scope.scale * BESIDE, APART * scope.scale);
-    let places = [
-        beside,
-        DVec2::new(beside.x, low.y - apart),
-        DVec2::new(beside.x, high.y + apart + size.y),
-        DVec2::new(high.x + apart, beside.y),
-        DVec2::new(low.x - apart - size.x, beside.y),
+    let [left, below] = [2.0 * at.x - beside.x - size.x, 2.0 * at.y - beside.y + size.y];
+    let about = [beside, DVec2::new(beside.x, below), DVec2::new(left, beside.y), DVec2::new(left, below)];
+    let [least, most] = scope.seen();
+    // Along the outline they may go as far as keeps them in view.
+    let x = beside.x.min(most.x - size.x).max(least.x);
+    let y = beside.y.clamp(least.y + size.y, most.y.max(least.y + size.y));
+    let mut sides = [
+        DVec2::new(x, low.y - apart),
+        DVec2::new(x, high.y + apart + size.y),
+        DVec2::new(high.x + apart, y),
+        DVec2::new(low.x - apart - size.x, y),
     ];
-    let view = DVec2::from(scope.camera.viewport().map(f64::from));
-    let is_free = |corner: &DVec2| {
-        let ground = [*corner - DVec2::new(0.0, size.y), *corner + DVec2::new(size.x, 0.0)];
-        let is_seen = ground[0].cmpge(DVec2::ZERO).all() && ground[1].cmple(view).all();
-        is_seen && !outline.iter().any(|mark| lies_across(mark, ground))
-    };
-    Mark::Words(places.into_iter().find(is_free).unwrap_or(beside), words)
+    let far =
+        |corner: &DVec2| at.distance(at.clamp(*corner - DVec2::new(0.0, size.y), *corner + DVec2::new(size.x, 0.0)));
+    sides.sort_by(|a, b| far(a).total_cmp(&far(b)));
+    let ground = |corner: &DVec2| [*corner - DVec2::new(0.0, size.y), *corner + DVec2::new(size.x, 0.0)];
+    let is_seen = |corner: &&DVec2| ground(corner)[0].cmpge(least).all() && ground(corner)[1].cmple(most).all();
+    let is_free = |corner: &&DVec2| is_seen(corner) && !outline.iter().any(|mark| lies_across(mark, ground(corner)));
+    let free = about.iter().chain(&sides).find(is_free);
+    Mark::Words(free.or(about.iter().find(is_seen)).copied().unwrap_or(beside), words)
 }
 
 /// Whether a line or a ring goes through a box, given by its left upper and its right lower corner `[px]`.
@@ -107,9 +113,9 @@ fn lines(form: &Form, scope: Scope<'_>) -> Vec<Mark> {
     }
 }
 
-/// Words beside the cursor.
+/// Words beside the cursor, of no outline.
 pub(super) fn label(scope: Scope<'_>, at: DVec2, words: String) -> Mark {
-    Mark::Words(at + scope.scale * BESIDE, words)
+    off(&[], scope, at, words)
 }
 
 /// Where a place is seen `[px]`.

@@ -21,7 +21,7 @@ use crate::sim::{BOX_EDGES, PointId};
 /// A box is as thick as this share of its longest side at least `[1]`.
 const THICK: f64 = 0.3;
 /// Said where something finds no place before what stands there.
-const WITHIN: &str = "it would lie in what stands there: draw it elsewhere, or turn the view";
+const WITHIN: &str = "no room here: something is in the way. Draw it elsewhere, or turn the view";
 /// Half of what a click makes of a box, in what a click makes.
 const USUAL_BOX: [f64; 3] = [1.0, 0.25, 0.6];
 

@@ -206,6 +206,32 @@ fn the_outline_is_what_the_release_makes() {
 }
 
 #[test]
+fn the_size_of_what_is_drawn_stands_beside_the_cursor_within_the_view_at_its_edges_too() {
+    let seen = room();
+    let [wide, high] = seen.1.viewport().map(f64::from);
+    for primitive in [Primitive::Box, Primitive::Disc, Primitive::SolidBox, Primitive::Cloth] {
+        for to in
+            [[0.99, 0.5], [0.01, 0.5], [0.5, 0.02], [0.5, 0.98], [0.99, 0.02], [0.01, 0.98], [0.99, 0.98], [0.01, 0.02]]
+        {
+            let mut hand = hand(primitive);
+            let to = DVec2::from(to) * DVec2::new(wide, high);
+            hand.press(scope(&seen), at(&seen, 0.0, 0.0));
+            let marks = hand.marks(scope(&seen), Some(to));
+            let words = marks.iter().find_map(|mark| match mark {
+                Mark::Words(corner, words) => Some((*corner, words.chars().count() as f64)),
+                _ => None,
+            });
+            let (corner, letters) = words.unwrap();
+            let [low, high_] = [corner - DVec2::new(0.0, 22.0), corner + DVec2::new(7.5 * letters, 0.0)];
+            let far = to.distance(to.clamp(low, high_));
+            assert!(far < 60.0, "{primitive:?} to {to}: {low} to {high_}");
+            let is_seen = low.cmpge(DVec2::ZERO).all() && high_.cmple(DVec2::new(wide, high)).all();
+            assert!(is_seen, "{primitive:?} to {to}: {low} to {high_}");
+        }
+    }
+}
+
+#[test]
 fn the_size_of_what_is_drawn_lies_across_no_line_of_it() {
     let seen = room();
     for primitive in Primitive::ALL.into_iter().filter(|primitive| !primitive.is_drawn()) {
@@ -451,7 +477,7 @@ fn what_is_drawn_into_walls_and_obstacles_is_shown_where_it_will_lie() {
         let lies = 0.5 * (low + high);
         let shown = seen.1.world_from_screen(middle.to_array()).truncate();
         assert!(shown.distance(lies) < 0.03, "{primitive:?}: shown {shown}, it lies {lies}");
-        assert!(said.contains(&format!("put out of the {what}")), "{said}");
+        assert!(said.contains(&format!("{what} was in the way")), "{said}");
     }
 }
 
@@ -460,9 +486,9 @@ fn an_obstacle_shows_what_it_puts_aside_and_takes_in_no_body() {
     let seen = shown(Scene::parse(BLOCK, "x.json").unwrap());
     // Around the body; from its side; over what is wholly pinned.
     let cases = [
-        ([-4.5, 1.0], [-3.0, -0.5], Some("inside it as a whole"), 0),
-        ([-5.0, 1.0], [-3.9, -0.5], Some("put beside it"), 1),
-        ([-4.5, 3.0], [-3.8, 1.5], Some("neither gives way"), 1),
+        ([-4.5, 1.0], [-3.0, -0.5], Some("would be inside it"), 0),
+        ([-5.0, 1.0], [-3.9, -0.5], Some("pushes a body aside"), 1),
+        ([-4.5, 3.0], [-3.8, 1.5], Some("neither can move"), 1),
         ([3.0, 3.0], [4.0, 2.0], None, 1),
     ];
     for (from, to, words, commands) in cases {
@@ -485,14 +511,16 @@ fn an_obstacle_shows_what_it_puts_aside_and_takes_in_no_body() {
             let more = deed.words.unwrap_or_default();
             match words {
                 // Once it is done the world tells of bodies that it put aside.
-                Some("put beside it") => assert!(said.contains("put beside it") && more.is_empty(), "{more}"),
+                Some("pushes a body aside") => {
+                    assert!(said.contains("pushes a body aside") && more.is_empty(), "{more}")
+                }
                 Some(words) => assert!(said.contains(words) && more.contains(words), "{primitive:?}: {said}, {more}"),
                 None => assert!(!said.contains(": ") || primitive == Primitive::Polygon, "{said}"),
             }
         }
     }
     // The obstacle that is there, dragged onto each.
-    for (to, words, commands) in [([-3.7, 0.3], "inside it as a whole", 0), ([-3.9, 2.2], "neither gives way", 1)] {
+    for (to, words, commands) in [([-3.7, 0.3], "would be inside it", 0), ([-3.9, 2.2], "neither can move", 1)] {
         let mut hand = Hand::default();
         hand.take(Tool::Select);
         hand.press(scope(&seen), at(&seen, 1.0, 0.0));
