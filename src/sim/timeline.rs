@@ -268,7 +268,8 @@ mod tests {
             while timeline.time() < end - 1e-12 {
                 let frame = frame_of(timeline.time());
                 timeline.advance();
-                assert_eq!(frame_of(timeline.time()), frame + 1, "one a frame");
+                let is_next = frame_of(timeline.time()) == frame + 1;
+                assert!(is_next || timeline.time() == end, "one a frame, but for what is left in the end");
                 ends.push(timeline.time());
             }
             assert_eq!((ends.len(), ends.last().copied()), (((end - start) * 60.0 - 1e-6).ceil() as usize, Some(end)));

@@ -164,8 +164,11 @@ impl<S: Real> Cluster<S> {
         for i in (0..self.own()).filter(|&i| self.w[i] != S::ZERO) {
             let mean = scale(add(self.begun[i], self.velocity[i]), S::HALF);
             let of = |push: [S; 2]| (dot(mean, push) * rate / self.w[i]).to_f64();
-            taken[0] -= of(tally.pressed[i]);
-            taken[1] -= of(tally.rubbed[i]);
+            // What leads a body out of another one is booked as that, with all that comes of it.
+            if !self.sunk[self.body_of[i] as usize] {
+                taken[0] -= of(tally.pressed[i]);
+                taken[1] -= of(tally.rubbed[i]);
+            }
             taken[2] -= of(tally.relaxed[i]);
         }
         // What contacts make is the method's own error, and explains nothing.
