@@ -295,7 +295,7 @@ fn balls_and_boxes_in_space_are_seen_where_rays_meet_them_and_hide_what_lies_beh
     let convex = [ball, block].map(|figure| Convex { figure, restitution: 0.0, friction: 0.0 });
     // One point before the ball, and one behind it.
     let positions = [0.0_f32, 0.0, 1.5, 0.0, 0.0, -1.5];
-    let look = Look { obstacle: [1.0; 4], wall: [1.0; 4], point: [0.0, 0.0, 0.0, 1.0], point_radius: 2.0, ..plain() };
+    let look = Look { solid: [[1.0; 4]; 2], point: [0.0, 0.0, 0.0, 1.0], point_radius: 2.0, ..plain() };
     for (yaw, dark) in [(0.0, true), (std::f64::consts::PI, true), (0.9, false)] {
         let pose = Pose::Orbit { target: DVec3::new(0.3, 0.0, 0.0), distance: 5.0, yaw, pitch: 0.0 };
         let camera = Camera::new(pose, [SIDE, SIDE]);

@@ -29,10 +29,15 @@ pub(super) fn state_folder() -> Option<PathBuf> {
 pub(super) struct Leftover {
     pub(super) left: Left,
     pub(super) start: Start,
-    /// What is said of it.
-    pub(super) line: String,
     /// It was not offered at a start yet.
     pub(super) is_new: bool,
+}
+
+impl Leftover {
+    /// What is said of it, as long ago as it is now.
+    pub(super) fn line(&self) -> String {
+        line(&self.start, age(self.left.path()))
+    }
 }
 
 /// Looks for sessions that were cut off, on another thread, which calls `wake` when it is done: the newest last.
@@ -55,9 +60,8 @@ fn found(folder: &Path) -> Vec<Leftover> {
     for left in Autosave::left(folder) {
         match left.start() {
             Ok(start) => {
-                let line = line(&start, age(left.path()));
                 let is_new = !known.lines().any(|name| Some(name) == name_of(&left));
-                found.push(Leftover { left, start, line, is_new });
+                found.push(Leftover { left, start, is_new });
             }
             // Not even its beginning is whole: nobody can go on with it.
             Err(_) => left.discard().unwrap_or_default(),
@@ -145,7 +149,7 @@ mod tests {
         std::fs::write(folder.path().join("session-1-0.jsonl"), "{\"wobble_rec").unwrap();
         let list = found(folder.path());
         assert_eq!(list.len(), 1);
-        assert_eq!(list[0].line, "two, 0 s long, less than a minute ago");
+        assert_eq!(list[0].line(), "two, 0 s long, less than a minute ago");
         assert!(list[0].is_new);
         note_offered(folder.path(), &list);
         drop(list);

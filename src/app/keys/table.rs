@@ -34,7 +34,7 @@ pub static TABLE: &[Binding] = &[
     ),
     binding(
         "1, 2, 3, 4, 5, 6, 7, 8, 9, 0",
-        "the tools: hand, pin, cut, erase, build (5 again: the next thing to build), select, muscle, motor, material brush, force",
+        "the tools: hand, pin, cut, erase, build (5 again: the next thing to build), select, muscle, hinge and motor, material brush, force",
         &[
             (Writes("1"), Action::Take(Tool::Hand)),
             (Writes("2"), Action::Take(Tool::Pin)),

@@ -155,7 +155,7 @@ fn is_over(context: &Context, id: Id, button: Rect) -> bool {
     left <= 0.0 || is_pressed && !is_on_them
 }
 
-/// How it is computed in a word, and how many notes there are on that; where there is little room the word alone.
+/// How it is computed in a word, a shorter one where there is little room; else how many notes there are on it, whose number comes and goes.
 fn in_short(figures: &Figures, notes: usize, is_roomy: bool) -> (String, Tone) {
     let has = |why: &[Why]| figures.movers.moved.iter().any(|one| why.contains(&one.why));
     let (words, color) = match () {
@@ -167,7 +167,7 @@ fn in_short(figures: &Figures, notes: usize, is_roomy: bool) -> (String, Tone) {
     };
     let notes = notes_in_words(notes);
     let words = match words {
-        Some([word, _]) if is_roomy => format!("{word}, {notes}"),
+        Some([word, _]) if is_roomy => word.to_owned(),
         Some([_, word]) => word.to_owned(),
         None => notes,
     };
@@ -345,13 +345,13 @@ mod tests {
         };
         let short = |figures: &Figures| in_short(figures, lines(figures).len(), true).0;
         let tight = |figures: &Figures| in_short(figures, lines(figures).len(), false).0;
-        assert_eq!(short(&with(vec![moved(Why::Contact, 1)])), "with collisions, 1 note");
-        assert_eq!(short(&with(vec![moved(Why::Contact, 1), moved(Why::Budget, 1)])), "quick, 2 notes");
+        assert_eq!(short(&with(vec![moved(Why::Contact, 1)])), "with collisions");
+        assert_eq!(short(&with(vec![moved(Why::Contact, 1), moved(Why::Budget, 1)])), "quick");
         let yielded = Some(Yielded { rung: Rung::Live, since: 1.0, work: None });
         let both = Figures { yielded, ..with(vec![moved(Why::Budget, 1)]) };
-        assert_eq!(short(&both), "rougher, to keep up, 2 notes");
+        assert_eq!(short(&both), "rougher, to keep up");
         let frozen = Figures { yielded, ..with(vec![moved(Why::Budget, 1), moved(Why::NotFinite, 1)]) };
-        assert_eq!((short(&frozen), tight(&frozen)), ("frozen, 3 notes".to_owned(), "frozen".to_owned()));
+        assert_eq!((short(&frozen), tight(&frozen)), ("frozen".to_owned(), "frozen".to_owned()));
         let acts = Acts { settles: true, ..Acts::default() };
         assert_eq!(short(&Figures { acts, ..Figures::default() }), "1 note");
     }

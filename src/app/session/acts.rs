@@ -47,7 +47,10 @@ impl Session {
             Action::Faster => self.set_pace(2.0 * self.pace()),
             Action::PreviousScene => self.open_beside(-1),
             Action::NextScene => self.open_beside(1),
-            Action::Gallery => self.toggle_sheet(Sheet::Gallery),
+            Action::Gallery => {
+                self.tell_leftovers();
+                self.toggle_sheet(Sheet::Gallery);
+            }
             Action::Help => self.toggle_sheet(Sheet::Help),
             // What is drawn click by click is not done yet.
             Action::Undo if self.hand.is_drawing() => self.hand.step_back(),

@@ -142,8 +142,11 @@ impl Session {
         self.scene = scene;
         self.call_window();
         self.plot_anew();
+        self.frame_as(Framing::Opening);
         // Of what was done all is seen.
-        self.frame_as(if self.player.is_resumed() { Framing::Fit } else { Framing::Opening });
+        if self.player.is_resumed() && !self.sees_all() {
+            self.frame_as(Framing::Fit);
+        }
         if let Some(camera) = self.looks_again.take() {
             (self.camera, self.framing, self.follows) = (camera, Framing::Free, false);
             self.camera.resize(self.area);

@@ -3,7 +3,7 @@
 
 use super::Session;
 use super::shelf::Way;
-use crate::app::leftovers::note_offered;
+use crate::app::leftovers::{Leftover, note_offered};
 use crate::app::player::{Keeping, Player};
 
 impl Session {
@@ -18,7 +18,7 @@ impl Session {
                 1 => "",
                 _ => "; earlier ones are in the gallery",
             };
-            self.panels.notes.offer = Some(format!("your last session was cut off: {}{others}", newest.line));
+            self.panels.notes.offer = Some(format!("your last session was cut off: {}{others}", newest.line()));
         }
         self.list_leftovers();
     }
@@ -28,8 +28,13 @@ impl Session {
         if let Some(folder) = &self.state_folder {
             note_offered(folder, &self.leftovers);
         }
-        self.panels.leftovers = self.leftovers.iter().rev().map(|leftover| leftover.line.clone()).collect();
+        self.tell_leftovers();
         self.touch();
+    }
+
+    /// The gallery says of each how long ago it was, as it is opened.
+    pub(super) fn tell_leftovers(&mut self) {
+        self.panels.leftovers = self.leftovers.iter().rev().map(Leftover::line).collect();
     }
 
     /// Goes on with a session of the list, where it ended, once what was done in it is worked out again; who does not wait for that is where

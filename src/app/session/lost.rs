@@ -84,6 +84,18 @@ impl Session {
         self.dirty |= self.lost.look(scope, picture);
     }
 
+    /// Whether all points are in view.
+    pub(super) fn sees_all(&self) -> bool {
+        let (shown, camera) = (self.player.shown(), self.camera_here());
+        let scope = Scope { shown, camera: &camera, scale: f64::from(self.look.scale_factor), free: Scope::ANYWHERE };
+        let whole = DVec2::from(self.area.map(f64::from));
+        let is_seen = |point: PointId| {
+            let at = scope.pixel(point).filter(|_| reaches(scope, point));
+            at.is_some_and(|at| at.cmpge(DVec2::ZERO).all() && at.cmple(whole).all())
+        };
+        (0..shown.point_count() as u32).map(PointId).filter(|&point| scope.is_there(point)).all(is_seen)
+    }
+
     /// The arrow, if one is needed: off panels, and off the numbers of the grid beside the tools.
     pub(super) fn way_to_the_lost(&self, scope: Scope<'_>) -> Vec<Mark> {
         let lost = self.lost.nearest.filter(|&point| scope.is_there(point)).and_then(|point| way_to(scope, point));

@@ -16,8 +16,10 @@ use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};
 
 /// Share of what two things close within a substep in which hits count as one.
 const AT_ONCE: f64 = 0.02;
-/// Arm, as a share of the distance from its pin, below which a push does not turn a frame.
-const DEAD: f64 = 1e-6;
+
+/// What a pinned end of an edge gives where it is pressed, as a share of what the other end would `[1]`: right beside the pin that would be
+/// pushed without end.
+const GIVES: f64 = 1e-2;
 
 /// No frame.
 const NONE: u32 = u32::MAX;
@@ -118,20 +120,8 @@ impl Frame {
     /// Inverse mass of the point at `x` along a direction `[1/kg]`.
     #[inline(always)]
     fn weight(&self, x: [f64; 2], n: [f64; 2]) -> f64 {
-        let arm = sub(x, self.now.middle);
-        let lever = cross(arm, n);
-        // A pin bears what is pressed right at it.
-        if self.inverse[0] == 0.0 && lever * lever <= DEAD * DEAD * dot(arm, arm) {
-            return 0.0;
-        }
+        let lever = cross(sub(x, self.now.middle), n);
         self.inverse[0] + lever * lever * self.inverse[1]
-    }
-
-    /// Which share of its way a point at `x` goes along the direction `n`: on a pin it goes around that.
-    fn along(&self, x: [f64; 2], n: [f64; 2]) -> f64 {
-        let arm = sub(x, self.now.middle);
-        let length = dot(arm, arm).sqrt();
-        if self.inverse[0] == 0.0 && length > 0.0 { cross(arm, n).abs() / length } else { 1.0 }
     }
 
     /// A push at `x`: `[kg m]`, or `[kg m/s]` where it changes velocities.
@@ -164,6 +154,13 @@ impl Frame {
     fn way_of(&self, q: [f64; 2]) -> [f64; 2] {
         add(sub(self.now.middle, self.start.middle), sub(self.now.turned(q), self.start.turned(q)))
     }
+}
+
+/// Inverse mass of a place on an edge, by those of its ends `[1/kg]`, of which it takes these shares.
+#[inline(always)]
+fn on_edge<S: Real>([a, b]: [S; 2], [rest, at]: [S; 2]) -> S {
+    let felt = rest * rest * a + at * at * b;
+    if (a == S::ZERO) == (b == S::ZERO) { felt } else { felt + S::from_f64(GIVES) * (a + b) }
 }
 
 /// What presses so far `[kg m]` against what gives so much `[1/kg]`; nothing where that does not give.
@@ -242,7 +239,7 @@ impl<S: Real> Cluster<S> {
         let [p, a, b] = points;
         let rest = S::ONE - at;
         if self.frames.is_empty() {
-            return self.w[p] + rest * rest * self.w[a] + at * at * self.w[b];
+            return self.w[p] + on_edge([self.w[a], self.w[b]], [rest, at]);
         }
         self.felt(p, n) + self.felt_on_edge([a, b], at, n)
     }
@@ -255,7 +252,7 @@ impl<S: Real> Cluster<S> {
             (Some(one), Some(other)) if one == other => {
                 S::from_f64(self.frames[one].weight(widen(self.between([a, b], at)), widen(n)))
             }
-            _ => rest * rest * self.felt(a, n) + at * at * self.felt(b, n),
+            _ => on_edge([self.felt(a, n), self.felt(b, n)], [rest, at]),
         }
     }
 
@@ -296,12 +293,6 @@ impl<S: Real> Cluster<S> {
             return S::ONE;
         }
         self.frame(p).map_or(S::ONE, |frame| S::from_f64(frame.weight(widen(self.now[p]), widen(n))))
-    }
-
-    /// Which share of its way a point goes along the direction `n`: less than 1 around a pin.
-    #[inline(always)]
-    pub(super) fn along(&self, p: usize, n: [S; 2]) -> S {
-        self.frame(p).map_or(S::ONE, |frame| S::from_f64(frame.along(widen(self.now[p]), widen(n))))
     }
 
     /// By how much a point that goes with a frame was put elsewhere in this substep, without speed `[m]`; of others nobody asks.

@@ -46,8 +46,6 @@ impl<S: Real> Cluster<S> {
     #[inline(always)]
     pub(super) fn led_out(&mut self, ends: [usize; 2], out: [S; 2], depth: S) -> S {
         let most = if self.note_within(ends[0], depth) { self.gentle } else { depth };
-        // So far along its own way: around a pin one that is right beyond it would turn without end.
-        let most = most * self.along(ends[0], out).min(self.along(ends[1], out));
         if self.is_tethered(ends[0]) {
             return self.yields(ends[0], out, most).min(self.yields(ends[1], out, most));
         }
