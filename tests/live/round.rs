@@ -1,7 +1,7 @@
 //! Circles that do not move, large ones and thin pegs: they are met as what they are, by points and by edges.
 
 use serde_json::{Value, json};
-use wobble::sim::{Command, Dynamics, Motion, PointId, Sample, Selection};
+use wobble::sim::{Command, Dynamics, Motion, PointId, Sample, Selection, Why};
 
 use super::{disc, fastest, middle, run, soft, world};
 
@@ -286,5 +286,23 @@ fn what_is_folded_over_a_circle_is_not_thrown_across_it() {
         let sample = world.sample(world.time());
         least = least.min(sample.energy);
         assert!(sample.energy < least + 1.0, "{} J at {} s, after {least}", sample.energy, sample.time);
+    }
+}
+
+/// Its sides begin at the pin, and what presses them right beside it would have to turn them without end.
+#[test]
+fn a_box_that_hangs_by_a_corner_which_a_circle_covers_swings_on_quietly() {
+    for [deep, up] in [[1e-6, 0.0], [1e-4, 0.0], [1e-3, 1e-3], [0.05, 1e-3], [0.05, 0.02]] {
+        let hung = json!({"make": "box", "width": 0.4, "height": 1.5, "supports": 2, "origin": [0.2, 1.25], "pinned": [3],
+            "material": {"kind": "rigid", "mass": 1}});
+        let mut world = world(&scene(&[hung], &[circle([deep - 0.5, 2.0 + up], 0.5)]));
+        let start = world.energy();
+        while world.time() < 2.0 {
+            world.step();
+            assert!(world.is_finite(), "{deep} m deep, {up} m up: not finite at {} s", world.time());
+            assert!(world.energy() < start + 1.0, "{deep} m deep, {up} m up: from {start} to {} J", world.energy());
+        }
+        let is_frozen = world.moved_by().iter().any(|moved| moved.why == Why::NotFinite);
+        assert!(!is_frozen, "{deep} m deep, {up} m up: it stands still");
     }
 }

@@ -7,7 +7,7 @@
 use super::cluster::{Cluster, Common, OBSTACLE};
 use super::detect::Search;
 use super::pair::{OnPlane, Pair};
-use super::rigid::{Change, against};
+use super::rigid::Change;
 use crate::sim::contact::polygon::round::Round;
 use crate::sim::contact::surface::Surface;
 use crate::sim::measure;
@@ -243,7 +243,7 @@ pub(super) fn cut<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
     for on in &on_planes {
         let (p, Some(circle)) = (on.p as usize, common.circle_of(on)) else { continue };
         let Some(normal) = circle.passed(state.start[p], state.now[p]) else { continue };
-        let back = scale(normal, -against(circle.gap_along(normal, state.now[p]), state.own_weight(p, normal)));
+        let back = scale(normal, -circle.gap_along(normal, state.now[p]) / state.own_weight(p, normal));
         state.counts.truncations += 1;
         state.note_push_of_one(p, circle.restitution, (back, zero()));
         state.push_one(p, back, Change::Way);

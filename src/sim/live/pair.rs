@@ -1,7 +1,7 @@
 //! A point near an edge: on which side it belongs, how hard they press each other, how they rub.
 
 use super::cluster::Cluster;
-use super::rigid::{Change, against};
+use super::rigid::Change;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
@@ -212,7 +212,7 @@ impl<S: Real> Pair<S> {
         let d = sub(state.way[p], add(scale(state.way[a], rest), scale(state.way[b], at)));
         let most = self.friction * self.pressed;
         let was = self.rubbed;
-        self.rubbed = (was - against(dot(d, along), state.weight(points, at, along))).max(-most).min(most);
+        self.rubbed = (was - dot(d, along) / state.weight(points, at, along)).max(-most).min(most);
         let rub = self.rubbed - was;
         let (out, aside) = (scale(normal, push), scale(along, rub));
         state.note_push(points, at, self.restitution, (out, aside));
@@ -222,7 +222,7 @@ impl<S: Real> Pair<S> {
         }
         if state.may_creep() && self.rubbed.abs() < most {
             let of_edge = add(scale(state.crept(a), rest), scale(state.crept(b), at));
-            let crept = against(dot(sub(state.crept(p), of_edge), along), state.weight(points, at, along));
+            let crept = dot(sub(state.crept(p), of_edge), along) / state.weight(points, at, along);
             if crept != S::ZERO {
                 state.push(points, at, scale(along, -crept.max(-most).min(most)), Change::Place);
             }
@@ -290,7 +290,7 @@ impl<S: Real> Pair<S> {
         let lacking = target - dot(v, normal);
         // What others pushed it on since is taken off again.
         let before = self.bounced;
-        self.bounced = (before + against(lacking, w)).max(S::ZERO);
+        self.bounced = (before + lacking / w).max(S::ZERO);
         if self.bounced != before {
             state.push(points, at, scale(normal, self.bounced - before), Change::Velocity);
         }

@@ -2,7 +2,7 @@
 
 use super::cluster::{Cluster, Common};
 use super::pair::{BOUNCED, OnPlane, left};
-use super::rigid::{Change, against};
+use super::rigid::Change;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale};
 
@@ -36,29 +36,25 @@ impl<S: Real> OnPlane<S> {
         if gap >= S::ZERO && self.pressed == S::ZERO && gap >= state.at_once([p, p], -dot(state.way[p], normal)) {
             return;
         }
-        let weight = state.own_weight(p, normal);
-        if weight == S::ZERO {
-            return;
-        }
         if !self.is_met {
             self.is_met = true;
             self.approach = dot(state.begun[p], normal);
             let depth = self.depth(common, state.start[p]);
             if depth > S::ZERO {
                 let out = state.led_out([p, p], normal, depth);
-                state.push_one(p, scale(normal, out / weight), Change::Place);
+                state.push_one(p, scale(normal, out / state.own_weight(p, normal)), Change::Place);
                 gap += out;
                 self.old = depth - out;
             }
         }
         gap += self.old;
         let before = self.pressed;
-        self.pressed = (before - gap / weight).max(S::ZERO);
+        self.pressed = (before - gap / state.own_weight(p, normal)).max(S::ZERO);
         let [friction, restitution] = self.surface(common);
         let along = left(normal);
         let most = friction * self.pressed;
         let was = self.rubbed;
-        self.rubbed = (was - against(dot(state.way[p], along), state.own_weight(p, along))).max(-most).min(most);
+        self.rubbed = (was - dot(state.way[p], along) / state.own_weight(p, along)).max(-most).min(most);
         self.slips = self.rubbed.abs() >= most;
         let (out, aside) = (scale(normal, self.pressed - before), scale(along, self.rubbed - was));
         let push = add(out, aside);
@@ -67,7 +63,7 @@ impl<S: Real> OnPlane<S> {
             state.push_one(p, push, Change::Way);
         }
         if state.may_creep() && !self.slips {
-            let crept = against(dot(state.crept(p), along), state.own_weight(p, along));
+            let crept = dot(state.crept(p), along) / state.own_weight(p, along);
             if crept != S::ZERO {
                 state.push_one(p, scale(along, -crept.max(-most).min(most)), Change::Place);
             }
@@ -84,9 +80,6 @@ impl<S: Real> OnPlane<S> {
             return false;
         }
         let weight = state.own_weight(p, self.normal);
-        if weight == S::ZERO {
-            return false;
-        }
         let target = -restitution * self.approach;
         let lacking = target - dot(state.velocity[p], self.normal);
         let before = self.bounced;

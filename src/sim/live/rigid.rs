@@ -156,17 +156,11 @@ impl Frame {
     }
 }
 
-/// Inverse mass of a place on an edge, by those of its ends `[1/kg]`, of which it takes these shares.
+/// Inverse mass of a place on an edge and of what meets it, by that and by those of its ends `[1/kg]`, of which it takes these shares.
 #[inline(always)]
-fn on_edge<S: Real>([a, b]: [S; 2], [rest, at]: [S; 2]) -> S {
-    let felt = rest * rest * a + at * at * b;
+fn on_edge<S: Real>(other: S, [a, b]: [S; 2], [rest, at]: [S; 2]) -> S {
+    let felt = other + rest * rest * a + at * at * b;
     if (a == S::ZERO) == (b == S::ZERO) { felt } else { felt + S::from_f64(GIVES) * (a + b) }
-}
-
-/// What presses so far `[kg m]` against what gives so much `[1/kg]`; nothing where that does not give.
-#[inline(always)]
-pub(super) fn against<S: Real>(way: S, w: S) -> S {
-    if w == S::ZERO { S::ZERO } else { way / w }
 }
 
 impl<S: Real> Cluster<S> {
@@ -239,7 +233,7 @@ impl<S: Real> Cluster<S> {
         let [p, a, b] = points;
         let rest = S::ONE - at;
         if self.frames.is_empty() {
-            return self.w[p] + on_edge([self.w[a], self.w[b]], [rest, at]);
+            return on_edge(self.w[p], [self.w[a], self.w[b]], [rest, at]);
         }
         self.felt(p, n) + self.felt_on_edge([a, b], at, n)
     }
@@ -252,7 +246,7 @@ impl<S: Real> Cluster<S> {
             (Some(one), Some(other)) if one == other => {
                 S::from_f64(self.frames[one].weight(widen(self.between([a, b], at)), widen(n)))
             }
-            _ => on_edge([self.felt(a, n), self.felt(b, n)], [rest, at]),
+            _ => on_edge(S::ZERO, [self.felt(a, n), self.felt(b, n)], [rest, at]),
         }
     }
 
