@@ -164,8 +164,9 @@ impl<S: Real> Cluster<S> {
         for i in (0..self.own()).filter(|&i| self.w[i] != S::ZERO) {
             let mean = scale(add(self.begun[i], self.velocity[i]), S::HALF);
             let of = |push: [S; 2]| (dot(mean, push) * rate / self.w[i]).to_f64();
-            // What leads a body out of another one is booked as that, with all that comes of it.
-            if !self.sunk[self.body_of[i] as usize] {
+            // What leads a rigid body out of something is booked as that, with all that comes of it: its joints and its pin press back.
+            let is_led_out = self.sunk[self.body_of[i] as usize] && self.is_of_rigid([i, i]);
+            if !is_led_out {
                 taken[0] -= of(tally.pressed[i]);
                 taken[1] -= of(tally.rubbed[i]);
             }
