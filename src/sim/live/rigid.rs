@@ -17,8 +17,8 @@ use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};
 /// Share of what two things close within a substep in which hits count as one.
 const AT_ONCE: f64 = 0.02;
 
-/// What a pinned end of an edge gives where it is pressed, as a share of what the other end would `[1]`: right beside the pin that would be
-/// pushed without end.
+/// What a pinned end of an edge gives where it is pressed by what does not move, as a share of what the other end would `[1]`: right beside the pin
+/// that would be pushed without end.
 const GIVES: f64 = 1e-2;
 
 /// No frame.
@@ -156,13 +156,6 @@ impl Frame {
     }
 }
 
-/// Inverse mass of a place on an edge and of what meets it, by that and by those of its ends `[1/kg]`, of which it takes these shares.
-#[inline(always)]
-fn on_edge<S: Real>(other: S, [a, b]: [S; 2], [rest, at]: [S; 2]) -> S {
-    let felt = other + rest * rest * a + at * at * b;
-    if (a == S::ZERO) == (b == S::ZERO) { felt } else { felt + S::from_f64(GIVES) * (a + b) }
-}
-
 impl<S: Real> Cluster<S> {
     /// One of its bodies, which comes last, is rigid.
     pub(super) fn include_rigid(&mut self, shape: &Arc<Shape>, base: usize) {
@@ -232,10 +225,19 @@ impl<S: Real> Cluster<S> {
     pub(super) fn weight(&self, points: [usize; 3], at: S, n: [S; 2]) -> S {
         let [p, a, b] = points;
         let rest = S::ONE - at;
-        if self.frames.is_empty() {
-            return on_edge(self.w[p], [self.w[a], self.w[b]], [rest, at]);
-        }
-        self.felt(p, n) + self.felt_on_edge([a, b], at, n)
+        let (other, felt) = if self.frames.is_empty() {
+            (self.w[p], self.w[p] + rest * rest * self.w[a] + at * at * self.w[b])
+        } else {
+            let other = self.felt(p, n);
+            (other, other + self.felt_on_edge([a, b], at, n))
+        };
+        if other == S::ZERO { felt + self.given_by_pin([a, b], n) } else { felt }
+    }
+
+    /// What an edge with one end on a pin gives along a direction wherever it is pressed `[1/kg]`.
+    fn given_by_pin(&self, ends: [usize; 2], n: [S; 2]) -> S {
+        let [is_a, is_b] = ends.map(|end| self.w[end] == S::ZERO);
+        if is_a == is_b { S::ZERO } else { S::from_f64(GIVES) * (self.felt(ends[0], n) + self.felt(ends[1], n)) }
     }
 
     /// Inverse mass of a place on an edge along a direction `[1/kg]`.
@@ -246,7 +248,7 @@ impl<S: Real> Cluster<S> {
             (Some(one), Some(other)) if one == other => {
                 S::from_f64(self.frames[one].weight(widen(self.between([a, b], at)), widen(n)))
             }
-            _ => on_edge(S::ZERO, [self.felt(a, n), self.felt(b, n)], [rest, at]),
+            _ => rest * rest * self.felt(a, n) + at * at * self.felt(b, n),
         }
     }
 
