@@ -88,12 +88,9 @@ impl Session {
     pub(super) fn sees_all(&self) -> bool {
         let (shown, camera) = (self.player.shown(), self.camera_here());
         let scope = Scope { shown, camera: &camera, scale: f64::from(self.look.scale_factor), free: Scope::ANYWHERE };
-        let whole = DVec2::from(self.area.map(f64::from));
-        let is_seen = |point: PointId| {
-            let at = scope.pixel(point).filter(|_| reaches(scope, point));
-            at.is_some_and(|at| at.cmpge(DVec2::ZERO).all() && at.cmple(whole).all())
-        };
-        (0..shown.point_count() as u32).map(PointId).filter(|&point| scope.is_there(point)).all(is_seen)
+        let view = [DVec2::ZERO, DVec2::from(self.area.map(f64::from))];
+        let mut there = (0..shown.point_count() as u32).map(PointId).filter(|&point| scope.is_there(point));
+        there.all(|point| crosses(scope, view, [point; 2]))
     }
 
     /// The arrow, if one is needed: off panels, and off the numbers of the grid beside the tools.
