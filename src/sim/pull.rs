@@ -33,6 +33,8 @@ pub(crate) struct Pull<S: Real, const D: usize> {
     pub(crate) inside: Option<Inside>,
     /// Points that a grab leads, and the acceleration that it gives them `[m/s^2]`.
     pub(crate) led: Vec<u32>,
+    /// A hand leads some of its points, by this or by kicks.
+    pub(crate) is_grabbed: bool,
     pub(crate) lead: [S; D],
     /// Constant forces and torques on some of the points.
     pub(crate) thrusts: Vec<Thrust<S, D>>,

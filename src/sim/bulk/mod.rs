@@ -175,7 +175,7 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
             counters.substeps += u64::from(count);
             counters.points_moved += u64::from(count) * points.len() as u64;
             let strain = if self.control.follows() { self.strain() } else { 0.0 };
-            let (is_disturbed, is_pushed) = (!outside.is_nothing(), outside.mouse.is_some());
+            let (is_disturbed, is_pushed) = (!outside.is_nothing(), outside.mouse.is_some() || pull.is_grabbed);
             if self.control.accepts(strain, Load { pull: taut.to_f64(), is_disturbed, is_pushed }) {
                 self.arrive(points, substep);
                 (self.lag, self.ahead) = (0.5 * substep, 0.0);

@@ -79,6 +79,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             Engine::Splitting(splitting) => !splitting.has_kicks(),
             _ => false,
         };
+        self.pull.is_grabbed = true;
         if kicks {
             let gain = scale(change, S::from_f64(h));
             let before = self.energy_if_kept();
@@ -121,6 +122,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     /// Nothing is grabbed any more: what was keeps its velocity.
     pub(crate) fn let_go(&mut self) {
         self.grabbed = None;
+        self.pull.is_grabbed = false;
         self.pull.led.clear();
         self.engine.refresh();
     }

@@ -237,7 +237,7 @@ impl<S: Real, const D: usize> Group<S, D> {
         (pull.springs, pull.rigid, pull.inside) = (Springs::none(), None, None);
         pull.form = Form::none();
         pull.contacts = Contacts::new(&pull.contacts.obstacles, 0);
-        pull.led.clear();
+        (pull.led, pull.is_grabbed) = (Vec::new(), false);
         pull.thrusts.clear();
         pull.driven = Driven::none();
         Group {

@@ -168,7 +168,7 @@ pub(super) fn near_points<S: Real>(state: &mut Cluster<S>, common: &Common<S>, b
             });
             for &(p, _) in &state.corners[from..to] {
                 let i = p as usize;
-                if state.w[i] != S::ZERO && of.gap(state.now[i]) < state.promised[i] {
+                if state.w[i] != S::ZERO && of.gap(state.now[i]) < state.promised[i] && !state.passes_obstacles(&[p]) {
                     state.on_planes.push(OnPlane::new(p, common.planes.len() as u32 + circle, zero()));
                 }
             }
@@ -192,7 +192,8 @@ pub(super) fn near_edges<S: Real>(
         let of = common.walls.circles[common.circle_at(number) as usize];
         for body in near(&of, boxes) {
             let [from, to] = [body, body + 1].map(|body| state.edges.partition_point(|edge| edge.body < body));
-            (from..to).for_each(|edge| search.see((edge, of.center), of.radius));
+            let meets = |edge: &usize| !state.passes_obstacles(&state.edges[*edge].ends);
+            (from..to).filter(meets).for_each(|edge| search.see((edge, of.center), of.radius));
             looked += (to - from) as u64;
         }
         search.pair(state, common, (p, number), of.radius);

@@ -2,7 +2,7 @@
 
 use super::build::Bodies;
 use super::cluster::{Cluster, OBSTACLE, Side};
-use super::pair::wedge;
+use super::pair::{is_right_of, wedge};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, scale, sub};
 
@@ -156,13 +156,6 @@ fn extent<S: Real>(state: &Cluster<S>, k: usize) -> [[S; 2]; 2] {
 
 /// Whether a place is inside what the closed edges of a body bound, by the even-odd rule.
 pub(super) fn is_inside<S: Real>(state: &Cluster<S>, x: [S; 2], body: u32) -> bool {
-    let mut is_inside = false;
-    for edge in state.edges[edges_of(state, body)].iter().filter(|edge| edge.is_closed) {
-        let [a, b] = edge.ends.map(|end| state.now[end as usize]);
-        if (a[1] > x[1]) != (b[1] > x[1]) {
-            let along = wedge(sub(b, a), sub(x, a));
-            is_inside ^= (along > S::ZERO) == (b[1] > a[1]);
-        }
-    }
-    is_inside
+    let own = state.edges[edges_of(state, body)].iter().filter(|edge| edge.is_closed);
+    own.filter(|edge| is_right_of(edge.ends.map(|end| state.now[end as usize]), x)).count() % 2 == 1
 }

@@ -28,6 +28,9 @@ const LEAST_SHARE: f64 = 0.25;
 const MOST_LOOKS: [usize; 2] = [500_000, 64];
 const MOST_PAIRS: [usize; 2] = [32_000, 16];
 
+/// Corners up to which each looks at all edges: a grid would take more.
+const FEW: usize = 4;
+
 /// Counted work of a search for each edge and each cell that it is in, each edge that a corner looks at and that it is near, and each pair.
 const OF_AN_EDGE: u64 = 20;
 const OF_A_LOOK: u64 = 8;
@@ -113,10 +116,15 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (old, most): 
     let most_looks = most_each(MOST_LOOKS, state.corners.len());
     let most_pairs = most_each(MOST_PAIRS, state.corners.len());
     let mut search = Search { lines: lines(state, common), known, least, most_pairs, near: Vec::new(), pairs };
-    let (cells, starts, entries, long) = grid(state, &search.lines);
-    state.counts.work += OF_AN_EDGE * (state.edges.len() + entries.len()) as u64;
+    // Corners of obstacles meet edges of bodies alone.
+    let has_own = state.edges.first().is_some_and(|edge| edge.body != OBSTACLE);
+    let is_own = |&(p, _): &(u32, u32)| state.body_of[p as usize] != OBSTACLE;
+    let count = if has_own { state.corners.len() } else { state.corners.partition_point(is_own) };
+    let grid = (count > FEW).then(|| grid(state, &search.lines));
+    let entered = grid.as_ref().map_or(0, |(_, _, entries, _)| entries.len());
+    state.counts.work += OF_AN_EDGE * (state.edges.len() + entered) as u64;
     let (mut looked, mut found) = (0, 0);
-    for &(p, number) in &state.corners {
+    for &(p, number) in &state.corners[..count] {
         let (x, body) = (state.now[p as usize], state.body_of[p as usize]);
         let around = radius(state, common, body) + state.promised[p as usize];
         let mut see = |edge: usize| {
@@ -127,11 +135,16 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (old, most): 
                 search.near.push(found);
             }
         };
-        if let Some(cell) = cells.place(x) {
-            let own = &entries[starts[cell] as usize..starts[cell + 1] as usize];
-            own.iter().take(most_looks).for_each(|&edge| see(edge as usize));
+        match &grid {
+            Some((cells, starts, entries, long)) => {
+                if let Some(cell) = cells.place(x) {
+                    let own = &entries[starts[cell] as usize..starts[cell + 1] as usize];
+                    own.iter().take(most_looks).for_each(|&edge| see(edge as usize));
+                }
+                long.iter().for_each(|&edge| see(edge));
+            }
+            None => (0..state.edges.len()).for_each(&mut see),
         }
-        long.iter().for_each(|&edge| see(edge));
         found += search.near.len() as u64;
         search.pair(state, common, (p, number), around);
         if search.pairs.len() > most {
@@ -358,7 +371,8 @@ pub(super) fn find<S: Real>(line: &Line<S>, edge: usize, x: [S; 2], around: S) -
 /// Whether a point and an edge are of those that meet.
 fn may_meet<S: Real>(state: &Cluster<S>, common: &Common<S>, (p, body): (u32, u32), line: &Line<S>) -> bool {
     if body == OBSTACLE || line.body == OBSTACLE {
-        return body != line.body;
+        let passes = if body == OBSTACLE { state.passes_obstacles(&line.ends) } else { state.passes_obstacles(&[p]) };
+        return body != line.body && !passes;
     }
     let Some(contact) = common.contact else { return false };
     if body != line.body {

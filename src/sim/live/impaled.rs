@@ -3,11 +3,10 @@
 
 use super::cluster::{Cluster, Common, OBSTACLE};
 use super::detect::{Found, Search, find, pair};
-use super::pair::{Pair, wedge};
+use super::pair::{Pair, is_right_of};
 use super::rest::Lies;
 use crate::sim::measure::extent;
 use crate::sim::real::Real;
-use crate::sim::vector::sub;
 
 impl<S: Real> Search<'_, S> {
     /// Pairs that were found of each corner of an obstacle, from the first on: where it is in a body and is led out of no edge of that, it
@@ -27,7 +26,9 @@ impl<S: Real> Search<'_, S> {
                 if !is_near || state.is_rigid(body) || self.is_led(state, (body, p)) {
                     continue;
                 }
-                if let Some(found) = self.nearest(state, (body, x)) {
+                if let Some(found) = self.nearest(state, (body, x))
+                    && !state.passes_obstacles(&state.edges[found.edge].ends)
+                {
                     let key = u64::from(number) << 32 | u64::from(state.edges[found.edge].number);
                     self.pairs.retain(|pair| pair.key != key);
                     let pair = pair(state, common, (p, found.edge, key), 1);
@@ -48,12 +49,7 @@ impl<S: Real> Search<'_, S> {
     fn nearest(&self, state: &Cluster<S>, (body, x): (u32, [S; 2])) -> Option<Found<S>> {
         let [first, end] = [body, body + 1].map(|body| state.edges.partition_point(|edge| edge.body < body));
         let own = (first..end).filter(|&k| state.edges[k].is_closed);
-        let crosses = |k: &usize| {
-            let line = &self.lines[*k];
-            let [from, to] = [line.from[1], line.from[1] + line.along[1]];
-            // To the right of the place.
-            (from > x[1]) != (to > x[1]) && (wedge(line.along, sub(x, line.from)) > S::ZERO) == (to > from)
-        };
+        let crosses = |k: &usize| is_right_of(state.edges[*k].ends.map(|end| state.now[end as usize]), x);
         if own.clone().filter(crosses).count() % 2 == 0 {
             return None;
         }

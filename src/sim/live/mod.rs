@@ -35,6 +35,7 @@ mod heir;
 mod impaled;
 mod layout;
 mod mend;
+mod nailed;
 mod pace;
 mod pair;
 mod part;
@@ -240,6 +241,7 @@ impl<S: Real> Live<S> {
         calm::look(cluster, common);
         tangle::look(cluster, common, h);
         cluster.span = S::from_f64(pace.length);
+        cluster.look_for_nails(common);
         detect::look(cluster, common);
         cluster.is_violent = cluster.is_struck();
         cluster.see_within(common);

@@ -93,6 +93,13 @@ pub(super) fn left<S: Real>(a: [S; 2]) -> [S; 2] {
     [-a[1], a[0]]
 }
 
+/// Whether an edge from `a` to `b` lies across the line from a place to the right: of what is closed an odd number of edges do where the place is
+/// inside.
+#[inline(always)]
+pub(super) fn is_right_of<S: Real>([a, b]: [[S; 2]; 2], x: [S; 2]) -> bool {
+    (a[1] > x[1]) != (b[1] > x[1]) && (wedge(sub(b, a), sub(x, a)) > S::ZERO) == (b[1] > a[1])
+}
+
 /// Where `p` is beside the edge from `a` to `b`; `None`: beyond an end on the wrong side, or the edge has no length.
 #[inline(always)]
 pub(super) fn beside<S: Real>([p, a, b]: [[S; 2]; 3], side: S) -> Option<Beside<S>> {

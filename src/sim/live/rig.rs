@@ -38,12 +38,12 @@ const MENDING: u32 = 24;
 #[derive(Clone, Debug)]
 pub(super) struct Rig {
     pub(super) members: Vec<Member>,
-    joints: Joints,
+    pub(super) joints: Joints,
     inertias: Vec<Inertia>,
     /// Rows of its joints do from a place near by.
     keeps_rows: bool,
     /// Points that do not move by themselves, as joints count them, and those that links are at.
-    fixed: Vec<u32>,
+    pub(super) fixed: Vec<u32>,
     fastened: Vec<u32>,
     /// Points of what two pins hold, which are as good as pins.
     still: Vec<u32>,
@@ -114,9 +114,9 @@ impl Rig {
 /// A rig in a cluster: where its points and its frames begin.
 #[derive(Clone, Debug)]
 pub(super) struct Rigged {
-    rig: Arc<Rig>,
-    base: usize,
-    first: usize,
+    pub(super) rig: Arc<Rig>,
+    pub(super) base: usize,
+    pub(super) first: usize,
     /// The joints' rows as they were last worked out, and whether bodies are still where they were then.
     rows: Option<Rows>,
     is_there: bool,
@@ -138,6 +138,11 @@ impl<S: Real> Cluster<S> {
             self.fasten(base + point as usize);
         }
         self.rigs.push(Rigged { rig: rig.clone(), base, first, rows: None, is_there: false });
+    }
+
+    /// Whether one of its bodies is a rig.
+    pub(super) fn is_in_joints(&self, body: usize) -> bool {
+        self.bases.get(body).is_some_and(|&base| self.rigs.iter().any(|rigged| rigged.base == base as usize))
     }
 
     /// All points of frames are where those are, before contacts look at them.

@@ -49,6 +49,8 @@ pub(super) struct Frame {
     /// Its points that may touch something in the substep, counted in the shape, and those that others are fastened to.
     near: Vec<u32>,
     fastened: Vec<u32>,
+    /// A pin holds it within an obstacle, which it cannot leave (`nailed.rs`).
+    pub(super) is_nailed: bool,
 }
 
 /// What a push changes.
@@ -90,6 +92,7 @@ impl Frame {
             turned: Twist::STILL,
             near: Vec::new(),
             fastened: Vec::new(),
+            is_nailed: false,
         }
     }
 
@@ -199,7 +202,7 @@ impl<S: Real> Cluster<S> {
         self.frame_number(i).map(|k| &self.frames[k])
     }
 
-    fn frame_number(&self, i: usize) -> Option<usize> {
+    pub(super) fn frame_number(&self, i: usize) -> Option<usize> {
         let number = self.frame_of.get(i).map_or(NONE, |home| home[0]);
         (number != NONE).then_some(number as usize)
     }

@@ -15,6 +15,8 @@ use crate::sim::vector::{add, dot, scale};
 pub(super) const MOST_TURN: f64 = 0.5;
 /// Share of what a joint was beyond its range before a substep that comes back in a pass, without speed.
 const MENDED: f64 = 0.1 / 3.0;
+/// Share of what turns two bodies alone that is taken to be left of it by their joints at least.
+const LEAST_LEFT: f64 = 0.05;
 /// By how much it may stay beyond it `[rad]`: what is led back into it without end, against what it lies on, pushes its body about.
 const SLACK: f64 = 0.01;
 
@@ -105,9 +107,10 @@ pub(super) fn stop<S: Real>(state: &mut Cluster<S>, hinge: &Hinge<S>, base: usiz
     if beyond == S::ZERO {
         return;
     }
-    // Joints take back a part of what frames are turned by: all that is lacking is to be left.
+    // Joints take back a part of what frames are turned by: all that is lacking is to be left. Where they take nearly all the angle stays.
     let through = state.felt_through_joints(points.map(|point| point as usize), stand.slopes);
-    let weight = through.unwrap_or_else(|| weight(state, points, stand.slopes));
+    let alone = weight(state, points, stand.slopes);
+    let weight = through.map_or(alone, |through| through.max(alone * S::from_f64(LEAST_LEFT)));
     if weight <= S::ZERO {
         return;
     }

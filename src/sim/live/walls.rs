@@ -1,6 +1,7 @@
 //! Obstacles as the live step meets them: sides and corners of polygons that do not move, and circles.
 
 use super::circle::Circle;
+use super::pair::{beside, is_right_of};
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::real::Real;
 use crate::sim::vector::convert;
@@ -61,6 +62,19 @@ impl<S: Real> Walls<S> {
     /// The corner that is the centre of a circle.
     pub(super) fn corner_of_circle(&self, circle: u32) -> u32 {
         (self.corners.len() - self.circles.len()) as u32 + circle
+    }
+
+    /// How deep a place lies in one of them `[m]`; 0 outside.
+    pub(super) fn depth(&self, x: [S; 2]) -> S {
+        let (mut is_inside, mut nearest) = (false, S::INFINITY);
+        for side in &self.sides {
+            let [a, b] = side.0.map(|end| self.corners[end as usize]);
+            is_inside ^= is_right_of([a, b], x);
+            let gap = beside([x, a, b], -S::ONE).map_or(S::INFINITY, |found| found.gap);
+            nearest = if gap >= S::ZERO { nearest.min(gap) } else { nearest };
+        }
+        let of_sides = if is_inside && nearest.is_finite() { nearest } else { S::ZERO };
+        self.circles.iter().fold(of_sides, |most, circle| most.max(-circle.gap(x)))
     }
 
     /// The sides that may touch a box.

@@ -52,11 +52,13 @@ impl<S: Real> Cluster<S> {
         most
     }
 
-    /// Whether a point that lies in something so deep `[m]` is of a body that began there, and will still lie there after this substep.
+    /// Whether a point that lies in something so deep `[m]` is of a body that began there, or that joints may hold there, and will still lie there
+    /// after this substep.
     #[inline(always)]
     pub(super) fn note_within(&mut self, i: usize, depth: S) -> bool {
         let body = self.body_of[i] as usize;
-        let is_within = depth > self.gentle && self.lies.get(body) == Some(&Lies::Within);
+        let is_held = || self.lies.get(body) == Some(&Lies::Within) || self.is_in_joints(body);
+        let is_within = depth > self.gentle && is_held();
         if is_within {
             self.sunk[body] = true;
         }

@@ -103,6 +103,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             rigid: None,
             inside: None,
             led: Vec::new(),
+            is_grabbed: false,
             lead: zero(),
             thrusts: self.thrusts(),
             driven: self.driven(),

@@ -76,6 +76,7 @@ impl<S: Real, const D: usize> Maker<'_, S, D> {
             rigid,
             inside: None,
             led: Vec::new(),
+            is_grabbed: false,
             lead: zero(),
             thrusts: self.thrusts(),
             driven: self.driven(),
