@@ -58,4 +58,4 @@ pub use method::MethodChange;
 pub use replay::{Replay, Visit, apart_from_last, replay};
 pub use session::History;
 pub use start::{About, Recording, Start};
-pub use undo::{GoneBack, Undone};
+pub use undo::{GivenUp, GoneBack, Undone};

@@ -72,11 +72,10 @@ mod ways;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Duration;
 
 use super::action::{Action, Primitive, Showing, Tool};
 use super::matter::{Bearings, Matter, MatterChange, Overload};
-use super::player::{Figures, MethodSetting};
+use super::player::{Figures, Going, MethodSetting};
 use super::plots::Plots;
 use super::tools::{Brush, Drives, Links, PushWay};
 use super::trailing::TrailSettings;
@@ -107,7 +106,7 @@ pub(super) use settings::settings_search_id;
 pub(super) use settings::{Pushing, Setting, Settings};
 pub(super) use sheet::{said_below, show as sheet};
 pub(super) use transport::{at_end, speed};
-pub(super) use waiting::Opening;
+pub(super) use waiting::{Opening, is_said};
 
 /// Room that the tools take at the left edge `[points]`.
 pub(super) const TOOLS: f32 = 66.0;
@@ -166,6 +165,8 @@ pub(super) enum Wish {
     Pace(f64),
     /// A time that was seen already `[s]`.
     GoTo(f64),
+    /// What is to be worked out to go to another time is not.
+    Stay,
     /// The end of another branch.
     ToBranch(usize),
     /// Every island is moved by its own method, whatever that costs.
@@ -341,8 +342,8 @@ pub(super) struct Facts {
     pub(super) is_opening: bool,
     /// Nothing of it is there yet: for how long it is being made, and how far that is.
     pub(super) opening: Option<Opening>,
-    /// What is undone or done again and is not there yet: in words, for how long already, and how much of it is worked out, 0 to 1.
-    pub(super) going: Option<(&'static str, Duration, f32)>,
+    /// Another time that is gone to and is not there yet.
+    pub(super) going: Option<Going>,
     /// A step takes long.
     pub(super) is_busy: bool,
     pub(super) dimensions: usize,

@@ -8,7 +8,7 @@ use super::asking::points_of;
 use super::{Framing, Session};
 use crate::app::action::{Action, Primitive, Tool};
 use crate::app::count::counted;
-use crate::app::panels::{Cover, Opened, Setting, Sheet, Wish, at_end, search_id};
+use crate::app::panels::{Cover, Opened, Setting, Sheet, Wish, at_end, is_said, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
 use crate::app::tools::{Deed, PushWay, is_of_space, lack_of, strength, unpin};
@@ -212,6 +212,7 @@ impl Session {
             Wish::ToBranch(number) => {
                 self.go(Order::ToBranch(number, self.told));
             }
+            Wish::Stay => self.player.stay(),
             Wish::Exact => self.player.ask(Order::Exact),
             Wish::TakeBack => self.player.ask(Order::TakeBack),
             Wish::WriteTable => self.write_table(),
@@ -248,6 +249,9 @@ impl Session {
         }
         if self.asked.is_some() {
             return self.unanswered();
+        }
+        if self.player.going().is_some_and(|going| is_said(&going)) {
+            return self.player.stay();
         }
         if self.hand.is_drawing() {
             return self.leave_drawing();
