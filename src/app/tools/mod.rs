@@ -75,6 +75,7 @@ mod strand;
 #[cfg(test)]
 mod tests;
 mod throw;
+mod touching;
 mod wind;
 #[cfg(test)]
 mod wind_tests;
