@@ -24,6 +24,7 @@ mod floor;
 #[cfg(test)]
 mod grab_tests;
 mod ground;
+mod grown;
 mod handles;
 mod haul;
 #[cfg(test)]
