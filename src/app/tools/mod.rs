@@ -71,6 +71,7 @@ mod space_tests;
 mod stall;
 #[cfg(test)]
 mod stall_tests;
+mod standing;
 mod stops;
 mod strand;
 #[cfg(test)]
@@ -118,6 +119,7 @@ use rings::RingGrip;
 pub(super) use room::Walls;
 use selection::Selection;
 pub(super) use stall::Stalls;
+pub(super) use standing::Kept;
 pub(super) use stops::would_be as would_stop;
 use throw::Throw;
 use wind::Blow;
