@@ -41,7 +41,7 @@ mod state;
 mod undo;
 mod write;
 
-pub use autosave::{Autosave, EVERY, Left};
+pub use autosave::{Autosave, Called, EVERY, Left};
 pub use beside::{Companion, distances};
 pub use branch::BranchView;
 pub use clock::Clock;

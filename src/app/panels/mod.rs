@@ -13,6 +13,7 @@ mod color;
 #[cfg(test)]
 mod column_tests;
 mod complaint;
+mod cut_off;
 #[cfg(test)]
 mod cut_tests;
 mod dial;
@@ -86,6 +87,7 @@ use crate::sim::Key;
 pub(super) use asking::{Question, show as ask};
 pub(super) use beside::{Misfits, Neighbor, solvers};
 pub(super) use complaint::Cover;
+pub(super) use cut_off::Discards;
 pub(super) use finding::names as found_scenes;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
@@ -187,6 +189,8 @@ pub(super) enum Wish {
     GoOnWithLeftover(usize),
     /// One is not wanted.
     DiscardLeftover(usize),
+    /// None of the sessions that were cut off is wanted.
+    DiscardLeftovers,
     /// What is offered stays in the gallery for later.
     PutOffLeftover,
     /// A file is opened by its name.
@@ -253,8 +257,12 @@ pub(super) struct PanelState {
     pub(super) keys_search: String,
     /// The scene that Enter opens in the gallery, by its place among those that are found.
     pub(super) chosen: usize,
-    /// Sessions that were cut off, the newest first.
-    pub(super) leftovers: Vec<String>,
+    /// Sessions that were cut off, the newest first: the file of each, and what is said of it.
+    pub(super) leftovers: Vec<(PathBuf, String)>,
+    /// Their pictures, by their files.
+    pub(super) cut_off: BTreeMap<PathBuf, egui::TextureHandle>,
+    /// What of them is asked whether it is to be discarded.
+    pub(super) discards: Option<Discards>,
     /// The name of a file that is to be written or opened.
     pub(super) path: String,
     /// Files that were opened or saved, the newest first.

@@ -52,7 +52,7 @@ pub use shown::{Figures, Latest, Places, Scenery, Shown};
 pub use stage::{Stage, too_many_to_meet};
 pub use watch::{Measured, Probe, Probed, Probes, REACH};
 
-use crate::history::{Do, HistoryError, Start};
+use crate::history::{Called, Do, HistoryError, Start};
 use crate::scene::Scene;
 use crate::sim::Cursor;
 use keep::Keeper;
@@ -158,6 +158,8 @@ impl Player {
         let (orders, asked) = channel();
         let record = keeping.record.clone();
         let desk = Arc::new(Desk::new(Keeper::new(keeping)));
+        let called = start.name().map(str::to_owned);
+        desk.keeper().call(Called { name: called, file: None });
         let its = Arc::clone(&desk);
         let playing = !start.recording().paused;
         let thread = std::thread::spawn(move || thread::run(beginning, &asked, &its, wake));
@@ -248,9 +250,10 @@ impl Player {
         News { is_new, opened, notes, failure: papers.failure.take() }
     }
 
-    /// Asks for something. What is folded is worked out again for it, but for the bytes that copies of its world may take.
+    /// Asks for something. What is folded is worked out again for it, but for the bytes that copies of its world may take, and for
+    /// what it is called.
     pub fn ask(&mut self, order: Order) {
-        if self.is_folded && matches!(order, Order::Bound(_)) {
+        if self.is_folded && matches!(order, Order::Bound(_) | Order::Called) {
             return;
         }
         self.serial += 1;
@@ -418,6 +421,25 @@ impl Player {
     /// All of it was saved to a file, by which it is called from now on.
     pub fn call(&mut self, file: &Path) {
         self.called = file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        self.keep_called();
+    }
+
+    /// It is called as the session was that it goes on with.
+    pub fn be_called(&mut self, called: Called) {
+        self.called = called.name.or(self.called.take());
+        if let Some(file) = called.file {
+            self.lie_in(&file);
+        }
+        self.keep_called();
+    }
+
+    /// What it is called outlives a killed program too.
+    fn keep_called(&mut self) {
+        let name = self.called.clone().or_else(|| self.start.name().map(str::to_owned));
+        // What no text can hold is not kept.
+        let file = self.file.clone().filter(|file| file.to_str().is_some());
+        self.desk.keeper().call(Called { name, file });
+        self.ask(Order::Called);
     }
 
     /// What it is called since it was saved.
@@ -429,6 +451,7 @@ impl Player {
     pub fn lie_in(&mut self, file: &Path) {
         if file.extension().is_some_and(|ending| ending == "json") {
             self.file = std::path::absolute(file).ok();
+            self.keep_called();
         }
     }
 

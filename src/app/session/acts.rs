@@ -231,6 +231,7 @@ impl Session {
             Wish::BrowseToSave => self.browse_to_save(),
             Wish::GoOnWithLeftover(place) => self.go_on_with_leftover(place),
             Wish::DiscardLeftover(place) => self.discard_leftover(place),
+            Wish::DiscardLeftovers => self.discard_leftovers(),
             Wish::PutOffLeftover => self.panels.notes.offer = None,
             Wish::OpenFile(name) => self.open_file(&name),
             Wish::OpenRecent(path) => {
@@ -343,6 +344,9 @@ impl Session {
             self.put_away();
         }
         self.panels.chosen = if self.panels.search.is_empty() { self.place.unwrap_or(0) } else { 0 };
+        if self.panels.sheet == Some(Sheet::Gallery) {
+            self.draw_leftovers();
+        }
         if self.panels.sheet == Some(Sheet::Gallery) && self.thumbnails.is_none() {
             let folder = self.state_folder.as_ref().map(|folder| folder.join("thumbnails"));
             self.thumbnails = Some(Thumbnails::new(self.canvas.gpu().clone(), self.palette, folder, self.wake_up()));
