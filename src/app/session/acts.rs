@@ -387,8 +387,10 @@ impl Session {
 
     /// Gives commands to the world, if there are any.
     pub(super) fn do_deed(&mut self, deed: Deed) {
-        if let Some(words) = &deed.words {
-            self.say(words.clone());
+        if let Some(words) = deed.words.clone() {
+            let over = self.lies_over();
+            self.panels.notes.say_of_tool(words, over);
+            self.touch();
         }
         if let Some(among) = deed.painted.clone() {
             let brush = self.hand.brush();
