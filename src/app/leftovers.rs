@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use etcetera::BaseStrategy;
 
-use crate::history::{Autosave, Left, Start};
+use crate::history::{Autosave, Called, Left, Start};
 use crate::lessons::heading_of;
 use crate::scene::gallery;
 
@@ -29,6 +29,8 @@ pub(super) fn state_folder() -> Option<PathBuf> {
 pub(super) struct Leftover {
     pub(super) left: Left,
     pub(super) start: Start,
+    /// What it was called.
+    pub(super) called: Called,
     /// It was not offered at a start yet.
     pub(super) is_new: bool,
 }
@@ -36,7 +38,7 @@ pub(super) struct Leftover {
 impl Leftover {
     /// What is said of it, as long ago as it is now.
     pub(super) fn line(&self) -> String {
-        line(&self.start, age(self.left.path()))
+        line((&self.start, &self.called), age(self.left.path()))
     }
 }
 
@@ -61,7 +63,8 @@ fn found(folder: &Path) -> Vec<Leftover> {
         match left.start() {
             Ok(start) => {
                 let is_new = !known.lines().any(|name| Some(name) == name_of(&left));
-                found.push(Leftover { left, start, is_new });
+                let called = left.called();
+                found.push(Leftover { left, start, called, is_new });
             }
             // Not even its beginning is whole: nobody can go on with it.
             Err(_) => left.discard().unwrap_or_default(),
@@ -92,8 +95,15 @@ fn age(path: &Path) -> Option<Duration> {
     std::fs::metadata(path).and_then(|about| about.modified()).ok()?.elapsed().ok()
 }
 
-fn line(start: &Start, age: Option<Duration>) -> String {
-    let (name, end) = (title(start), start.recording().end());
+fn line((start, called): (&Start, &Called), age: Option<Duration>) -> String {
+    let file = called.file.as_deref().and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
+    let (scene, end) = (title(start), start.recording().end());
+    // By the file that it was saved to or opened from, and what it is a scene of.
+    let name = match file.or_else(|| called.name.clone()) {
+        Some(name) if Path::new(&name).file_stem().is_none_or(|stem| stem != scene) => format!("{name} ({scene})"),
+        Some(name) => name,
+        None => scene.to_owned(),
+    };
     let ago = age.map_or_else(String::new, |age| format!(", {} ago", words(age)));
     format!("{name}, {end:.0} s long{ago}")
 }
@@ -133,8 +143,13 @@ mod tests {
     #[test]
     fn a_session_of_the_gallery_is_called_as_it_is_there() {
         let entry = &gallery()[0];
-        let said = line(&entry.scene().unwrap().into(), None);
-        assert_eq!(said, format!("{}, 0 s long", entry.title));
+        let start = entry.scene().unwrap().into();
+        let said = |called: Called| line((&start, &called), None);
+        assert_eq!(said(Called::default()), format!("{}, 0 s long", entry.title));
+        let called = Called { name: Some("swing".to_owned()), file: None };
+        assert_eq!(said(called.clone()), format!("swing ({}), 0 s long", entry.title));
+        let file = Some("/home/toys/my swing.json".into());
+        assert_eq!(said(Called { file, ..called }), format!("my swing.json ({}), 0 s long", entry.title));
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Pictures of the gallery's scenes, drawn beside the window by the renderer that draws in it.
 
+mod cut_off;
 mod kept;
 
 use std::collections::BTreeMap;
@@ -14,6 +15,7 @@ use super::opening;
 use super::panels::THUMBNAIL;
 use crate::render::{Camera, Capture, Gpu, Look, Palette, View};
 use crate::scene::{BodyKeys, EMPTY, Entry, MakerName, Scene, gallery};
+pub(super) use cut_off::CutOff;
 use kept::Kept;
 
 /// A scene is shown as whoever opens it sees it after so long `[s]`, or what of that is stepped in this time.
@@ -50,11 +52,11 @@ impl Thumbnails {
         let wanted: Arc<Mutex<Vec<&'static str>>> = Arc::default();
         let looked_at = Arc::clone(&wanted);
         std::thread::spawn(move || {
-            let mut captures: [Option<Capture>; 2] = [None, None];
             let size = THUMBNAIL.map(|side| (FINE * side) as u32);
+            let mut draft = Draft::new(gpu, size, palette);
             let kept = Kept::in_folder(folder, palette, size);
             let mut draw = |entry: &'static Entry| {
-                let drawn = thumbnail(entry, &gpu, (size, palette), &mut captures)?;
+                let drawn = thumbnail(entry, &mut draft)?;
                 kept.write(entry.name, &drawn);
                 Some(drawn)
             };
@@ -110,12 +112,7 @@ impl Thumbnails {
 }
 
 /// A picture of a scene. One that cannot be drawn has none.
-fn thumbnail(
-    entry: &Entry,
-    gpu: &Gpu,
-    (size, palette): ([u32; 2], Palette),
-    captures: &mut [Option<Capture>; 2],
-) -> Option<RgbaImage> {
+fn thumbnail(entry: &Entry, draft: &mut Draft) -> Option<RgbaImage> {
     let scene = coarser(entry.scene().ok()?);
     let mut world = scene.world(None).ok()?;
     let skins = scene.skins().ok()?;
@@ -123,16 +120,35 @@ fn thumbnail(
     while world.time() < end && start.elapsed() < STEPPED_FOR {
         world.step();
     }
-    let capture = &mut captures[scene.dimensions() - 2];
-    if capture.is_none() {
-        *capture = Capture::on(gpu.clone(), size, scene.dimensions()).ok();
+    draft.picture(&scene, &View { skins: &skins, ..View::of(&*world) })
+}
+
+/// What pictures of one size and in one palette are drawn with.
+struct Draft {
+    gpu: Gpu,
+    size: [u32; 2],
+    palette: Palette,
+    /// In the plane, and in space.
+    captures: [Option<Capture>; 2],
+}
+
+impl Draft {
+    fn new(gpu: Gpu, size: [u32; 2], palette: Palette) -> Self {
+        Draft { gpu, size, palette, captures: [None, None] }
     }
-    let capture = capture.as_mut()?;
-    capture.forget_world();
-    let view = View { skins: &skins, ..View::of(&*world) };
-    let camera = framed(&scene, &view, size);
-    let look = Look { scale_factor: 1.0, ..Look::in_palette(palette) };
-    capture.picture(&view, &camera, &look).ok()
+
+    /// A world of a scene; `None`: it cannot be drawn.
+    fn picture(&mut self, scene: &Scene, view: &View<'_>) -> Option<RgbaImage> {
+        let capture = self.captures.get_mut(view.dimensions.checked_sub(2)?)?;
+        if capture.is_none() {
+            *capture = Capture::on(self.gpu.clone(), self.size, view.dimensions).ok();
+        }
+        let capture = capture.as_mut()?;
+        capture.forget_world();
+        let camera = framed(scene, view, self.size);
+        let look = Look { scale_factor: 1.0, ..Look::in_palette(self.palette) };
+        capture.picture(view, &camera, &look).ok()
+    }
 }
 
 /// All of a scene that its own view shows, with some room at the edges.

@@ -83,6 +83,17 @@ impl Autosave {
         self.last.write(history)
     }
 
+    /// Says what the session is called and where its scene lies, beside its file: nothing in that says so.
+    ///
+    /// Errors: those of [`Autosave::tick`].
+    pub fn call(&self, called: &Called) -> io::Result<()> {
+        let path = called_of(self.path());
+        if *called == Called::default() {
+            return remove(&path);
+        }
+        fs::write(path, serde_json::to_vec(called)?)
+    }
+
     /// The session ended as it should: its file goes.
     ///
     /// Errors: the file cannot be removed.
@@ -105,10 +116,25 @@ impl Autosave {
     }
 }
 
+/// What a session is called, and where its scene lies.
+#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(default)]
+pub struct Called {
+    /// Since all of it was saved, or as the recording that it began with.
+    pub name: Option<String>,
+    /// The file that its scene was opened from or saved to.
+    pub file: Option<PathBuf>,
+}
+
+/// The file beside a log that has what it is called.
+fn called_of(log: &Path) -> PathBuf {
+    log.with_extension("called")
+}
+
 /// Removes a session's files, the one that it is found by last but for the lock.
 fn remove_all(path: &Path, lock_path: &Path) -> io::Result<()> {
     let [state, new] = last::files(path);
-    [&new, &state, path, lock_path].into_iter().try_for_each(remove)
+    [&new, &state, &called_of(path), path, lock_path].into_iter().try_for_each(remove)
 }
 
 fn remove(path: &Path) -> io::Result<()> {
@@ -152,7 +178,18 @@ impl Left {
 
     /// Its state when it was last written, to be shown until [`Left::start`] has been run through; `None` where there is none, or it is damaged.
     pub fn last(&self) -> Option<Replay> {
-        Log::open(&self.path).ok()?.last().map(|(last, _)| last)
+        Left::last_of(&self.path)
+    }
+
+    /// The same of its file.
+    pub fn last_of(path: &Path) -> Option<Replay> {
+        Log::open(path).ok()?.last().map(|(last, _)| last)
+    }
+
+    /// What it was called; nothing where nobody said so.
+    pub fn called(&self) -> Called {
+        let text = fs::read(called_of(&self.path)).unwrap_or_default();
+        serde_json::from_slice(&text).unwrap_or_default()
     }
 
     /// It is not wanted any more.

@@ -41,7 +41,7 @@ mod state;
 mod undo;
 mod write;
 
-pub use autosave::{Autosave, EVERY, Left};
+pub use autosave::{Autosave, Called, EVERY, Left};
 pub use beside::{Companion, distances};
 pub use branch::BranchView;
 pub use clock::Clock;
@@ -58,4 +58,4 @@ pub use method::MethodChange;
 pub use replay::{Replay, Visit, apart_from_last, replay};
 pub use session::History;
 pub use start::{About, Recording, Start};
-pub use undo::{GoneBack, Undone};
+pub use undo::{GivenUp, GoneBack, Undone};

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::branch::Spot;
 use super::command::{Do, Entry};
+use super::frame::Frame;
 use super::keyframes::Kept;
 use super::session::History;
 use crate::sim::Dynamics;
@@ -16,6 +17,10 @@ pub struct Undone {
     /// How far time went `[s]`: below 0 back.
     pub seconds: f64,
 }
+
+/// It was given up on the way: all is as it was before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GivenUp;
 
 /// What became of edits as the start was gone to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,11 +44,13 @@ const RESET: &str = "back to the start";
 impl History {
     /// Goes back to just before the last edit. Nothing to undo is no error.
     pub fn undo(&mut self) -> Option<Undone> {
-        self.undo_telling(|_| ())
+        self.undo_while(|_| true).unwrap_or_default()
     }
 
-    /// The same, which tells as it goes how much of what is worked out anew for it there is, 0 to 1.
-    pub fn undo_telling(&mut self, tell: impl FnMut(f64)) -> Option<Undone> {
+    /// The same, as long as `goes_on` says so, which is told before each step how much of what is worked out anew for it there is, 0 to 1.
+    ///
+    /// Errors: it was given up.
+    pub fn undo_while(&mut self, goes_on: impl FnMut(f64) -> bool) -> Result<Option<Undone>, GivenUp> {
         let before = self.world().time();
         let (branch, place) = (self.branch, self.frame.place);
         let (name, again, back) = match self.edit_before(place) {
@@ -52,32 +59,34 @@ impl History {
                 (self.name(branch, named), self.after(branch, self.last_of(last)), self.before(branch, first))
             }
             None => {
-                let back = self.tree.origin(branch)?;
+                let Some(back) = self.tree.origin(branch) else { return Ok(None) };
                 let again =
                     Spot { branch: self.tree.root(branch), place: self.tree.taken_along(branch), time: self.from() };
                 (RESET.to_owned(), again, back)
             }
         };
+        self.go(back, goes_on)?;
         self.undone.push(Redo { spot: again, name: name.clone() });
-        self.go(back, tell);
-        Some(Undone { name, seconds: self.world().time() - before })
+        Ok(Some(Undone { name, seconds: self.world().time() - before }))
     }
 
     /// Goes to just after what was undone last, or else after the edit that comes next in the log. Nothing to do again is no
     /// error.
     pub fn redo(&mut self) -> Option<Undone> {
-        self.redo_telling(|_| ())
+        self.redo_while(|_| true).unwrap_or_default()
     }
 
-    /// The same, which tells as it goes how much of what is worked out anew for it there is, 0 to 1.
-    pub fn redo_telling(&mut self, tell: impl FnMut(f64)) -> Option<Undone> {
+    /// The same, as long as `goes_on` says so, as of [`History::undo_while`].
+    ///
+    /// Errors: it was given up.
+    pub fn redo_while(&mut self, goes_on: impl FnMut(f64) -> bool) -> Result<Option<Undone>, GivenUp> {
         let before = self.world().time();
-        let Redo { spot, name } = match self.undone.pop() {
-            Some(redo) => redo,
-            None => self.next_edit()?,
+        let Some(Redo { spot, name }) = self.undone.last().cloned().or_else(|| self.next_edit()) else {
+            return Ok(None);
         };
-        self.go(spot, tell);
-        Some(Undone { name, seconds: self.world().time() - before })
+        self.go(spot, goes_on)?;
+        self.undone.pop();
+        Ok(Some(Undone { name, seconds: self.world().time() - before }))
     }
 
     /// What undo would take back is called; `None`: there is nothing to undo.
@@ -163,8 +172,7 @@ impl History {
         let edits = (0..here.place).filter_map(|place| self.tree.entry(here.branch, place));
         let (mut own, later): (Vec<_>, Vec<_>) =
             edits.filter(|entry| entry.edit.is_some()).cloned().partition(|entry| entry.at <= start.time);
-        self.leave(start.branch, false);
-        self.restore(start);
+        self.frame_before(start);
         let settings = self.settings_at_start(&own, &later);
         let of = |entries: &[Entry]| entries.iter().filter_map(|entry| entry.edit).collect::<BTreeSet<u64>>();
         let (kept, all) = (of(&settings).len(), of(&later).len());
@@ -198,29 +206,23 @@ impl History {
     /// The state at the step that ends at or before `t` `[s]`, exactly. What comes after stays and is followed, until something
     /// new is given: then that is another branch.
     pub fn go_to(&mut self, t: f64) {
-        self.go_to_while(t, |_| true);
+        _ = self.go_to_while(t, |_| true);
     }
 
-    /// The same, as long as `goes_on` says so, which is told before each step what time it is `[s]`. Returns whether it is there: else it
-    /// stands at the step that it had come to.
-    pub fn go_to_while(&mut self, t: f64, mut goes_on: impl FnMut(f64) -> bool) -> bool {
-        let t = if t.is_nan() { self.from() } else { t.clamp(self.from(), self.end().max(self.tree.end(self.branch))) };
+    /// The same, as long as `goes_on` says so, as of [`History::undo_while`].
+    ///
+    /// Errors: it was given up.
+    pub fn go_to_while(&mut self, t: f64, goes_on: impl FnMut(f64) -> bool) -> Result<(), GivenUp> {
+        self.follow_to((self.branch, t), goes_on)
+    }
+
+    /// To a time `[s]` of a branch, whose log is followed from there on.
+    fn follow_to(&mut self, (branch, t): (usize, f64), goes_on: impl FnMut(f64) -> bool) -> Result<(), GivenUp> {
+        let end = if branch == self.branch { self.end() } else { self.from() };
+        let t = if t.is_nan() { self.from() } else { t.clamp(self.from(), end.max(self.tree.end(branch))) };
+        self.travel(Spot { branch, place: usize::MAX, time: t }, goes_on)?;
         self.is_free = false;
-        self.restore(Spot { branch: self.branch, place: usize::MAX, time: t });
-        self.kept = Kept::at(&self.frame);
-        let mut is_stopped = false;
-        while !is_stopped {
-            let next = self.tree.entry(self.branch, self.frame.place).map(|entry| entry.at);
-            match next {
-                Some(at) if self.frame.is_due(at) => self.pass(),
-                Some(at) if at <= t => self.step_again(Some(at)),
-                _ if self.frame.ends_by(t) => self.step_again(next),
-                _ => break,
-            }
-            is_stopped = !goes_on(self.frame.world.time());
-        }
-        self.arrive();
-        !is_stopped
+        Ok(())
     }
 
     /// The keyframe at or before `t` `[s]`, to be shown at once.
@@ -232,13 +234,18 @@ impl History {
 
     /// To the end of another branch.
     pub fn to_branch(&mut self, number: usize) {
-        if number >= self.tree.count() || number == self.branch {
-            return;
+        _ = self.to_branch_while(number, |_| true);
+    }
+
+    /// The same, as long as `goes_on` says so, as of [`History::undo_while`].
+    ///
+    /// Errors: it was given up.
+    pub fn to_branch_while(&mut self, number: usize, goes_on: impl FnMut(f64) -> bool) -> Result<(), GivenUp> {
+        if number < self.tree.count() && number != self.branch {
+            self.follow_to((number, self.tree.end(number)), goes_on)?;
+            self.undone.clear();
         }
-        self.undone.clear();
-        self.leave(number, true);
-        self.branch = number;
-        self.go_to(self.tree.end(number));
+        Ok(())
     }
 
     /// A step that was taken before. Copies are kept on the way as they were then: what is undone next is found from them, though all was worked out
@@ -248,38 +255,49 @@ impl History {
         self.frame.step(next, &self.scene);
     }
 
-    /// To a spot that the history was at, exactly; what comes after it is not followed. It tells before each step how much of the way is gone.
-    fn go(&mut self, spot: Spot, mut tell: impl FnMut(f64)) {
-        self.leave(spot.branch, true);
-        self.restore(spot);
-        self.branch = spot.branch;
+    /// To a spot that the history was at, exactly; what comes after it is not followed.
+    fn go(&mut self, spot: Spot, goes_on: impl FnMut(f64) -> bool) -> Result<(), GivenUp> {
+        self.travel(spot, goes_on)?;
         self.is_free = true;
+        Ok(())
+    }
+
+    /// Works out the state at a spot from the nearest copy, as long as `goes_on` says so, which is told before each step how much of the way
+    /// is gone, 0 to 1. What is given up leaves the history where it was; copies that were kept on the way shorten the next one.
+    fn travel(&mut self, spot: Spot, mut goes_on: impl FnMut(f64) -> bool) -> Result<(), GivenUp> {
+        let from = (self.branch, self.kept, self.frame_before(spot));
+        self.branch = spot.branch;
         self.kept = Kept::at(&self.frame);
-        let from = self.world().time();
+        let began = self.world().time();
+        let length = (spot.time - began).max(f64::MIN_POSITIVE);
         loop {
-            tell(((self.world().time() - from) / (spot.time - from).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0));
-            let next = self.tree.entry(self.branch, self.frame.place).map(|entry| entry.at);
+            if !goes_on(((self.world().time() - began) / length).clamp(0.0, 1.0)) {
+                (self.branch, self.kept, self.frame) = from;
+                return Err(GivenUp);
+            }
+            let is_wanted = self.frame.place < spot.place;
+            let next = self.tree.entry(self.branch, self.frame.place).map(|entry| entry.at).filter(|_| is_wanted);
             match next {
-                Some(at) if self.frame.place < spot.place => {
-                    if self.frame.is_due(at) {
-                        self.pass()
-                    } else {
-                        self.step_again(Some(at))
-                    }
-                }
+                Some(at) if self.frame.is_due(at) => self.pass(),
+                Some(at) if at <= spot.time => self.step_again(Some(at)),
                 // A step that was cut short for what was undone is not: no file knows why.
-                _ if self.frame.ends_by(spot.time) => self.step_again(None),
+                _ if self.frame.ends_by(spot.time) => self.step_again(next),
                 _ => break,
             }
         }
+        if from.0 != self.branch {
+            self.tree.leave(from.0);
+            self.tree.enter(self.branch);
+        }
         self.arrive();
+        Ok(())
     }
 
-    /// The last keyframe at or before a spot becomes the present.
-    fn restore(&mut self, spot: Spot) {
-        if let Some(kept) = self.keyframes.before(&self.tree, spot) {
-            self.frame = kept.frame.clone();
-        }
+    /// The last copy at or before a spot becomes the present. Returns what was the present.
+    fn frame_before(&mut self, spot: Spot) -> Frame {
+        let kept = self.keyframes.before(&self.tree, spot).map(|kept| kept.frame.clone());
+        let next = kept.unwrap_or_else(|| self.frame.clone());
+        std::mem::replace(&mut self.frame, next)
     }
 
     /// Does the next command of the log; what could not be done then cannot be done now.
@@ -287,14 +305,6 @@ impl History {
         if let Some(entry) = self.tree.entry(self.branch, self.frame.place) {
             let _ = self.frame.follow(entry, &self.scene);
         }
-    }
-
-    /// The present branch is left for another.
-    fn leave(&mut self, to: usize, forgets: bool) {
-        if to != self.branch && forgets {
-            self.tree.leave(self.branch);
-        }
-        self.tree.enter(to);
     }
 }
 
@@ -317,14 +327,83 @@ mod tests {
         let mut again = History::new(history.recording().into()).unwrap();
         again.go_to(end);
         let mut told = Vec::new();
-        let undone = again.undo_telling(|share| told.push(share)).unwrap();
+        let undone = again
+            .undo_while(|share| {
+                told.push(share);
+                true
+            })
+            .unwrap()
+            .unwrap();
         assert_eq!(undone.name, "pin");
         assert!(told.len() < 400, "{} steps of 4000", told.len());
         assert!(told.is_sorted() && told.last() == Some(&1.0), "{told:?}");
         history.undo().unwrap();
         let places = |history: &History| (0..6).map(|k| history.world().positions().get(k)).collect::<Vec<_>>();
         assert_eq!((again.world().time(), places(&again)), (history.world().time(), places(&history)));
-        let redone = again.redo_telling(|_| ()).unwrap();
+        let redone = again.redo().unwrap();
         assert_eq!(redone.name, "pin");
+    }
+
+    /// A scene with an edit each second, that runs for so many.
+    fn edited(seconds: usize) -> History {
+        let text = r#"{"wobble": 1, "gravity": [0, -9.81], "method": {"substep": 0.001}, "points": {"position": [[0, 0], [1, 0], [0, 1]]},
+            "bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 90}, {"a": 1, "b": 2, "kind": "spring", "stiffness": 90}]}"#;
+        let mut history = History::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        for second in 0..seconds {
+            let act = if second % 2 == 0 { Do::Pin } else { Do::Unpin };
+            history.give(vec![act(vec![PointId(0)])], Some("pin")).unwrap();
+            (0..1000).for_each(|_| history.step());
+        }
+        history
+    }
+
+    /// Goes somewhere as long as it is told to. Returns whether it was given up.
+    type Way = fn(&mut History, &mut dyn FnMut(f64) -> bool) -> bool;
+
+    #[test]
+    fn what_is_given_up_on_its_way_leaves_all_as_it_was() {
+        let mut history = edited(3);
+        history.go_to(1.5);
+        history.give(vec![Do::Pin(vec![PointId(2)])], Some("other")).unwrap();
+        (0..1500).for_each(|_| history.step());
+        // Of all copies only that of the start is left.
+        history.bound_keyframes(1);
+        let seen = |history: &History| {
+            let places = (0..6).map(|k| history.world().positions().get(k)).collect::<Vec<_>>();
+            (
+                history.world().time(),
+                places,
+                history.undoes(),
+                history.redoes(),
+                history.branches(),
+                history.has_future(),
+            )
+        };
+        let before = seen(&history);
+        let ways: [Way; 4] = [
+            |history, on| history.undo_while(on).is_err(),
+            |history, on| history.go_to_while(2.0, on).is_err(),
+            |history, on| history.to_branch_while(0, on).is_err(),
+            |history, on| history.go_to_while(3.0, on).is_err(),
+        ];
+        for (k, way) in ways.iter().enumerate() {
+            let mut told = 0.0;
+            let is_given_up = way(&mut history, &mut |share| {
+                told = share;
+                share < 0.4
+            });
+            assert!(is_given_up && (0.4..0.5).contains(&told), "{k}: {told}");
+            assert_eq!(seen(&history), before, "{k}");
+            history.bound_keyframes(1);
+        }
+        let undone = history.undo().unwrap();
+        assert_eq!(undone.name, "other");
+        let before = seen(&history);
+        history.bound_keyframes(1);
+        assert_eq!(history.redo_while(|_| false), Err(GivenUp));
+        assert_eq!(seen(&history), before);
+        assert_eq!(history.redo().unwrap().name, "other", "it is done again all the same");
+        history.step();
+        assert!(history.world().time() > 1.5 && !history.has_future());
     }
 }

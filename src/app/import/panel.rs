@@ -79,7 +79,8 @@ fn picture(ui: &mut egui::Ui, import: &mut Import, side: f32) {
 
 fn sliders(ui: &mut egui::Ui, import: &mut Import) {
     ui.set_width(290.0);
-    wishes::show(ui, &mut import.wish, (&import.picture, import.ground));
+    let is_painted = import.painting.is_some();
+    wishes::show(ui, &mut import.wish, (&import.picture, import.ground), is_painted);
     ui.separator();
     words(ui, import.forecast.as_ref());
     // Always there, so that nothing moves under the pointer.

@@ -15,7 +15,7 @@ use crate::scene::{Matter, PatternName};
 const RATIO: f64 = 3.0;
 
 /// Shows them; what is turned is changed in the wish.
-pub(super) fn show(ui: &mut egui::Ui, wish: &mut Wish, (picture, ground): (&Picture, Ground)) {
+pub(super) fn show(ui: &mut egui::Ui, wish: &mut Wish, (picture, ground): (&Picture, Ground), is_painted: bool) {
     taken(ui, &mut wish.settings, (picture, ground));
     ui.separator();
     size(ui, &mut wish.settings);
@@ -23,7 +23,7 @@ pub(super) fn show(ui: &mut egui::Ui, wish: &mut Wish, (picture, ground): (&Pict
     ui.weak(format!("points are {} apart in the world", length(metres)));
     ui.add_enabled_ui(wish.settings.threshold != Threshold::Whole, |ui| cut(ui, &mut wish.settings));
     ui.separator();
-    body(ui, wish);
+    body(ui, wish, is_painted);
 }
 
 /// What stands out from the picture's ground, or all of it; and what is known of that ground.
@@ -133,7 +133,7 @@ fn slider(
 }
 
 /// What the body is made of.
-fn body(ui: &mut egui::Ui, wish: &mut Wish) {
+fn body(ui: &mut egui::Ui, wish: &mut Wish, is_painted: bool) {
     ui.horizontal(|ui| {
         as_high_as_buttons(ui);
         ui.label("made of");
@@ -165,7 +165,9 @@ fn body(ui: &mut egui::Ui, wish: &mut Wish) {
     ui.add_enabled_ui(wish.matter == Matter::Soft, |ui| {
         slider(ui, (&mut wish.young, 100.0..=100_000.0), ("stiffness", " N/m"), true);
     });
-    slider(ui, (&mut wish.height, 0.2..=10.0), ("height", " m"), true);
+    // The body itself may be less high than what it is cut out of.
+    let name = if is_painted { "height of the canvas" } else { "height of the picture" };
+    slider(ui, (&mut wish.height, 0.2..=10.0), (name, " m"), true);
     ticks::check_if(ui, moves, &mut wish.apart, "parts as bodies of their own");
 }
 

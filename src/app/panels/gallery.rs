@@ -5,7 +5,7 @@ use egui::{Align, Key, Label, Layout, Rect, RichText, Role, ScrollArea, Sense, T
 use super::finding::{found, instead};
 use super::theme::colors;
 use super::typed::takes_words;
-use super::{Facts, PanelState, Wish, sheet};
+use super::{Facts, PanelState, Wish, cut_off, sheet};
 use crate::scene::Entry;
 
 /// Size of a thumbnail `[points]`.
@@ -46,7 +46,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
         let height = (room.height() - 130.0).max(40.0);
         ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink(false).show(ui, |ui| {
             if state.search.is_empty() {
-                cut_off(ui, &state.leftovers, wishes);
+                cut_off::show(ui, state, wishes);
             }
             let mut in_view = Vec::new();
             for (number, row) in found.chunks(columns).enumerate() {
@@ -75,26 +75,6 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
     if !stays {
         state.sheet = None;
     }
-}
-
-/// Sessions that were cut off: a line each, to be gone on with or discarded.
-fn cut_off(ui: &mut egui::Ui, leftovers: &[String], wishes: &mut Vec<Wish>) {
-    if leftovers.is_empty() {
-        return;
-    }
-    ui.label(RichText::new("Sessions that were cut off").color(colors(ui).text).strong());
-    for (place, line) in leftovers.iter().enumerate() {
-        ui.horizontal(|ui| {
-            if ui.button("Go on").on_hover_text("as it was when it was cut off").clicked() {
-                wishes.push(Wish::GoOnWithLeftover(place));
-            }
-            if ui.button("Discard").clicked() {
-                wishes.push(Wish::DiscardLeftover(place));
-            }
-            ui.add(Label::new(RichText::new(line).color(colors(ui).weak)).truncate().selectable(false));
-        });
-    }
-    ui.add_space(10.0);
 }
 
 /// In the middle of a sheet so high, where nothing is found: what was looked for, what to look for instead, and a way back to all scenes.

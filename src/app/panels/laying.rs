@@ -270,8 +270,8 @@ impl<'a> Laying<'a> {
         }
         if let Some(opening) = facts.opening.filter(|_| state.sheet.is_none()) {
             waiting::show(context, opening, &facts.title, wishes);
-        } else if let Some(going) = facts.going.filter(|_| state.sheet.is_none()) {
-            waiting::going(context, going);
+        } else if let Some(going) = facts.going.as_ref().filter(|_| state.sheet.is_none()) {
+            waiting::going(context, going, wishes);
         }
     }
 

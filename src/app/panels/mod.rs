@@ -13,6 +13,7 @@ mod color;
 #[cfg(test)]
 mod column_tests;
 mod complaint;
+mod cut_off;
 #[cfg(test)]
 mod cut_tests;
 mod dial;
@@ -72,11 +73,10 @@ mod ways;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Duration;
 
 use super::action::{Action, Primitive, Showing, Tool};
 use super::matter::{Bearings, Matter, MatterChange, Overload};
-use super::player::{Figures, MethodSetting};
+use super::player::{Figures, Going, MethodSetting};
 use super::plots::Plots;
 use super::tools::{Brush, Drives, Links, PushWay};
 use super::trailing::TrailSettings;
@@ -87,6 +87,7 @@ use crate::sim::Key;
 pub(super) use asking::{Question, show as ask};
 pub(super) use beside::{Misfits, Neighbor, solvers};
 pub(super) use complaint::Cover;
+pub(super) use cut_off::Discards;
 pub(super) use finding::names as found_scenes;
 pub(super) use gallery::{THUMBNAIL, search_id};
 use icons::Icon;
@@ -107,7 +108,7 @@ pub(super) use settings::settings_search_id;
 pub(super) use settings::{Pushing, Setting, Settings};
 pub(super) use sheet::{said_below, show as sheet};
 pub(super) use transport::{at_end, speed};
-pub(super) use waiting::Opening;
+pub(super) use waiting::{Opening, is_said};
 
 /// Room that the tools take at the left edge `[points]`.
 pub(super) const TOOLS: f32 = 66.0;
@@ -166,6 +167,8 @@ pub(super) enum Wish {
     Pace(f64),
     /// A time that was seen already `[s]`.
     GoTo(f64),
+    /// What is to be worked out to go to another time is not.
+    Stay,
     /// The end of another branch.
     ToBranch(usize),
     /// Every island is moved by its own method, whatever that costs.
@@ -186,6 +189,8 @@ pub(super) enum Wish {
     GoOnWithLeftover(usize),
     /// One is not wanted.
     DiscardLeftover(usize),
+    /// None of the sessions that were cut off is wanted.
+    DiscardLeftovers,
     /// What is offered stays in the gallery for later.
     PutOffLeftover,
     /// A file is opened by its name.
@@ -252,8 +257,12 @@ pub(super) struct PanelState {
     pub(super) keys_search: String,
     /// The scene that Enter opens in the gallery, by its place among those that are found.
     pub(super) chosen: usize,
-    /// Sessions that were cut off, the newest first.
-    pub(super) leftovers: Vec<String>,
+    /// Sessions that were cut off, the newest first: the file of each, and what is said of it.
+    pub(super) leftovers: Vec<(PathBuf, String)>,
+    /// Their pictures, by their files.
+    pub(super) cut_off: BTreeMap<PathBuf, egui::TextureHandle>,
+    /// What of them is asked whether it is to be discarded.
+    pub(super) discards: Option<Discards>,
     /// The name of a file that is to be written or opened.
     pub(super) path: String,
     /// Files that were opened or saved, the newest first.
@@ -341,8 +350,8 @@ pub(super) struct Facts {
     pub(super) is_opening: bool,
     /// Nothing of it is there yet: for how long it is being made, and how far that is.
     pub(super) opening: Option<Opening>,
-    /// What is undone or done again and is not there yet: in words, for how long already, and how much of it is worked out, 0 to 1.
-    pub(super) going: Option<(&'static str, Duration, f32)>,
+    /// Another time that is gone to and is not there yet.
+    pub(super) going: Option<Going>,
     /// A step takes long.
     pub(super) is_busy: bool,
     pub(super) dimensions: usize,

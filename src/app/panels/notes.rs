@@ -51,11 +51,13 @@ struct Said {
     /// When it was said, and what lay over the world then.
     since: Instant,
     over: Cover,
+    /// It is of what a tool did: what is done next is another thing.
+    is_of_tool: bool,
 }
 
 impl Said {
     fn now(line: String, over: Cover) -> Self {
-        Said { line, since: Instant::now(), over }
+        Said { line, since: Instant::now(), over, is_of_tool: false }
     }
 
     /// Whether it is said where this lies over the world: a sheet that opens is not about what was done before it.
@@ -119,8 +121,9 @@ impl Notes {
         self.complaint.as_ref().and_then(|complaint| complaint.refused)
     }
 
-    /// Something else is tried: what was refused before is said no more.
+    /// Something else is tried: what was refused before is said no more, nor what a tool did.
     pub(in crate::app) fn go_on(&mut self) {
+        self.done.take_if(|done| done.is_of_tool);
         if self.refused().is_some() {
             self.close();
         }
@@ -129,6 +132,11 @@ impl Notes {
     /// Says what was just done while this lay over the world.
     pub(in crate::app) fn say(&mut self, line: String, over: Cover) {
         self.done = Some(Said::now(line, over));
+    }
+
+    /// Says what a tool just did: until something else is done.
+    pub(in crate::app) fn say_of_tool(&mut self, line: String, over: Cover) {
+        self.done = Some(Said { is_of_tool: true, ..Said::now(line, over) });
     }
 
     /// Says what is to be known of what was just done, above that. The same is said once, whatever its numbers are.
@@ -552,6 +560,13 @@ mod tests {
         assert!(notes.until().is_some_and(|until| until <= Instant::now() + REFUSED), "it goes by itself");
         notes.go_on();
         assert_eq!((complaint(&notes), notes.until()), (None, None));
+        notes.say_of_tool("moved aside".to_owned(), Cover::Nothing);
+        assert!(notes.until().is_some());
+        notes.go_on();
+        assert_eq!(notes.until(), None, "what a tool did goes with what is done next");
+        notes.say("written".to_owned(), Cover::Nothing);
+        notes.go_on();
+        assert!(notes.done.take().is_some(), "what else was done stays its while");
         notes.refuse("no room".to_owned(), Cover::Nothing);
         notes.complain("the disk is full".to_owned(), Cover::Nothing);
         notes.go_on();

@@ -7,6 +7,7 @@ use super::fewer::{shorter, that_fits};
 use super::icons::{self, Icon};
 use super::steady::steady;
 use super::theme::colors;
+use super::waiting::is_said;
 use super::{At, Facts, Wish, described, icon, moving, short};
 use crate::app::action::Action;
 use crate::app::player::{Figures, LONGEST_FRAME};
@@ -139,7 +140,8 @@ fn timeline(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) -> Option<
         return None;
     }
     ui.spacing_mut().slider_width = room;
-    let mut time = facts.figures.time;
+    // Where it goes to it stands already.
+    let mut time = facts.going.as_ref().and_then(|going| going.to).unwrap_or(facts.figures.time);
     let slider = Slider::new(&mut time, 0.0..=end).show_value(false).trailing_fill(true);
     let line = ui.add(slider);
     line.widget_info(|| WidgetInfo::slider(true, time, "time"));
@@ -163,6 +165,9 @@ fn state(facts: &Facts) -> (String, bool) {
     }
     if facts.waits {
         return ("paused while this is open".to_owned(), false);
+    }
+    if let Some(going) = facts.going.as_ref().filter(|going| is_said(going)) {
+        return (going.words.clone(), true);
     }
     let is_slow = !figures.asleep && figures.pace > 0.0 && figures.pace < 0.95;
     match (figures.playing, figures.asleep) {

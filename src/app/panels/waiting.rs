@@ -6,6 +6,7 @@ use egui::{Align2, Area, Id, ProgressBar, RichText};
 
 use super::Wish;
 use super::theme::{colors, floating};
+use crate::app::player::Going;
 
 /// What takes less time than this is not worth a word `[s]`.
 const PATIENCE: f64 = 0.3;
@@ -37,10 +38,19 @@ pub(super) fn show(context: &egui::Context, opening: Opening, title: &str, wishe
     });
 }
 
-/// Says likewise that something is undone or done again, which is to be worked out first.
-pub(super) fn going(context: &egui::Context, (name, since, share): (&str, Duration, f32)) {
-    let since = since.as_secs_f64();
-    said(context, (since, Some(share)), &words(name, since), |_| ());
+/// Says likewise that another time is gone to, which is to be worked out first, and offers not to wait for it.
+pub(super) fn going(context: &egui::Context, going: &Going, wishes: &mut Vec<Wish>) {
+    let since = going.since.as_secs_f64();
+    said(context, (since, Some(going.share)), &words(&going.words, since), |ui| {
+        if ui.button("Cancel").on_hover_text("stay at the moment that is shown (Esc)").clicked() {
+            wishes.push(Wish::Stay);
+        }
+    });
+}
+
+/// Whether another time is gone to for so long that it is said.
+pub(in crate::app) fn is_said(going: &Going) -> bool {
+    going.since.as_secs_f64() >= PATIENCE
 }
 
 /// Some words in the middle, with what can be done beside them, and how much is worked out.
@@ -102,8 +112,14 @@ mod tests {
         let context = egui::Context::default();
         let seen = |since: u64| {
             for _ in 0..2 {
-                let all = ("Undoing", Duration::from_millis(since), 0.4);
-                let mut shown = context.run_ui(egui::RawInput::default(), |ui| going(ui.ctx(), all));
+                let all = Going {
+                    words: "Going to 41.3 s".to_owned(),
+                    since: Duration::from_millis(since),
+                    share: 0.4,
+                    to: Some(41.3),
+                };
+                assert_eq!(is_said(&all), since > 300);
+                let mut shown = context.run_ui(egui::RawInput::default(), |ui| going(ui.ctx(), &all, &mut Vec::new()));
                 shown.textures_delta.clear();
             }
             context.memory(|memory| memory.area_rect(Id::unique("opening"))).map_or(0.0, |rect| rect.width())

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use super::order::{Note, Order};
-use crate::history::{Autosave, EVERY, History, Left, Lines};
+use crate::history::{Autosave, Called, EVERY, History, Left, Lines};
 
 /// Where a history is kept while it is played.
 #[derive(Debug, Default)]
@@ -27,6 +27,8 @@ pub(super) struct Keeper {
     heir_of: Option<Left>,
     /// Something was done that would be missed.
     is_led: bool,
+    /// What it is called, and whether that is written.
+    called: (Called, bool),
     /// Something happened since the last time.
     is_behind: bool,
     written_at: Option<Instant>,
@@ -41,6 +43,12 @@ impl Keeper {
         let record = record.filter(has_lines).map(Lines::new);
         let is_led = heir_of.is_some();
         Keeper { folder, record, heir_of, is_led, is_behind: true, ..Keeper::default() }
+    }
+
+    /// It is called otherwise from now on.
+    pub(super) fn call(&mut self, called: Called) {
+        self.is_behind |= called != self.called.0;
+        self.called = (called, false);
     }
 
     /// Something is done.
@@ -98,7 +106,11 @@ impl Keeper {
             Some(autosave) => autosave,
             None => Autosave::begin(folder).map_err(said)?,
         };
-        let written = autosave.write(history).map_err(said);
+        let written = autosave.write(history).map_err(said).and_then(|()| match self.called.1 {
+            true => Ok(()),
+            false => autosave.call(&self.called.0).map_err(said),
+        });
+        self.called.1 = written.is_ok();
         self.autosave = Some(autosave);
         written?;
         match self.heir_of.take() {

@@ -149,3 +149,38 @@ fn a_recording_that_cannot_be_written_is_told_at_the_end() {
     wait_for(&mut player, Player::is_open);
     assert!(player.end().is_err());
 }
+
+#[test]
+fn the_name_of_a_file_outlives_a_killed_program() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("my swing.json");
+    let state = folder.path().join("state");
+    let mut player = Player::open(scene().into(), kept_in(&state), || {});
+    wait_for(&mut player, Player::is_open);
+    player.lie_in(&file);
+    player.give(vec![strength(7.0)], Some("calm"));
+    let called = || {
+        std::fs::read_dir(&state)
+            .is_ok_and(|mut all| all.any(|file| file.unwrap().path().extension().is_some_and(|end| end == "called")))
+    };
+    until(called);
+    player.call(&file);
+    until(|| {
+        std::fs::read_dir(&state).unwrap().any(|file| {
+            std::fs::read_to_string(file.unwrap().path()).is_ok_and(|text| text.contains(r#""name":"my swing""#))
+        })
+    });
+    player.leave();
+    drop(player);
+    let left = Autosave::left(&state).pop().unwrap();
+    assert_eq!((left.called().name.as_deref(), left.called().file.as_deref()), (Some("my swing"), Some(&*file)));
+    assert!(left.last().is_some(), "its picture is drawn of that");
+    let (start, called) = (left.start().unwrap(), left.called());
+    let mut heir = Player::resume(start, Keeping { heir_of: Some(left), ..kept_in(&state) }, || {});
+    heir.be_called(called);
+    assert_eq!((heir.called(), heir.file()), (Some("my swing"), Some(&*file)), "it is saved there again");
+    heir.play(false);
+    wait_for(&mut heir, Player::is_open);
+    heir.end().unwrap();
+    assert!(is_empty(&state), "what ended as it should leaves nothing");
+}

@@ -52,7 +52,7 @@ pub use shown::{Figures, Latest, Places, Scenery, Shown};
 pub use stage::{Stage, too_many_to_meet};
 pub use watch::{Measured, Probe, Probed, Probes, REACH};
 
-use crate::history::{Do, HistoryError, Start};
+use crate::history::{Called, Do, HistoryError, Start};
 use crate::scene::Scene;
 use crate::sim::Cursor;
 use keep::Keeper;
@@ -96,8 +96,8 @@ pub struct Player {
     /// The last order, and since when one has not been done.
     serial: u64,
     waiting_since: Option<Instant>,
-    /// What leads to another time and is not done yet: by which order, in words, and since when.
-    going: Option<(u64, &'static str, Instant)>,
+    /// What leads to another time and is not done yet.
+    going: Option<Leaving>,
     /// The last file that was asked for, and by which order.
     written: Option<(u64, PathBuf)>,
     /// Only its start and its log are kept; the order by which that was so last.
@@ -114,6 +114,28 @@ pub struct Player {
     is_used: bool,
     /// It goes on with a session that was cut off.
     goes_on: bool,
+}
+
+/// An order that leads to another time.
+struct Leaving {
+    serial: u64,
+    words: String,
+    since: Instant,
+    /// The time `[s]`, if nothing else was done since another time was to be gone to that is not there yet.
+    to: Option<f64>,
+}
+
+/// Another time that is gone to and is not there yet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Going {
+    /// What is done, in words.
+    pub words: String,
+    /// For how long already.
+    pub since: Duration,
+    /// How much of it is worked out, 0 to 1.
+    pub share: f32,
+    /// The time `[s]`, where it is known before it is there.
+    pub to: Option<f64>,
 }
 
 impl Player {
@@ -136,6 +158,8 @@ impl Player {
         let (orders, asked) = channel();
         let record = keeping.record.clone();
         let desk = Arc::new(Desk::new(Keeper::new(keeping)));
+        let called = start.name().map(str::to_owned);
+        desk.keeper().call(Called { name: called, file: None });
         let its = Arc::clone(&desk);
         let playing = !start.recording().paused;
         let thread = std::thread::spawn(move || thread::run(beginning, &asked, &its, wake));
@@ -212,7 +236,7 @@ impl Player {
         if papers.done >= self.serial {
             self.waiting_since = None;
         }
-        self.going.take_if(|(serial, ..)| papers.done >= *serial || papers.failure.is_some());
+        self.going.take_if(|going| papers.done >= going.serial || papers.failure.is_some());
         // What could not be done is nothing to save.
         let refused = std::mem::take(&mut papers.refused);
         self.edits.retain(|edit| !refused.contains(edit));
@@ -226,20 +250,18 @@ impl Player {
         News { is_new, opened, notes, failure: papers.failure.take() }
     }
 
-    /// Asks for something. What is folded is worked out again for it, but for the bytes that copies of its world may take.
+    /// Asks for something. What is folded is worked out again for it, but for the bytes that copies of its world may take, and for
+    /// what it is called.
     pub fn ask(&mut self, order: Order) {
-        if self.is_folded && matches!(order, Order::Bound(_)) {
+        if self.is_folded && matches!(order, Order::Bound(_) | Order::Called) {
             return;
         }
         self.serial += 1;
+        let was_unfolding = self.is_unfolding();
         // A file needs no world.
         self.is_folded = matches!(order, Order::Fold) || self.is_folded && matches!(order, Order::Save(_));
         self.waiting_since.get_or_insert_with(Instant::now);
-        if let Some(words) = order.going() {
-            let since = self.going.map_or_else(Instant::now, |(.., since)| since);
-            self.going = Some((self.serial, words, since));
-            self.desk.begin_anew();
-        }
+        self.note_going(&order, was_unfolding);
         if let Order::Play(_) | Order::Step(_) | Order::Reset = order {
             self.played_by = self.serial;
         }
@@ -307,9 +329,37 @@ impl Player {
         !self.is_folded && self.folded_by.is_some() && !self.is_open()
     }
 
-    /// What is undone or done again and is not there yet, in words, for how long already, and how much of it is worked out, 0 to 1.
-    pub fn going(&self) -> Option<(&'static str, Duration, f32)> {
-        self.going.map(|(_, words, since)| (words, since.elapsed(), self.worked_out()))
+    /// What leads to another time is shown until it is there. Of times that are gone to one after the other the last one is wanted.
+    fn note_going(&mut self, order: &Order, is_unfolding: bool) {
+        let Some(words) = order.going() else {
+            if let Some(going) = self.going.as_mut().filter(|_| order.is_deed()) {
+                going.to = None;
+            }
+            return;
+        };
+        let (to, last) = (order.goes_to(), self.going.take());
+        if last.is_none() && !is_unfolding {
+            self.desk.begin_anew();
+        }
+        if to.is_some() && last.as_ref().is_some_and(|last| last.to.is_some()) {
+            self.desk.supersede_before(self.serial);
+        }
+        let since = last.as_ref().map_or_else(Instant::now, |last| last.since);
+        let to = to.filter(|_| last.is_none_or(|last| last.to.is_some()));
+        self.going = Some(Leaving { serial: self.serial, words, since, to });
+    }
+
+    /// Another time that is gone to and is not there yet.
+    pub fn going(&self) -> Option<Going> {
+        let Leaving { words, since, to, .. } = self.going.as_ref()?;
+        Some(Going { words: words.clone(), since: since.elapsed(), share: self.worked_out(), to: *to })
+    }
+
+    /// Another time is not to be gone to: all stays as it is.
+    pub fn stay(&mut self) {
+        if let Some(going) = &self.going {
+            self.desk.give_up_before(going.serial + 1);
+        }
     }
 
     /// How much of it is worked out again, 0 to 1.
@@ -371,6 +421,25 @@ impl Player {
     /// All of it was saved to a file, by which it is called from now on.
     pub fn call(&mut self, file: &Path) {
         self.called = file.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        self.keep_called();
+    }
+
+    /// It is called as the session was that it goes on with.
+    pub fn be_called(&mut self, called: Called) {
+        self.called = called.name.or(self.called.take());
+        if let Some(file) = called.file {
+            self.lie_in(&file);
+        }
+        self.keep_called();
+    }
+
+    /// What it is called outlives a killed program too.
+    fn keep_called(&mut self) {
+        let name = self.called.clone().or_else(|| self.start.name().map(str::to_owned));
+        // What no text can hold is not kept.
+        let file = self.file.clone().filter(|file| file.to_str().is_some());
+        self.desk.keeper().call(Called { name, file });
+        self.ask(Order::Called);
     }
 
     /// What it is called since it was saved.
@@ -382,6 +451,7 @@ impl Player {
     pub fn lie_in(&mut self, file: &Path) {
         if file.extension().is_some_and(|ending| ending == "json") {
             self.file = std::path::absolute(file).ok();
+            self.keep_called();
         }
     }
 

@@ -102,6 +102,8 @@ pub enum Order {
     Reset,
     /// Copies of the world may take so many bytes.
     Bound(usize),
+    /// It is called otherwise: that is written.
+    Called,
     /// It is left for long: only its start and its log are kept. The next order brings it back to where it was.
     Fold,
     /// Seconds of the scene a second of wall time.
@@ -142,12 +144,19 @@ impl Order {
     }
 
     /// What it is called while it is worked out, of what may take long.
-    pub(super) fn going(&self) -> Option<&'static str> {
+    pub(super) fn going(&self) -> Option<String> {
         match self {
-            Order::Undo(_) => Some("Undoing"),
-            Order::Redo(_) => Some("Redoing"),
+            Order::Undo(_) => Some("Undoing".to_owned()),
+            Order::Redo(_) => Some("Redoing".to_owned()),
+            Order::GoTo(time, _) => Some(format!("Going to {time:.1} s")),
+            Order::ToBranch(..) => Some("Going to the other timeline".to_owned()),
             _ => None,
         }
+    }
+
+    /// The time that it goes to, if that is all that it does `[s]`.
+    pub(super) fn goes_to(&self) -> Option<f64> {
+        if let Order::GoTo(time, _) = self { Some(*time) } else { None }
     }
 
     /// Whether the world goes to another time by it, where what was done is done already.
@@ -177,6 +186,8 @@ pub enum Note {
     NothingToRedo,
     /// The start was gone to: what became of edits.
     GoneBack(GoneBack),
+    /// What was to be worked out was given up: all is as it was.
+    GivenUp,
     /// A log was followed until now; what is done from here on is another branch.
     Branched,
     /// What would have been measured before now, had it been watched.

@@ -1,6 +1,6 @@
 //! From wall time to whole substeps: how many are due, and where the cursor goes meanwhile.
 
-use crate::history::{Clock, Do, GoneBack, History};
+use crate::history::{Clock, Do, GivenUp, GoneBack, History};
 use crate::sim::{Cursor, Dynamics};
 
 use super::shown::Places;
@@ -212,19 +212,21 @@ impl Pace {
 
     /// The state at a time that was seen already.
     pub fn go_to(&mut self, history: &mut History, time: f64, cursor: Option<Cursor>) {
-        self.go_to_while((history, time), cursor, |_| true);
+        _ = self.go_to_while((history, time), cursor, |_| true);
     }
 
     /// The same, as long as `goes_on` says so, as of [`History::go_to_while`].
+    ///
+    /// Errors: it was given up; all is as it was.
     pub fn go_to_while(
         &mut self,
         (history, time): (&mut History, f64),
         cursor: Option<Cursor>,
         goes_on: impl FnMut(f64) -> bool,
-    ) -> bool {
-        let is_there = history.go_to_while(time.max(0.0), goes_on);
+    ) -> Result<(), GivenUp> {
+        history.go_to_while(time.max(0.0), goes_on)?;
         self.gone_to(history, cursor);
-        is_there
+        Ok(())
     }
 
     /// The history went elsewhere: what is drawn is where it is now.

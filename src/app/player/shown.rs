@@ -8,7 +8,7 @@ use super::movers::Movers;
 use super::rungs::Yielded;
 use super::watch::Measured;
 use crate::app::matter::Matter;
-use crate::app::tools::Walls;
+use crate::app::tools::{Kept, Walls};
 use crate::history::{BranchView, Clock, Group};
 use crate::picture::{Skin, Tint};
 use crate::render::{Hinge, View, joints};
@@ -108,6 +108,8 @@ pub struct Scenery {
     /// Where joints are, ascending.
     pub joints: Vec<PointId>,
     walls: OnceLock<Walls>,
+    /// What stands about what is led by a tool.
+    pub(in crate::app) about_led: Kept,
 }
 
 /// Planes that push out what gets into them, and by how much `[N/m]`, `[N s/m]`.
@@ -154,6 +156,7 @@ impl Scenery {
             hinges: Hinge::of(world),
             joints: joints(world),
             walls: OnceLock::new(),
+            about_led: Kept::default(),
         }
     }
 

@@ -4,8 +4,8 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use super::{Keeping, Order, Pace, Player, Shown, Stage};
-use crate::history::{Clock, Do, History};
+use super::{Keeping, Note, Order, Pace, Player, Shown, Stage};
+use crate::history::{Clock, Do, History, Recording};
 use crate::scene::Scene;
 use crate::sim::{Cursor, MouseChange, PointId, Reach};
 
@@ -205,14 +205,14 @@ fn undo_takes_an_edit_back_and_plays_on() {
     stage.obey(Order::Give(vec![strength(7.0)], Some("calm")));
     frames(&mut stage, 2);
     assert_eq!(force(&stage), 7.0);
-    let Some(super::Note::Undone(name, seconds)) = stage.obey(Order::Undo(None)) else { panic!("nothing undone") };
+    let Some(Note::Undone(name, seconds)) = stage.obey(Order::Undo(None)) else { panic!("nothing undone") };
     assert_eq!(name, "calm");
     assert!((0.001..0.25).contains(&seconds.abs()), "{seconds}");
     assert_eq!(stage.history().world().time(), before);
     frames(&mut stage, 2);
     assert_eq!(force(&stage), 20.0, "what was undone does not come back by itself");
     assert!(stage.history().world().time() > before, "and it plays on");
-    assert!(matches!(stage.obey(Order::Redo(None)), Some(super::Note::Redone(..))));
+    assert!(matches!(stage.obey(Order::Redo(None)), Some(Note::Redone(..))));
     assert_eq!(force(&stage), 7.0);
 }
 
@@ -232,7 +232,7 @@ fn what_was_erased_comes_back_to_where_it_was_and_no_cursor_of_the_log_pushes_it
     stage.obey(Order::Give(click, None));
     stage.obey(Order::Give(vec![Do::Delete(keys)], Some("delete")));
     frame(&mut stage, far);
-    assert!(matches!(stage.obey(Order::Undo(far)), Some(super::Note::Undone(..))));
+    assert!(matches!(stage.obey(Order::Undo(far)), Some(Note::Undone(..))));
     for _ in 0..5 {
         frame(&mut stage, far);
     }
@@ -410,4 +410,74 @@ fn what_was_laid_down_before_it_was_folded_is_not_shown_as_if_it_were_there_agai
     player.play(false);
     assert!(player.is_unfolding());
     assert!(player.wait_until_open(Duration::from_secs(20)).opened.is_some());
+}
+
+/// A history whose recording takes long to be gone through: so many seconds, of which nothing is worked out.
+fn unseen(seconds: f64) -> Player {
+    let text = SCENE.replace("0.00142857142857142857", "0.00002");
+    let recording: Recording = Scene::parse(&text, "slow.json").unwrap().into();
+    let start = Recording { end: Some(seconds), paused: true, ..recording };
+    let mut player = Player::open(start.into(), Keeping::default(), || {});
+    assert!(player.wait_until_open(Duration::from_secs(20)).opened.is_some());
+    player
+}
+
+#[test]
+fn a_time_that_takes_long_says_how_far_it_is_and_is_given_up_without_a_loss() {
+    let mut player = unseen(1e4);
+    player.ask(Order::GoTo(1e4, None));
+    let going = player.going().unwrap();
+    assert_eq!((going.words.as_str(), going.to), ("Going to 10000.0 s", Some(1e4)));
+    wait_for(&mut player, |player| player.worked_out() > 0.0);
+    player.stay();
+    let mut notes = Vec::new();
+    let start = Instant::now();
+    while player.going().is_some() {
+        notes.extend(player.poll().notes);
+        assert!(start.elapsed() < Duration::from_secs(20), "it goes on");
+    }
+    notes.extend(player.poll().notes);
+    assert_eq!(notes, [Note::GivenUp]);
+    assert_eq!(player.shown().figures.time, 0.0);
+    player.ask(Order::GoTo(0.01, None));
+    wait_for(&mut player, |player| player.shown().figures.time > 0.009);
+}
+
+#[test]
+fn of_times_that_are_passed_the_last_one_is_worked_out_unless_something_was_done_between() {
+    let mut player = unseen(1e4);
+    for time in [1e4, 9e3, 0.01] {
+        player.ask(Order::GoTo(time, None));
+    }
+    assert_eq!(player.going().unwrap().to, Some(0.01));
+    wait_for(&mut player, |player| player.shown().figures.time > 0.009);
+    assert!(player.poll().notes.is_empty(), "nobody gave it up");
+    player.ask(Order::GoTo(0.2, None));
+    player.give(vec![Do::Pin(vec![PointId(0)])], Some("pin"));
+    player.ask(Order::GoTo(0.1, None));
+    wait_for(&mut player, |player| player.going().is_none());
+    wait_for(&mut player, |player| (player.shown().figures.time - 0.1).abs() < 1e-3);
+    assert!(
+        (player.shown().figures.end - 0.2).abs() < 1e-3,
+        "the edit was given at 0.2 s: {}",
+        player.shown().figures.end
+    );
+}
+
+#[test]
+fn undo_of_what_is_worked_out_again_has_one_share_with_it() {
+    let mut player = unseen(0.4);
+    player.ask(Order::GoTo(0.4, None));
+    player.give(vec![Do::Pin(vec![PointId(0)])], Some("pin"));
+    wait_for(&mut player, |player| player.waiting_since.is_none());
+    player.fold();
+    player.ask(Order::Undo(None));
+    let mut told = Vec::new();
+    wait_for(&mut player, |player| {
+        told.push(player.worked_out());
+        player.is_open()
+    });
+    // Until it begins there is what was told of the last one.
+    let first = told.iter().position(|share| *share < 0.5).unwrap();
+    assert!(told[first..].is_sorted() && told.len() > 5, "{told:?}");
 }

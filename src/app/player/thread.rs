@@ -5,6 +5,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
+use super::LONG;
 use super::keep::Keeper;
 use super::order::{Note, Order};
 use super::save;
@@ -13,6 +14,9 @@ use super::shown::Shown;
 use super::stage::{Folded, Stage};
 use crate::history::{HistoryError, Start};
 use crate::scene::Scene;
+
+/// So much of what an order waits for that goes to another time of what was folded is its being worked out again: copies are kept on the way.
+const UNFOLDING: f32 = 0.9;
 
 /// What thread and window share: the last state, and what is to be said.
 #[derive(Default)]
@@ -25,8 +29,10 @@ pub(super) struct Desk {
     is_dismissed: AtomicBool,
     /// Orders before this one are not wanted any more, but for files: what is being worked out anew for them is left.
     given_up: AtomicU64,
-    /// How much of a history is worked out that was folded, or of what is undone or done again.
-    worked_out: Arc<Share>,
+    /// Another time is gone to by an order that is not the first of its kind: those before are not wanted, once they take long.
+    superseded: AtomicU64,
+    /// How much of a history is worked out that was folded, or of another time that is gone to.
+    worked_out: Share,
 }
 
 /// What lies on the desk.
@@ -72,23 +78,46 @@ impl Desk {
         self.is_dismissed.load(Ordering::Acquire) || serial < self.given_up.load(Ordering::Acquire)
     }
 
-    /// How much of a history that was folded is worked out again, or of what is undone or done again, 0 to 1.
+    /// How much of a history that was folded is worked out again, or of another time that is gone to, 0 to 1.
     pub(super) fn worked_out(&self) -> f32 {
         self.worked_out.read()
     }
 
     /// Something else is to be worked out: nothing of it is there yet.
     pub(super) fn begin_anew(&self) {
-        self.worked_out.tell(0.0);
+        self.worked_out.begin(1.0);
+    }
+
+    /// Times that orders before this one go to are not wanted any more.
+    pub(super) fn supersede_before(&self, serial: u64) {
+        self.superseded.store(serial, Ordering::Release);
     }
 
     /// Works out what was folded, for an order. `Ok(None)`: that was given up meanwhile.
-    fn unfold(&self, folded: &Folded, serial: u64) -> Result<Option<Stage>, HistoryError> {
-        self.begin_anew();
-        Stage::unfolded(folded, |share| {
+    fn unfold(&self, folded: &Folded, (serial, order): (u64, &Order)) -> Result<Option<Stage>, HistoryError> {
+        self.worked_out.begin(if order.going().is_some() { UNFOLDING } else { 1.0 });
+        let stage = Stage::unfolded(folded, |share| {
             self.worked_out.tell(share);
             !self.is_given_up(serial)
-        })
+        });
+        self.worked_out.go_on();
+        stage
+    }
+
+    /// Does what is asked, as long as it is wanted: another time that takes long to be worked out can be given up.
+    fn obey(&self, stage: &mut Stage, (serial, order): (u64, Order), notes: &mut Vec<Note>) {
+        let (begun, is_time) = (Instant::now(), order.goes_to().is_some());
+        let is_superseded = || is_time && serial < self.superseded.load(Ordering::Acquire);
+        // One that is under way may soon be there.
+        let patience = if is_superseded() { Duration::ZERO } else { LONG };
+        let is_left = || self.is_given_up(serial) || is_superseded() && begun.elapsed() >= patience;
+        let note = stage.obey_while(order, &mut |share| {
+            self.worked_out.tell(share);
+            !is_left()
+        });
+        let is_told = note != Some(Note::GivenUp) || self.is_given_up(serial);
+        notes.extend(note.filter(|_| is_told));
+        notes.extend(stage.take_warnings());
     }
 
     pub(super) fn lock(&self) -> MutexGuard<'_, Papers> {
@@ -116,8 +145,7 @@ impl Desk {
     fn open(&self, stage: Result<Stage, HistoryError>) -> Option<Stage> {
         let mut papers = self.lock();
         match stage {
-            Ok(mut stage) => {
-                stage.tell_of(&self.worked_out);
+            Ok(stage) => {
                 papers.scene = Some(Arc::new(stage.history().scene().clone()));
                 Some(stage)
             }
@@ -240,15 +268,19 @@ impl Seat {
                 return Some(Seat::Folded(Box::new(stage.folded())));
             }
             (Seat::Folded(folded), _) if desk.is_given_up(serial) => return Some(Seat::Folded(folded)),
-            (Seat::Folded(folded), _) => match desk.unfold(&folded, serial) {
+            (Seat::Folded(folded), order) => match desk.unfold(&folded, (serial, order)) {
                 Ok(None) => return Some(Seat::Folded(folded)),
                 Ok(Some(stage)) => Box::new(desk.open(Ok(stage))?),
                 Err(error) => Box::new(desk.open(Err(error))?),
             },
-            (Seat::Played(stage), _) => stage,
+            (Seat::Played(stage), order) => {
+                if order.going().is_some() {
+                    desk.begin_anew();
+                }
+                stage
+            }
         };
-        notes.extend(stage.obey(order));
-        notes.extend(stage.take_warnings());
+        desk.obey(&mut stage, (serial, order), notes);
         Some(Seat::Played(stage))
     }
 }

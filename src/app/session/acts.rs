@@ -8,7 +8,7 @@ use super::asking::points_of;
 use super::{Framing, Session};
 use crate::app::action::{Action, Primitive, Tool};
 use crate::app::count::counted;
-use crate::app::panels::{Cover, Opened, Setting, Sheet, Wish, at_end, search_id};
+use crate::app::panels::{Cover, Opened, Setting, Sheet, Wish, at_end, is_said, search_id};
 use crate::app::player::{Order, Player};
 use crate::app::thumbnails::Thumbnails;
 use crate::app::tools::{Deed, PushWay, is_of_space, lack_of, strength, unpin};
@@ -212,6 +212,7 @@ impl Session {
             Wish::ToBranch(number) => {
                 self.go(Order::ToBranch(number, self.told));
             }
+            Wish::Stay => self.player.stay(),
             Wish::Exact => self.player.ask(Order::Exact),
             Wish::TakeBack => self.player.ask(Order::TakeBack),
             Wish::WriteTable => self.write_table(),
@@ -230,6 +231,7 @@ impl Session {
             Wish::BrowseToSave => self.browse_to_save(),
             Wish::GoOnWithLeftover(place) => self.go_on_with_leftover(place),
             Wish::DiscardLeftover(place) => self.discard_leftover(place),
+            Wish::DiscardLeftovers => self.discard_leftovers(),
             Wish::PutOffLeftover => self.panels.notes.offer = None,
             Wish::OpenFile(name) => self.open_file(&name),
             Wish::OpenRecent(path) => {
@@ -248,6 +250,9 @@ impl Session {
         }
         if self.asked.is_some() {
             return self.unanswered();
+        }
+        if self.player.going().is_some_and(|going| is_said(&going)) {
+            return self.player.stay();
         }
         if self.hand.is_drawing() {
             return self.leave_drawing();
@@ -339,6 +344,9 @@ impl Session {
             self.put_away();
         }
         self.panels.chosen = if self.panels.search.is_empty() { self.place.unwrap_or(0) } else { 0 };
+        if self.panels.sheet == Some(Sheet::Gallery) {
+            self.draw_leftovers();
+        }
         if self.panels.sheet == Some(Sheet::Gallery) && self.thumbnails.is_none() {
             let folder = self.state_folder.as_ref().map(|folder| folder.join("thumbnails"));
             self.thumbnails = Some(Thumbnails::new(self.canvas.gpu().clone(), self.palette, folder, self.wake_up()));
@@ -379,8 +387,10 @@ impl Session {
 
     /// Gives commands to the world, if there are any.
     pub(super) fn do_deed(&mut self, deed: Deed) {
-        if let Some(words) = &deed.words {
-            self.say(words.clone());
+        if let Some(words) = deed.words.clone() {
+            let over = self.lies_over();
+            self.panels.notes.say_of_tool(words, over);
+            self.touch();
         }
         if let Some(among) = deed.painted.clone() {
             let brush = self.hand.brush();

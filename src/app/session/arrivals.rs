@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::super::fetch::{self, Fetch, Found};
 use super::super::import::{Answer, Import};
 use super::super::loading::{Loaded, Loading};
-use super::{BRUSH, Session, Thumbnails};
+use super::{BRUSH, CutOff, Session, Thumbnails};
 use crate::app::action::Action;
 use crate::app::clip::Clip;
 use crate::app::holds_scene;
@@ -231,9 +231,9 @@ impl Session {
                 Err(why) => self.refuse_to_paste(&why),
             }
         }
-        if self.thumbnails.as_mut().is_some_and(Thumbnails::poll) {
-            self.panels_dirty = true;
-        }
+        let is_drawn =
+            [self.thumbnails.as_mut().is_some_and(Thumbnails::poll), self.cut_off.as_mut().is_some_and(CutOff::poll)];
+        self.panels_dirty |= is_drawn.contains(&true);
         self.hear_of_saving();
         self.hear_of_leftovers();
         let news = self.player.poll();

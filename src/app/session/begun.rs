@@ -114,6 +114,7 @@ impl Session {
             search: None,
             leftovers: Vec::new(),
             thumbnails: None,
+            cut_off: None,
             waker,
             last_frame: None,
             told: None,

@@ -46,6 +46,9 @@ impl Session {
         let mut input = self.egui.take_egui_input(&self.window);
         self.leave_out_moves(&mut input.events);
         let context = self.egui.egui_ctx().clone();
+        if let Some(cut_off) = &mut self.cut_off {
+            cut_off.load(&context, &mut self.panels.cut_off);
+        }
         if let Some(thumbnails) = &mut self.thumbnails {
             thumbnails.load(&context, &mut self.panels.thumbnails);
             self.panels.is_drawing_thumbnails = thumbnails.is_drawing();
@@ -401,7 +404,8 @@ impl Session {
         self.egui = panels_for(&self.window, &self.canvas, self.palette);
         self.paint = Paint::default();
         self.panels.thumbnails.clear();
-        self.thumbnails = None;
+        self.panels.cut_off.clear();
+        (self.thumbnails, self.cut_off) = (None, None);
         self.framing = if self.framing == Framing::Free { Framing::Free } else { Framing::Opening };
         self.touch();
         Ok(())

@@ -66,6 +66,10 @@ impl Session {
             }
             Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name}{}", far(seconds))),
             Note::GoneBack(edits) => self.say(gone_back(edits)),
+            Note::GivenUp => {
+                self.gone_by = None;
+                self.say("given up: it is as it was".to_owned());
+            }
             Note::NothingToUndo => self.go_back(),
             Note::NothingToRedo => self.go_on(),
             Note::Branched => self.say(

@@ -4,7 +4,9 @@
 use super::Session;
 use super::shelf::Way;
 use crate::app::leftovers::{Leftover, note_offered};
+use crate::app::panels::Sheet;
 use crate::app::player::{Keeping, Player};
+use crate::app::thumbnails::CutOff;
 
 impl Session {
     /// Takes what was found at the start, and offers the newest where it never was.
@@ -13,6 +15,9 @@ impl Session {
         let Some(found) = found else { return };
         self.search = None;
         self.leftovers = found;
+        if self.panels.sheet == Some(Sheet::Gallery) {
+            self.draw_leftovers();
+        }
         if let Some(newest) = self.leftovers.last().filter(|newest| newest.is_new) {
             let others = match self.leftovers.len() {
                 1 => "",
@@ -34,7 +39,8 @@ impl Session {
 
     /// The gallery says of each how long ago it was, as it is opened.
     pub(super) fn tell_leftovers(&mut self) {
-        self.panels.leftovers = self.leftovers.iter().rev().map(Leftover::line).collect();
+        let card = |leftover: &Leftover| (leftover.left.path().to_owned(), leftover.line());
+        self.panels.leftovers = self.leftovers.iter().rev().map(card).collect();
     }
 
     /// Goes on with a session of the list, where it ended, once what was done in it is worked out again; who does not wait for that is where
@@ -44,7 +50,8 @@ impl Session {
         let Some(place) = self.leftovers.len().checked_sub(place + 1) else { return };
         let leftover = self.leftovers.remove(place);
         let keeping = Keeping { heir_of: Some(leftover.left), ..self.keeping() };
-        let player = Player::resume(leftover.start, keeping, self.wake_up());
+        let mut player = Player::resume(leftover.start, keeping, self.wake_up());
+        player.be_called(leftover.called);
         self.put_on(player);
         self.came = self.shelf.has_before().then_some((Way::On, 1));
         self.player.play(false);
@@ -60,6 +67,26 @@ impl Session {
             self.complain(&format!("the session cannot be discarded: {error}"));
         }
         self.list_leftovers();
+    }
+
+    /// None of the list is wanted.
+    pub(super) fn discard_leftovers(&mut self) {
+        self.panels.notes.offer = None;
+        for leftover in std::mem::take(&mut self.leftovers) {
+            if let Err(error) = leftover.left.discard() {
+                self.complain(&format!("a session cannot be discarded: {error}"));
+            }
+        }
+        self.list_leftovers();
+    }
+
+    /// Draws those of the list, once the gallery is open.
+    pub(super) fn draw_leftovers(&mut self) {
+        if self.cut_off.is_none() && !self.leftovers.is_empty() {
+            let wanted = |leftover: &Leftover| (leftover.left.path().to_owned(), leftover.start.scene().clone());
+            let wanted = self.leftovers.iter().rev().map(wanted).collect();
+            self.cut_off = Some(CutOff::new(self.canvas.gpu().clone(), self.palette, wanted, self.wake_up()));
+        }
     }
 
     /// How a history is kept that opens now.

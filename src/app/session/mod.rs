@@ -53,7 +53,7 @@ use super::preferences::Preferences;
 use super::recent::Recent;
 use super::resting::Resting;
 use super::saving::Saving;
-use super::thumbnails::Thumbnails;
+use super::thumbnails::{CutOff, Thumbnails};
 use super::tools::{Chosen, Hand, Stalls};
 use super::trailing::Trailing;
 use super::whereabouts::Whereabouts;
@@ -209,6 +209,8 @@ pub(super) struct Session {
     search: Option<Receiver<Vec<Leftover>>>,
     leftovers: Vec<Leftover>,
     thumbnails: Option<Thumbnails>,
+    /// Pictures of sessions that were cut off, on their way.
+    cut_off: Option<CutOff>,
     waker: EventLoopProxy<()>,
     /// When the last frame began, if time has passed in the world since.
     last_frame: Option<Instant>,
@@ -261,7 +263,8 @@ impl Session {
         theme::apply(self.egui.egui_ctx(), palette);
         // Those of the gallery are drawn anew when it opens.
         self.panels.thumbnails.clear();
-        self.thumbnails = None;
+        self.panels.cut_off.clear();
+        (self.thumbnails, self.cut_off) = (None, None);
         self.touch();
     }
 

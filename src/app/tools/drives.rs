@@ -23,6 +23,9 @@ const NO_BODY: &str = "no body lies here that could be hinged";
 /// Said of a hinge without a motor where the switch asks for none.
 const HINGED: &str = "a hinge is here already: tick \"motor\" to give it one, Shift+click to take it away";
 
+/// Said where two bodies overlap that are hinged elsewhere.
+const JOINED: &str = "these two are hinged already, at the ring, and a second hinge would lock them: Shift+click takes that one away, then a click here hinges them here";
+
 /// Said of a hinge that no other body holds.
 const TO_BACKGROUND: &str = "its axle is pinned to the background, so what it is on turns in place; clicked where two bodies overlap it joins them";
 
@@ -75,6 +78,8 @@ impl Drives {
             None => Deed::words(NO_BODY.to_owned()),
             Some(Err(why)) => Deed::words(why.to_owned()),
             Some(Ok(Meant::There(hub))) => self.change(scope, &hub, takes_away).1,
+            Some(Ok(Meant::Joined(hub))) if takes_away => self.change(scope, &hub, true).1,
+            Some(Ok(Meant::Joined(_))) => Deed::words(JOINED.to_owned()),
             Some(Ok(Meant::New(hinge))) => {
                 if let Some(why) = no_motors(scope.shown.driving).filter(|_| hinge.has_motor) {
                     return Deed::words(why);
@@ -154,7 +159,12 @@ impl Drives {
         let hinge = match Meant::at(scope, at, self.motor.is_on) {
             None => return Vec::new(),
             Some(Err(why)) => return vec![Mark::Words(beside(scope, at), why.to_owned())],
-            Some(Ok(Meant::There(hub))) => {
+            Some(Ok(Meant::Joined(hub))) if !takes_away => {
+                let mut marks = Hinge::of(scope, &hub).marks(scope, [Role::Hold; 2]);
+                marks.push(Mark::Words(beside(scope, at), JOINED.to_owned()));
+                return marks;
+            }
+            Some(Ok(Meant::There(hub) | Meant::Joined(hub))) => {
                 let role = if takes_away { Role::Away } else { Role::Hold };
                 let (words, _) = self.change(scope, &hub, takes_away);
                 let mut marks = Hinge::of(scope, &hub).marks(scope, [role; 2]);

@@ -373,3 +373,50 @@ fn a_car_that_the_tools_build_stays_where_it_is_on_level_ground() {
     }
     assert!(most < 0.03, "it creeps {most} m in 10 s");
 }
+
+/// Two boxes that overlap, and a disc on the first.
+const ARM: &str = r#"{"wobble": 1, "gravity": [0, 0], "view": {"center": [0, 0], "height": 10},
+    "bodies": [{"make": "lattice", "columns": 9, "rows": 4, "spacing": 0.25, "origin": [-2, 0],
+        "material": {"kind": "spring", "stiffness": 3000, "damping": 10, "mass": 2}},
+      {"make": "lattice", "columns": 9, "rows": 4, "spacing": 0.25, "origin": [-0.6, 0.1],
+        "material": {"kind": "spring", "stiffness": 3000, "damping": 10, "mass": 2}},
+      {"make": "disc", "radius": 0.9, "spacing": 0.3, "origin": [-2, 0],
+        "material": {"kind": "spring", "stiffness": 3000, "damping": 10, "mass": 2}}]}"#;
+
+#[test]
+fn two_bodies_that_are_hinged_get_no_second_hinge_that_would_lock_them() {
+    let mut seen = shown(Scene::parse(ARM, "x.json").unwrap());
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    let at = |seen: &(Shown, Camera, Scene), [x, y]: [f64; 2]| {
+        DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap())
+    };
+    let mut click = |seen: &mut (Shown, Camera, Scene), hand: &mut Hand, place: [f64; 2]| {
+        let pixel = at(seen, place);
+        let said = said(seen, hand, pixel);
+        let deed = hand.press(scope(seen), pixel);
+        let told = (deed.edit, deed.words.clone().unwrap_or_default());
+        if !deed.is_empty() {
+            give(&mut stage, deed);
+            stage.show(&mut seen.0);
+        }
+        (said, told)
+    };
+    let mut hand = hand(Tool::Motor);
+    let (said, (edit, _)) = click(&mut seen, &mut hand, [-0.4, 0.6]);
+    assert!(said.contains("joins both bodies") && edit == Some("hinge"), "{said}");
+    let elsewhere = [-0.1, 0.2];
+    let (said, (edit, words)) = click(&mut seen, &mut hand, elsewhere);
+    assert!(said.starts_with("these two are hinged already") && said == words && edit.is_none(), "{said}");
+    hand.hold([true, false]);
+    let (_, (edit, _)) = click(&mut seen, &mut hand, elsewhere);
+    assert_eq!(edit, Some("hinge away"));
+    hand.hold([false, false]);
+    let (said, (edit, _)) = click(&mut seen, &mut hand, elsewhere);
+    assert!(said.contains("joins both bodies") && edit == Some("hinge"), "{said}");
+    // A wheel, wherever it is clicked, on itself or on what holds it, turns about the hub that it has.
+    assert_eq!(click(&mut seen, &mut hand, [-2.0, 0.0]).1.0, Some("hinge"));
+    for (k, place) in [[-1.5, 0.0], [-1.75, 0.5], [-1.37, 0.13], [-2.0, 0.75]].into_iter().enumerate() {
+        let (said, (edit, _)) = click(&mut seen, &mut hand, place);
+        assert_eq!(edit, Some(if k % 2 == 0 { "motor" } else { "motor off" }), "{place:?}: {said}");
+    }
+}

@@ -16,11 +16,16 @@ const RISE: f64 = 1.0;
 const FRICTION: f64 = 0.5;
 
 /// The torque that turns some points about a place `[N m]`, at least: against their weight at their arm, against friction at their rim under all
-/// that weighs on it, and so that they have the speed `[rad/s]` within a second.
+/// that weighs on it if it `rubs` on anything, and so that they have the speed `[rad/s]` within a second.
 ///
 /// Model: W d + friction (W + W') r + I |speed|/[`RISE`], W and W' the weights of what turns and of what holds it `[N]`, d the arm of the
 /// middle of mass across gravity at its worst and r that of the farthest point `[m]`, I the moment of inertia `[kg m^2]`.
-pub(super) fn needed(scope: Scope<'_>, at: DVec2, [turning, holder]: [&[PointId]; 2], speed: f64) -> f64 {
+pub(super) fn needed(
+    scope: Scope<'_>,
+    at: DVec2,
+    [turning, holder]: [&[PointId]; 2],
+    (speed, rubs): (f64, bool),
+) -> f64 {
     let settings = &scope.shown.settings;
     let gravity = settings.gravity.map_or(0.0, |[x, y, _]| x.hypot(y));
     let masses = &scope.shown.scenery.masses;
@@ -35,13 +40,22 @@ pub(super) fn needed(scope: Scope<'_>, at: DVec2, [turning, holder]: [&[PointId]
     let radius = turning.iter().map(|point| arm(point).length()).fold(0.0, f64::max);
     let walls = settings.bounds.flatten().map_or(0.0, |walls| walls.friction);
     let skins = settings.contact.flatten().map_or(0.0, |contact| contact.friction);
-    let friction = FRICTION.max(walls).max(skins);
+    let friction = if rubs { FRICTION.max(walls).max(skins) } else { 0.0 };
     gravity * (moment.length() + friction * (own + held) * radius) + inertia * speed.abs() / RISE
 }
 
 /// The torque that is proposed where so much is needed `[N m]`, in round figures.
 pub(super) fn proposed(needed: f64) -> f64 {
-    let wanted = (RESERVE * needed).max(LEAST);
+    rounded((RESERVE * needed).max(LEAST))
+}
+
+/// The torque that is said to be needed where so much is `[N m]`, in round figures.
+pub(super) fn said(needed: f64) -> f64 {
+    rounded((RESERVE * needed).max(1.0))
+}
+
+/// The next number of two figures.
+fn rounded(wanted: f64) -> f64 {
     let step = 10_f64.powf(wanted.log10().floor() - 1.0);
     (wanted / step).ceil() * step
 }

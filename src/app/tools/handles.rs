@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use super::Deed;
 use super::chosen::Chosen;
 use super::fastened::with_pins;
+use super::grown::Growth;
 use super::lifted::{self, Lift};
 use super::marks::{Mark, Role};
 use super::pick::Scope;
@@ -254,14 +255,22 @@ impl Change {
     }
 
     /// In figures: an angle from -180 to 180 degrees, one factor or two.
-    pub(super) fn words(self) -> String {
+    pub(super) fn words(self, scope: Scope<'_>, chosen: &Chosen) -> String {
+        let grown = self.grown(scope, chosen).map_or_else(String::new, |grown| grown.words(scope));
         match self {
             Change::Shift(by) => format!("{:.2} {:.2} m", by.x, by.y),
             Change::Turn(angle) => format!("{:.0}°", angle.to_degrees()),
             Change::Spin(axis, angle) => Turned::About(axis, angle).words(),
-            Change::Scale([x, y]) if x == y => format!("× {x:.2}{SAME_MASS}"),
-            Change::Scale([x, y]) => format!("{x:.2} × {y:.2}{SAME_MASS}"),
+            Change::Scale([x, y]) if x == y => format!("× {x:.2}{grown}"),
+            Change::Scale([x, y]) => format!("{x:.2} × {y:.2}{grown}"),
         }
+    }
+
+    /// What becomes of the masses and springs of what is scaled.
+    fn grown(self, scope: Scope<'_>, chosen: &Chosen) -> Option<Growth> {
+        let Change::Scale([x, y]) = self else { return None };
+        let z = if scope.shown.dimensions == 2 { 1.0 } else { x };
+        Some(Growth::of(scope, chosen, DVec3::new(x, y, z)))
     }
 
     /// How bodies that are selected are put beside that, so that they keep clear of what stands there.
@@ -323,7 +332,11 @@ impl Change {
                         (way, said.map(str::to_owned))
                     }
                 };
-                let deed = self.deed(&with_pins(scope, chosen), about.extend(0.0), dimensions);
+                let chosen = &with_pins(scope, chosen);
+                let mut deed = self.deed(chosen, about.extend(0.0), dimensions);
+                if !deed.is_empty() {
+                    deed.commands.extend(self.grown(scope, chosen).iter().flat_map(Growth::commands));
+                }
                 lifted::with(scope, lift, Deed { words, ..deed })
             }
         }
@@ -348,9 +361,6 @@ impl Change {
         Deed::edit(name, Do::Move(Box::new(keys)))
     }
 }
-
-/// Said of what is scaled.
-pub(super) const SAME_MASS: &str = ", of the same mass";
 
 /// What is left of a turn `[rad]`, the shorter way round; `None`: nothing.
 fn turn_left(all: f64, done: f64) -> Option<f64> {

@@ -133,7 +133,7 @@ impl Haul {
         let is_handled = !matches!(self.by, By::Way(_)) && scope.shown.jam.is_none();
         marks.extend(at.filter(|_| is_handled).map(|at| {
             let beside = at + DVec2::new(16.0, -10.0) * scope.scale;
-            Mark::Words(beside, self.change(scope, at, in_steps).words())
+            Mark::Words(beside, self.change(scope, at, in_steps).words(scope, &self.what))
         }));
         marks
     }

@@ -6,8 +6,9 @@ use super::drives::MotorChoice;
 use super::effort;
 use super::hub::{Hub, Hubs};
 use super::marks::{Mark, Role};
-use super::pick::{Scope, distance_to_sides};
+use super::pick::Scope;
 use super::skin;
+use super::touching::{gap, touches};
 use crate::history::{Do, MoveKeys};
 use crate::scene::{AddKeys, AngleKeys, BondKeys, KindName, MassKeys, PointKeys, Row, Vector};
 use crate::sim::{Bond, BondKind, PointId};
@@ -82,6 +83,8 @@ fn round_by(scope: Scope<'_>, body: &[PointId], share: f64) -> Option<(DVec2, f6
 pub(super) enum Meant {
     /// A hinge that is there.
     There(Hub),
+    /// Two bodies that are hinged elsewhere: a second hinge would lock them.
+    Joined(Hub),
     /// One that is to come.
     New(Hinge),
 }
@@ -153,6 +156,15 @@ impl Hinge {
         // What a motor on the ground pushes against is no body.
         let holder = other.map(|point| Hubs::of(scope, point).piece(point)).filter(|holder| holder.len() > 1);
         let holder = holder.unwrap_or_default();
+        if let Some(hub) = hubs.between(&body, &holder) {
+            let in_wheel = |side: &[PointId]| {
+                let round = round_by(scope, side, SQUASHED);
+                let most = if wants_motor == Some(false) { HINGED_AT } else { 1.0 };
+                round.is_some_and(|(middle, radius)| clicked.distance(middle) <= most * radius)
+            };
+            let is_of_wheel = in_wheel(&body) || in_wheel(&holder);
+            return Some(Ok(if is_of_wheel { Meant::There(hub.clone()) } else { Meant::Joined(hub.clone()) }));
+        }
         let struts = nearest(&holder, far, (STRUTS, LEAST_SPOKE * radius));
         let has_motor = wants_motor.unwrap_or(round.is_some() && struts.is_empty());
         Some(Ok(Meant::New(Hinge { at, spokes, struts, has_motor })))
@@ -257,10 +269,14 @@ impl Hinge {
 
     /// The torque of its motor `[N m]`: of a soft body as much as shears what it turns by half.
     pub(super) fn torque(&self, scope: Scope<'_>, motor: &MotorChoice) -> f64 {
-        let wished = self.wished(scope, motor);
-        let BondKind::Spring { stiffness, .. } = stuff(scope, &self.spokes) else { return wished };
+        self.wished(scope, motor).min(self.bears(scope))
+    }
+
+    /// The torque that what it turns bears `[N m]`: of a rigid body any.
+    pub(super) fn bears(&self, scope: Scope<'_>) -> f64 {
+        let BondKind::Spring { stiffness, .. } = stuff(scope, &self.spokes) else { return f64::INFINITY };
         let arms = self.turned(scope).into_iter().map(|spoke| place(scope, spoke).distance_squared(self.at));
-        wished.min(SHEAR * stiffness * arms.sum::<f64>())
+        SHEAR * stiffness * arms.sum::<f64>()
     }
 
     /// The torque that is asked for `[N m]`: where none is said, what moves the body.
@@ -272,7 +288,10 @@ impl Hinge {
     pub(super) fn needed(&self, scope: Scope<'_>, speed: f64) -> f64 {
         let body = |points: &[PointId]| points.first().map(|&point| Hubs::of(scope, point).piece(point));
         let (turning, holder) = (body(&self.spokes).unwrap_or_default(), body(&self.struts).unwrap_or_default());
-        effort::needed(scope, self.at, [&turning, &holder], speed)
+        // What hangs in the air on the background rubs on nothing.
+        let reach = turning.iter().map(|&point| place(scope, point).distance(self.at)).fold(0.0, f64::max);
+        let rubs = !holder.is_empty() || touches(scope, &turning, reach);
+        effort::needed(scope, self.at, [&turning, &holder], (speed, rubs))
     }
 
     /// What its hub weighs, as the points do that it is bonded to `[kg]`: a heavier one would press soft wheels flat.
@@ -303,20 +322,6 @@ pub(super) fn pins(position: Vec<DVec2>, mass: f64, next: u32) -> PointKeys {
         pinned: (next..next + position.len() as u32).collect(),
         position: position.into_iter().map(|at| Vector::Plane(at.to_array())).collect(),
     }
-}
-
-/// How far a place is from the nearest wall, plane or obstacle `[m]`.
-fn gap(scope: Scope<'_>, at: DVec2) -> f64 {
-    let scenery = &scope.shown.scenery;
-    let walls = scenery.bounds.iter().flat_map(|[low, high]| {
-        [0, 1].into_iter().flat_map(move |axis| [(at[axis] - low[axis]).abs(), (high[axis] - at[axis]).abs()])
-    });
-    let planes = scenery.planes.iter().map(|[point, normal]| {
-        let [point, normal] = [*point, *normal].map(|x| DVec3::from(x).truncate());
-        (at - point).dot(normal.normalize_or_zero()).abs()
-    });
-    let sides = scenery.polygons.iter().map(|polygon| distance_to_sides(at, &polygon.loops));
-    walls.chain(planes).chain(sides).fold(f64::INFINITY, f64::min)
 }
 
 pub(super) fn place(scope: Scope<'_>, point: PointId) -> DVec2 {

@@ -138,6 +138,14 @@ impl<'a> Hubs<'a> {
         near.min_by(|a, b| far(a).total_cmp(&far(b)))
     }
 
+    /// The hub about which two pieces turn already, each ascending.
+    pub(super) fn between(&self, one: &[PointId], other: &[PointId]) -> Option<&Hub> {
+        let holds = |hub: &&Hub, piece: &[PointId]| {
+            hub.sides.iter().any(|side| side.len() >= LEAST_BONDS && piece.binary_search(&side[0]).is_ok())
+        };
+        self.all.iter().find(|hub| holds(hub, one) && holds(hub, other))
+    }
+
     /// The points that hang together with one without going through hubs, ascending: what turns as a whole.
     pub(super) fn piece(&self, point: PointId) -> Vec<PointId> {
         let mut is_seen = vec![false; self.beside.len()];

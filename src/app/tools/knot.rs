@@ -24,7 +24,9 @@ const LET_GO: &str = "let go: it is tied here (not with Shift)";
 
 /// An end of a rope this near to the outline of a body is tied to it, and so is a corner this near to a point that it is drawn from or to
 /// `[logical px]`.
-const NEAR: f64 = 12.0;
+pub(super) const NEAR: f64 = 12.0;
+/// Of longer ropes no more points are followed.
+const MOST: usize = 200;
 /// What lies no further from a point is welded to it `[m]`.
 const AT_IT: f64 = 1e-6;
 
@@ -77,6 +79,28 @@ impl Ends {
 pub(super) fn can_hold(scope: Scope<'_>, point: PointId) -> bool {
     let is_part = scope.shown.scenery.triangles.iter().any(|corners| corners.contains(&point));
     scope.is_there(point) && !is_part
+}
+
+/// Where the points of each rope with a loose end are `[m]`, from that on to what it hangs on, or where it branches.
+pub(super) fn loose_ropes(scope: Scope<'_>) -> Vec<Vec<DVec2>> {
+    let ends = Ends::of(scope);
+    let pairs = scope.shown.scenery.bonds.ends();
+    let rope = |end: PointId| {
+        let mut points = vec![end];
+        loop {
+            let last = points[points.len() - 1];
+            let beside = ends.at[last.index()].iter().filter_map(|&place| {
+                let &[a, b] = pairs.get(place as usize)?;
+                Some(if a == last { b } else { a })
+            });
+            let mut next = beside.filter(|point| !points.contains(point) && scope.is_there(*point));
+            match (next.next(), next.next()) {
+                (Some(point), None) if points.len() < MOST => points.push(point),
+                _ => break points.into_iter().map(|point| here(scope, point)).collect(),
+            }
+        }
+    };
+    ends.loose(scope).into_iter().map(rope).collect()
 }
 
 /// The ropes whose loose ends lie in what keys bring, once that is put `way` `[m]` out of obstacles. Of what is drawn as a whole those at its outline
@@ -141,10 +165,11 @@ pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, (way, held): (DVec2, Optio
         let last = *gone.last()?;
         let is_it = |bond: &&Bond| [bond.a, bond.b] == [point, last] || [bond.b, bond.a] == [point, last];
         let bond = *bonds.iter().find(is_it)?;
-        let from = here(scope, point);
-        let far = |corner: u32| at(corner).distance(from);
+        // Where the rope meets the skin.
+        let (from, into) = (here(scope, point), here(scope, last));
+        let far = |corner: u32| distance_to_segment(at(corner), from, into);
         // A bond has a length.
-        let to = rim.iter().copied().filter(|&corner| far(corner) > 1e-9);
+        let to = rim.iter().copied().filter(|&corner| at(corner).distance(from) > 1e-9);
         let to = to.min_by(|&a, &b| far(a).total_cmp(&far(b)))?;
         Some(Knot { gone, from: point, bond, to: (to, at(to)) })
     };

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::build::Maker;
 use super::chosen::Chosen;
-use super::erase::{Target, target};
+use super::erase::{Target, target, words};
 use super::pick::{self, Scope};
 use super::selecting::{dragged, pins};
 use super::{Doing, boxes, hub, knot, skin};
@@ -230,9 +230,11 @@ fn would_pin(scope: Scope<'_>, at: DVec2) -> Option<Mark> {
 }
 
 fn would_go(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
-    match target(scope, at) {
+    let target = target(scope, at);
+    let said = target.as_ref().and_then(|target| words(scope, target)).map(|words| beside(scope, at, words));
+    match target {
         Some(Target::Body(points)) => bonds(Role::Away, scope, &points),
-        Some(Target::Bond(_, ends)) => line(Role::Away, scope, ends).into_iter().collect(),
+        Some(Target::Bond(_, ends)) => line(Role::Away, scope, ends).into_iter().chain(said).collect(),
         Some(Target::Obstacle(number)) => obstacle(Role::Away, scope, number),
         None => Vec::new(),
     }

@@ -24,6 +24,7 @@ mod floor;
 #[cfg(test)]
 mod grab_tests;
 mod ground;
+mod grown;
 mod handles;
 mod haul;
 #[cfg(test)]
@@ -70,11 +71,13 @@ mod space_tests;
 mod stall;
 #[cfg(test)]
 mod stall_tests;
+mod standing;
 mod stops;
 mod strand;
 #[cfg(test)]
 mod tests;
 mod throw;
+mod touching;
 mod wind;
 #[cfg(test)]
 mod wind_tests;
@@ -116,6 +119,7 @@ use rings::RingGrip;
 pub(super) use room::Walls;
 use selection::Selection;
 pub(super) use stall::Stalls;
+pub(super) use standing::Kept;
 pub(super) use stops::would_be as would_stop;
 use throw::Throw;
 use wind::Blow;

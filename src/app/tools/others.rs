@@ -1,40 +1,83 @@
-//! Bodies of the plane that stand beside what is selected and that it would meet: their outlines, as obstacles that it keeps clear of.
+//! What of the plane stands beside what is selected and ends somewhere: obstacles, and other bodies that it would meet, whose outlines it keeps clear
+//! of too. Only what it comes near to is put together to walls, for that takes long.
 
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use glam::{DVec2, DVec3};
 
 use super::pick::{self, Scope, distance_to_sides};
+use super::skin;
 use crate::picture::Tint;
-use crate::sim::triangles::skin;
+use crate::sim::triangles::outer_sides;
 use crate::sim::{PointId, Polygon};
 
 /// Triangles of a scene up to which other bodies are looked at.
 const MOST: usize = 100_000;
+/// What comes so near to others than before, in its own size `[1]`, is near to all that are within the second of these: as far as it mostly goes to
+/// find room among them.
+const NEAR: f64 = 0.1;
+const FAR: f64 = 1.25;
 
 /// The other bodies of a scene, each by what it covers; none where bodies pass through each other. Ropes cover nothing.
-pub(super) struct Others<'a> {
-    scope: Scope<'a>,
+#[derive(Default)]
+pub(super) struct Others {
     bodies: Vec<Body>,
+    /// Obstacles, which are there wherever one is.
+    polygons: Vec<Standing>,
     /// What the points cover that others are looked for about.
-    own: Vec<[u32; 3]>,
+    own: Cover,
+    /// How often outlines were followed around.
+    followed: u64,
 }
 
 struct Body {
     /// The lower and the upper corner of the box around it `[m]`.
     around: [DVec2; 2],
-    triangles: Vec<[u32; 3]>,
+    cover: Cover,
     /// It stands in the way of what was looked at.
     is_met: bool,
 }
 
-impl<'a> Others<'a> {
+/// An obstacle.
+struct Standing {
+    around: [DVec2; 2],
+    polygon: Polygon,
+    is_met: bool,
+}
+
+/// What triangles cover: the corners of its outline, once they are asked for.
+#[derive(Default)]
+struct Cover {
+    triangles: Vec<[u32; 3]>,
+    loops: OnceLock<Vec<Vec<u32>>>,
+}
+
+impl Cover {
+    fn of(triangles: Vec<[u32; 3]>) -> Self {
+        Cover { triangles, loops: OnceLock::new() }
+    }
+
+    /// Where it ends `[m]`.
+    fn outline(&self, scope: Scope<'_>) -> Vec<Vec<[f64; 2]>> {
+        let sides = || outer_sides(self.triangles.iter().copied()).into_iter().map(|side| side.way);
+        let loops = self.loops.get_or_init(|| skin::loops(sides()));
+        loops.iter().map(|corners| corners.iter().map(|&corner| at(scope, corner).to_array()).collect()).collect()
+    }
+}
+
+impl Others {
     /// Those that are not of some points, which are ascending, nor hang on them.
-    pub(super) fn of(scope: Scope<'a>, points: &[PointId]) -> Self {
+    pub(super) fn of(scope: Scope<'_>, points: &[PointId], polygons: Vec<Polygon>) -> Self {
         let scenery = &scope.shown.scenery;
+        let standing = |polygon: Polygon| {
+            let around = around(polygon.loops.iter().flatten().copied().map(DVec2::from))?;
+            Some(Standing { around, polygon, is_met: false })
+        };
+        let polygons: Vec<Standing> = polygons.into_iter().filter_map(standing).collect();
         let meets = scope.shown.settings.contact.flatten().is_some_and(|contact| contact.with_others);
         if !meets || scope.shown.dimensions != 2 || scenery.triangles.len() > MOST {
-            return Others { scope, bodies: Vec::new(), own: Vec::new() };
+            return Others { polygons, ..Others::default() };
         }
         let count = scope.shown.point_count();
         let pairs = scenery.bonds.ends().iter().copied().chain(scope.arms());
@@ -51,19 +94,19 @@ impl<'a> Others<'a> {
         }
         let bodies = of.into_values().filter_map(|triangles| {
             let corners = triangles.iter().flatten().map(|&corner| at(scope, corner));
-            Some(Body { around: around(corners)?, triangles, is_met: false })
+            Some(Body { around: around(corners)?, cover: Cover::of(triangles), is_met: false })
         });
-        Others { scope, bodies: bodies.collect(), own: covered }
+        Others { bodies: bodies.collect(), polygons, own: Cover::of(covered), followed: 0 }
     }
 
     /// Leaves out those in which one of these places, those of the points, lies deeper than so far `[m]`, or the other way round: who lies in
     /// something already is not put out of it.
-    pub(super) fn leave_out(&mut self, places: &[[f64; 2]], deep: f64) {
+    pub(super) fn leave_out(&mut self, scope: Scope<'_>, places: &[[f64; 2]], deep: f64) {
         let Some(own) = around(places.iter().copied().map(DVec2::from)) else { return };
         if !self.bodies.iter().any(|body| meet(body.around, own)) {
             return;
         }
-        let (scope, covered) = (self.scope, loops(self.scope, &self.own));
+        let covered = self.own.outline(scope);
         let is_deep = |loops: &[Vec<[f64; 2]>], place: [f64; 2]| {
             pick::is_inside(loops, place) && distance_to_sides(place.into(), loops) > deep
         };
@@ -71,73 +114,65 @@ impl<'a> Others<'a> {
             if !meet(body.around, own) {
                 return true;
             }
-            let loops = loops(scope, &body.triangles);
+            let loops = body.cover.outline(scope);
             let mut corners = loops.iter().flatten();
             !places.iter().any(|&place| is_deep(&loops, place)) && !corners.any(|&corner| is_deep(&covered, corner))
         });
     }
 
-    /// Whether something at some places `[m]` is no further than its own size from others than those that are told already.
-    pub(super) fn come_near(&mut self, places: &[[f64; 2]]) -> bool {
+    /// Whether something at some places `[m]` came near to others than those that it was near to before: then it is near to those about it, and where
+    /// it `goes_on` from there, as it looks for room, to those before too.
+    pub(super) fn come_near(&mut self, places: &[[f64; 2]], goes_on: bool) -> bool {
         let Some(own) = around(places.iter().copied().map(DVec2::from)) else { return false };
-        let far = DVec2::splat((own[1] - own[0]).max_element());
-        let own = [own[0] - far, own[1] + far];
-        let mut is_new = false;
-        for body in self.bodies.iter_mut().filter(|body| !body.is_met && meet(body.around, own)) {
-            (body.is_met, is_new) = (true, true);
+        let far = (own[1] - own[0]).max_element();
+        let within = |share: f64| [own[0] - share * far, own[1] + share * far];
+        let is_new = |is_met: bool, there: [DVec2; 2]| !is_met && meet(there, within(NEAR));
+        if !self.bodies.iter().any(|body| is_new(body.is_met, body.around))
+            && !self.polygons.iter().any(|standing| is_new(standing.is_met, standing.around))
+        {
+            return false;
         }
-        is_new
+        let is_near = |is_met: bool, there: [DVec2; 2]| goes_on && is_met || meet(there, within(FAR));
+        self.bodies.iter_mut().for_each(|body| body.is_met = is_near(body.is_met, body.around));
+        self.polygons.iter_mut().for_each(|standing| standing.is_met = is_near(standing.is_met, standing.around));
+        true
+    }
+
+    /// Whether it is near to a body.
+    pub(super) fn meet_any(&self) -> bool {
+        self.bodies.iter().any(|body| body.is_met)
     }
 
     /// Whether one of those that something came near to lies wholly within what the points cover, once `place` has led that elsewhere.
-    pub(super) fn lie_within(&self, place: impl Fn(DVec3) -> DVec3) -> bool {
+    pub(super) fn lie_within(&self, scope: Scope<'_>, place: impl Fn(DVec3) -> DVec3) -> bool {
         if !self.bodies.iter().any(|body| body.is_met) {
             return false;
         }
-        let mut covered = loops(self.scope, &self.own);
+        let mut covered = self.own.outline(scope);
         for corner in covered.iter_mut().flatten() {
             *corner = place(DVec2::from(*corner).extend(0.0)).truncate().to_array();
         }
-        let first = |body: &Body| at(self.scope, body.triangles[0][0]).to_array();
+        let first = |body: &Body| at(scope, body.cover.triangles[0][0]).to_array();
         self.bodies.iter().filter(|body| body.is_met).any(|body| pick::is_inside(&covered, first(body)))
     }
 
-    /// The outlines of all that something came near to.
-    pub(super) fn outlines(&self) -> Vec<Polygon> {
+    /// The outlines of all that something is near to, obstacles first.
+    pub(super) fn outlines(&mut self, scope: Scope<'_>) -> Vec<Polygon> {
         let outline = |body: &Body| {
-            let loops = loops(self.scope, &body.triangles);
+            let loops = body.cover.outline(scope);
             (!loops.is_empty()).then_some(Polygon { loops, restitution: 0.0, friction: 0.0 })
         };
-        self.bodies.iter().filter(|body| body.is_met).filter_map(outline).collect()
+        let outlines: Vec<Polygon> = self.bodies.iter().filter(|body| body.is_met).filter_map(outline).collect();
+        self.followed += outlines.len() as u64;
+        let near = self.polygons.iter().filter(|standing| standing.is_met).map(|standing| standing.polygon.clone());
+        near.chain(outlines).collect()
     }
-}
 
-/// Where what triangles cover ends `[m]`.
-fn loops(scope: Scope<'_>, triangles: &[[u32; 3]]) -> Vec<Vec<[f64; 2]>> {
-    let loops = closed(&skin(triangles, std::iter::empty()).closed).into_iter();
-    loops.map(|corners| corners.into_iter().map(|corner| at(scope, corner).to_array()).collect()).collect()
-}
-
-/// The loops that sides make, each from a corner to the next; sides that lead nowhere are in none.
-fn closed(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
-    let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-    sides.iter().for_each(|&[from, to]| next.entry(from).or_default().push(to));
-    let mut loops = Vec::new();
-    while let Some((&first, _)) = next.first_key_value() {
-        let (mut way, mut is_closed) = (vec![first], false);
-        while let Some(to) = way.last().and_then(|at| next.get_mut(at)).and_then(Vec::pop) {
-            is_closed = to == first;
-            if is_closed {
-                break;
-            }
-            way.push(to);
-        }
-        next.retain(|_, to| !to.is_empty());
-        if is_closed && way.len() > 2 {
-            loops.push(way);
-        }
+    /// How many outlines were made of it until now: what a drag costs beside its own points.
+    #[cfg(test)]
+    pub(super) fn followed(&self) -> u64 {
+        self.followed
     }
-    loops
 }
 
 fn at(scope: Scope<'_>, corner: u32) -> DVec2 {
@@ -156,21 +191,4 @@ fn around(places: impl Iterator<Item = DVec2>) -> Option<[DVec2; 2]> {
 
 fn meet([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
     a.cmple(d).all() && c.cmple(b).all()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sides_make_loops_and_what_leads_nowhere_is_in_none() {
-        assert_eq!(closed(&[[0, 1], [1, 2], [2, 0]]), [[0, 1, 2]]);
-        let two = closed(&[[0, 1], [1, 2], [2, 0], [5, 6], [6, 7], [7, 8], [8, 5]]);
-        assert_eq!(two, [vec![0, 1, 2], vec![5, 6, 7, 8]]);
-        // Two that touch in a corner.
-        let mut touching = closed(&[[0, 1], [1, 2], [2, 0], [0, 3], [3, 4], [4, 0]]);
-        touching.sort();
-        assert_eq!(touching, [vec![0, 1, 2], vec![0, 3, 4]]);
-        assert!(closed(&[[0, 1], [1, 2]]).is_empty());
-    }
 }

@@ -6,7 +6,8 @@ use glam::{DVec2, DVec3};
 
 use super::Deed;
 use super::chosen::Chosen;
-use super::handles::{Change, SAME_MASS};
+use super::grown::Growth;
+use super::handles::Change;
 use super::lifted::{self, Lift};
 use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_segment};
@@ -251,7 +252,7 @@ impl Turned {
     pub(super) fn words(self) -> String {
         match self {
             Turned::About(axis, angle) => format!("{:.0}° about {}", angle.to_degrees(), AXES[axis].2),
-            Turned::By(factor) => format!("× {factor:.2}{SAME_MASS}"),
+            Turned::By(factor) => format!("× {factor:.2}"),
         }
     }
 
@@ -274,7 +275,9 @@ impl Turned {
             }
             Turned::By(factor) => {
                 let keys = MoveKeys { scale: Some(Factors::One(factor)), ..keys };
-                Deed::edit("scale", Do::Move(Box::new(keys)))
+                let mut deed = Deed::edit("scale", Do::Move(Box::new(keys)));
+                deed.commands.extend(Growth::of(scope, chosen, DVec3::splat(factor)).commands());
+                deed
             }
         };
         let words = lift.said.map(str::to_owned);
@@ -289,7 +292,11 @@ impl Turned {
     pub(super) fn said(self, scope: Scope<'_>, chosen: &Chosen) -> String {
         let lift = extent(scope, chosen).map(|[low, high]| self.lift(scope, chosen, 0.5 * (low + high)));
         let more = lift.and_then(|lift| lift.said);
-        format!("{}{}", self.words(), more.map_or_else(String::new, |more| format!(": {more}")))
+        let grown = match self {
+            Turned::By(factor) => Growth::of(scope, chosen, DVec3::splat(factor)).words(scope),
+            Turned::About(..) => String::new(),
+        };
+        format!("{}{grown}{}", self.words(), more.map_or_else(String::new, |more| format!(": {more}")))
     }
 
     /// Lines of what is selected where it would be.

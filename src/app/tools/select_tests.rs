@@ -159,7 +159,7 @@ fn a_knob_turns_and_corners_scale_about_what_stays() {
     stage.history().recording().write_json(&mut text).unwrap();
     let log = crate::history::Log::of_text(&String::from_utf8(text).unwrap(), "x.json").unwrap();
     let given: Vec<Do> = log.commands().unwrap().into_iter().map(|entry| entry.act).collect();
-    assert!(matches!(&given[..], [Do::Move(keys)] if matches!(keys.scale, Some(Factors::Each(_)))), "{given:?}");
+    assert!(matches!(&given[..], [Do::Move(keys), ..] if matches!(keys.scale, Some(Factors::Each(_)))), "{given:?}");
     let mut after = Shown::default();
     stage.show(&mut after);
     let after = (after, seen.1, seen.2.clone());
@@ -174,7 +174,7 @@ fn a_knob_turns_and_corners_scale_about_what_stays() {
     click(&mut hand, &seen, at(&seen, 0.5, 2.5));
     let corner = handle(&hand, &seen, Handle::Corner(2));
     let deed = drag(&mut hand, &seen, [corner, corner + DVec2::new(300.0, 0.0)]);
-    assert!(matches!(&deed.commands[..], [Do::Move(keys)] if matches!(keys.scale, Some(Factors::One(_)))));
+    assert!(matches!(&deed.commands[..], [Do::Move(keys), ..] if matches!(keys.scale, Some(Factors::One(_)))));
     // A plane turns, about its place in the middle of the picture, and has no corners.
     click(&mut hand, &seen, at(&seen, -4.0, -4.5));
     let frame = Frame::of(scope(&seen), &hand.chosen(scope(&seen)).unwrap()).unwrap();
@@ -544,7 +544,7 @@ fn handles_keep_off_what_lies_over_the_world_and_do_there_what_they_do() {
     let still = at(&seen, -3.0, -1.0);
     assert!(hand.press(scope, corner).is_empty());
     let deed = hand.release(scope, still + 1.5 * (corner - still));
-    let [Do::Move(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    let [Do::Move(keys), ..] = &deed.commands[..] else { panic!("{deed:?}") };
     let factors = match keys.scale {
         Some(Factors::Each(factors)) => factors,
         Some(Factors::One(factor)) => [factor; 2],

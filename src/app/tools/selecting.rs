@@ -206,7 +206,7 @@ impl Hand {
                 let placed = |mark: Mark| outcome.lines(scope, change.preview(scope, about, mark));
                 let moved = outline.into_iter().chain(box_too).map(placed);
                 let more = outcome.words().map_or_else(String::new, |more| format!(": {more}"));
-                let words = Mark::Words(words, format!("{}{more}", change.words()));
+                let words = Mark::Words(words, format!("{}{more}", change.words(scope, chosen)));
                 moved.chain(outcome.others(scope)).chain([words]).collect()
             }
             (Doing::Turning(grip), Some(at)) => {

@@ -451,7 +451,7 @@ fn rings_turn_what_is_selected_about_their_axes_and_the_knob_scales_it_each_as_o
             DVec2::from(scope.camera.screen_from_world(rings.unwrap().middle()).unwrap())
         });
         let deed = room.drag([knob, middle + 1.5 * (knob - middle)]);
-        let [Do::Move(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+        let [Do::Move(keys), ..] = &deed.commands[..] else { panic!("{deed:?}") };
         assert!(matches!(keys.scale, Some(crate::history::Factors::One(factor)) if (factor - 1.5).abs() < 1e-9));
         room.give(&deed);
         assert!(matches!(room.stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "scale"));

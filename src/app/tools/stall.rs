@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 
 use super::effort;
-use super::hinge::place;
+use super::hinge::{Hinge, place};
 use super::hub::Hubs;
 use super::marks::Mark;
 use super::pick::Scope;
+use super::touching::{stands_against, touches};
 use crate::app::player::Shown;
 use crate::sim::{Angle, AngleDrive, Key, PointId};
 
@@ -108,9 +109,17 @@ fn words(scope: Scope<'_>, hub: PointId, speed: f64) -> Option<String> {
     let turning = hubs.piece(rim);
     let holder = hub.sides.iter().flatten().find(|point| turning.binary_search(point).is_err());
     let holder = holder.map(|&point| hubs.piece(point)).unwrap_or_default();
-    let (given, needed) = (hub.torque(), effort::needed(scope, place(scope, hub.point), [&turning, &holder], speed));
-    Some(match given < needed {
-        true => format!("stalls with {given:.0} N m: needs about {:.0} N m", effort::proposed(needed)),
-        false => format!("stalls with {given:.0} N m: something holds it"),
-    })
+    let at = place(scope, hub.point);
+    let reach = turning.iter().map(|&point| place(scope, point).distance(at)).fold(0.0, f64::max);
+    let rubs = !holder.is_empty() || touches(scope, &turning, reach);
+    let (given, needed) = (hub.torque(), effort::needed(scope, at, [&turning, &holder], (speed, rubs)));
+    let bears = Hinge::of(scope, hub).bears(scope);
+    let is_against = [&turning, &holder].into_iter().any(|points| stands_against(scope, points, reach));
+    let why = match given < needed {
+        _ if is_against => "it stands against a wall".to_owned(),
+        true if bears < needed => format!("needs about {:.0} N m, more than its soft body bears", effort::said(needed)),
+        true => format!("needs about {:.0} N m", effort::said(needed)),
+        false => "something holds it".to_owned(),
+    };
+    Some(format!("stalls with {given:.0} N m: {why}"))
 }

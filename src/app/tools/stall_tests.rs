@@ -10,6 +10,7 @@ use super::tests::{scope, shown};
 use crate::app::action::Tool;
 use crate::app::player::{Order, Stage};
 use crate::scene::Scene;
+use crate::sim::PointId;
 
 /// Something heavy on a floor, in thick air so that what swings comes to rest.
 const HEAVY: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "drag_rate": DRAG, "contact": {"friction": 0.5}, "view": {"center": [0, 0], "height": 8},
@@ -67,4 +68,21 @@ fn a_bar_at_its_end_is_turned_by_what_is_proposed_and_what_is_too_weak_says_what
         let (_, said) = turned(&bar, "6", [0.05, 2.1], Some(20.0));
         assert!(said.len() == 1 && said[0].starts_with("stalls with 20 N m: needs about"), "{kind}: {said:?}");
     }
+}
+
+#[test]
+fn a_motor_whose_body_stands_against_a_wall_says_so_and_one_in_the_air_needs_no_friction() {
+    let bar = r#"{"make": "lattice", "columns": 2, "rows": 9, "spacing": 0.25, "origin": [5.65, 1], "material": KIND}"#;
+    let (_, said) = turned(&bar.replace("KIND", KINDS[0]), "6", [5.6, 2.9], Some(2.0));
+    assert!(said.len() == 1 && said[0].ends_with("stands against a wall"), "{said:?}");
+    let seen = shown(
+        Scene::parse(
+            &HEAVY.replace("BODY", &WHEEL.replace("KIND", KINDS[0]).replace("[0, 0]", "[0, 3]")).replace("DRAG", "0"),
+            "x.json",
+        )
+        .unwrap(),
+    );
+    let all: Vec<PointId> = (0..seen.0.point_count() as u32).map(PointId).collect();
+    let needs = |rubs| super::effort::needed(scope(&seen), DVec2::new(0.0, 3.0), [&all, &[]], (1.0, rubs));
+    assert!(needs(true) > 5.0 * needs(false), "{} and {}", needs(true), needs(false));
 }

@@ -232,6 +232,32 @@ fn what_is_erased_is_a_body_a_bond_or_an_obstacle() {
 }
 
 #[test]
+fn of_a_small_box_the_body_is_erased_wherever_it_is_clicked_and_of_a_large_one_a_bond_that_is_pointed_at() {
+    for (spacing, is_small) in [(0.3, true), (2.0, false)] {
+        let text = format!(
+            r#"{{"wobble": 1, "view": {{"center": [0, 0], "height": 12}}, "bodies": [{{"make": "lattice", "columns": 3, "rows": 3,
+                "spacing": {spacing}, "origin": [{0}, {0}], "material": {{"kind": "spring", "stiffness": 300, "mass": 1}}}}]}}"#,
+            -spacing
+        );
+        let seen = shown(Scene::parse(&text, "x.json").unwrap());
+        let [from, to] = [pixel(&seen, 0), pixel(&seen, 1)];
+        let mut hand = Hand::default();
+        hand.take(Tool::Erase);
+        for off in [0.0, 5.0] {
+            let at = from.lerp(to, 0.5) - DVec2::new(0.0, off);
+            let marks = hand.marks(scope(&seen), Some(at));
+            let is_said =
+                marks.iter().any(|mark| matches!(mark, Mark::Words(_, words) if words.contains("this bond alone")));
+            let deed = hand.press(scope(&seen), at);
+            let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+            let is_bond = !is_small && off == 0.0;
+            assert_eq!((keys.bonds.len(), keys.points.len()), if is_bond { (1, 0) } else { (0, 9) }, "{spacing} {off}");
+            assert_eq!(is_said, is_bond, "it is seen before: {marks:?}");
+        }
+    }
+}
+
+#[test]
 fn where_a_click_starts_a_motion_pins_are_not_grabbed_and_what_moves_is() {
     let portrait = opened("phase-portrait");
     let count = portrait.0.point_count();

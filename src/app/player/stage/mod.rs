@@ -2,6 +2,7 @@
 
 mod display;
 mod giving;
+mod going;
 mod leading;
 mod passing;
 
@@ -15,14 +16,13 @@ use super::order::{Note, Order};
 use super::pace::Pace;
 use super::rungs::{Rungs, Yielded};
 use super::save::{self, Seen};
-use super::share::Share;
 use super::shown::{Latest, Scenery};
 use super::softness::Relaxed;
 use super::watch::Watch;
 use crate::app::matter::{Among, Former, Matter};
 use crate::app::meter::{Lowest, Meter};
 use crate::app::tools::Hauled;
-use crate::history::{BranchView, Clock, GoneBack, History, HistoryError, Recording, Start};
+use crate::history::{BranchView, Clock, GivenUp, GoneBack, History, HistoryError, Recording, Start};
 use crate::scene::{MethodKeys, Parameter, ViewKeys};
 use crate::sim::reach::Reach;
 use crate::sim::{Jam, Knots, MouseForce, PointId};
@@ -99,8 +99,6 @@ pub struct Stage {
     jam: Option<Jam>,
     /// The pins that are led, and how far they may be from others.
     led: Option<(Vec<PointId>, Vec<Reach>)>,
-    /// How much of what is undone or done again is worked out.
-    worked_out: Arc<Share>,
 }
 
 /// A history without its worlds.
@@ -180,16 +178,10 @@ impl Stage {
             tracks: Vec::new(),
             jam: None,
             led: None,
-            worked_out: Arc::default(),
         };
         stage.warned = stage.history.world().warnings().to_vec();
         stage.look();
         Ok(stage)
-    }
-
-    /// What is undone and done again tells here how much of it is worked out.
-    pub fn tell_of(&mut self, worked_out: &Arc<Share>) {
-        self.worked_out = Arc::clone(worked_out);
     }
 
     /// Start and log, to be played on from here some time.
@@ -202,12 +194,9 @@ impl Stage {
     /// is worked out, 0 to 1. `None`: it does not go on.
     ///
     /// Errors: as of [`History::new`].
-    pub fn unfolded(folded: &Folded, mut goes_on: impl FnMut(f64) -> bool) -> Result<Option<Self>, HistoryError> {
+    pub fn unfolded(folded: &Folded, goes_on: impl FnMut(f64) -> bool) -> Result<Option<Self>, HistoryError> {
         let mut stage = Stage::new(folded.recording.clone().into())?;
-        let from = stage.history.world().time();
-        let length = (folded.time - from).max(f64::MIN_POSITIVE);
-        let goes_on = |time: f64| goes_on(((time - from) / length).clamp(0.0, 1.0));
-        if !stage.pace.go_to_while((&mut stage.history, folded.time), None, goes_on) {
+        if stage.pace.go_to_while((&mut stage.history, folded.time), None, goes_on).is_err() {
             return Ok(None);
         }
         stage.keep_time();
@@ -232,6 +221,11 @@ impl Stage {
 
     /// Does what is asked. Returns what is to be said of it.
     pub fn obey(&mut self, order: Order) -> Option<Note> {
+        self.obey_while(order, &mut |_| true)
+    }
+
+    /// The same; what goes to another time does so as long as `goes_on` says so, which is told how much of that is worked out, 0 to 1.
+    pub fn obey_while(&mut self, order: Order, goes_on: &mut dyn FnMut(f64) -> bool) -> Option<Note> {
         let (goes, passes) = (order.goes(), matches!(order, Order::Advance { .. }));
         let comes = goes || matches!(order, Order::Step(_) | Order::Play(_) | Order::Beside(_));
         let (is_followed, branch) = (self.history.has_future(), self.history.branch());
@@ -296,32 +290,11 @@ impl Stage {
             Order::LeadPins(way) => self.lead_pins(way),
             Order::Haul(way) => self.haul(way),
             Order::Add(adder) => Some(self.add(adder)),
-            Order::Undo(cursor) => {
-                let told = Arc::clone(&self.worked_out);
-                let undone = self.history.undo_telling(|share| told.tell(share));
-                if undone.is_some() {
-                    self.pace.gone_for_good(&self.history, cursor);
-                }
-                Some(undone.map_or(Note::NothingToUndo, |undone| Note::Undone(undone.name, undone.seconds)))
-            }
-            Order::Redo(cursor) => {
-                let told = Arc::clone(&self.worked_out);
-                let redone = self.history.redo_telling(|share| told.tell(share));
-                if redone.is_some() {
-                    self.pace.gone_for_good(&self.history, cursor);
-                }
-                Some(redone.map_or(Note::NothingToRedo, |redone| Note::Redone(redone.name, redone.seconds)))
-            }
-            Order::GoTo(time, cursor) => {
-                self.pace.go_to(&mut self.history, time, cursor);
-                None
-            }
-            Order::ToBranch(number, cursor) => {
-                self.history.to_branch(number);
-                self.number_anew([0; 2]);
-                self.pace.gone_for_good(&self.history, cursor);
-                None
-            }
+            Order::Undo(_) | Order::Redo(_) | Order::GoTo(..) | Order::ToBranch(..) => match self.go(&order, goes_on) {
+                Ok(note) => note,
+                // All is as it was.
+                Err(GivenUp) => return Some(Note::GivenUp),
+            },
             Order::Exact => self.make_exact(),
             Order::TakeBack => self.take_back(),
             Order::Reset => {
@@ -333,8 +306,8 @@ impl Stage {
                 self.history.bound_keyframes(bytes);
                 None
             }
-            // The thread does that.
-            Order::Fold => None,
+            // The thread does these.
+            Order::Fold | Order::Called => None,
             Order::Rate(rate) => {
                 self.pace.rate = rate;
                 None

@@ -8,6 +8,7 @@ mod figure;
 mod fill;
 mod form;
 mod grid;
+mod hung;
 mod laid;
 mod links;
 mod matter;
@@ -170,7 +171,7 @@ impl Maker {
         let begun = drag.copied().unwrap_or_else(|| Drag::new(scope, at));
         if begun.pressed.distance(at) < CLICK * scope.scale {
             let form = Form::usual(self, self.end(scope, begun.point, begun.from), usual);
-            return form.ok_or_else(String::new);
+            return form.map(|form| self.hung(scope, form)).ok_or_else(String::new);
         }
         let (there, point) = (place(scope, at), tie::point_at(scope, at));
         let mut from = self.end(scope, begun.point, self.inside(scope, (begun.pressed, begun.from)));
@@ -202,7 +203,12 @@ impl Maker {
         if drawn * scope.camera.pixels_per_metre() < LEAST * scope.scale {
             return Err(TOO_SMALL.to_owned());
         }
-        Form::drawn(self, [from, to], usual).ok_or_else(String::new)
+        Form::drawn(self, [from, to], usual).map(|form| self.hung(scope, form)).ok_or_else(String::new)
+    }
+
+    /// A form where the loose end of a rope meets it, if it is to be tied to that.
+    fn hung(self, scope: Scope<'_>, form: Form) -> Form {
+        if self.is_free { form } else { form.hung(scope) }
     }
 
     /// The points that a drag to a pixel is drawn from and to, that what is drawn can be tied to.

@@ -656,6 +656,40 @@ fn a_box_that_is_drawn_under_the_loose_end_of_a_rope_or_from_a_pin_hangs_there()
 }
 
 #[test]
+fn what_is_drawn_under_or_over_the_end_of_a_rope_hangs_where_the_rope_is_and_a_box_by_the_middle_of_its_side() {
+    let seen = shown(Scene::parse(LOOSE, "x.json").unwrap());
+    let count = seen.0.point_count();
+    // From a little beside the middle, from well beside it, over the end, and a disc that is drawn from its middle.
+    let drags = [
+        (Primitive::Box, [-2.55, 0.97], [-1.5, 0.1], true),
+        (Primitive::Box, [-2.3, 0.97], [-1.0, 0.1], false),
+        (Primitive::Box, [-2.55, 1.6], [-1.4, 0.6], true),
+        (Primitive::Disc, [-1.97, 0.45], [-1.45, 0.45], true),
+    ];
+    for (primitive, from, to, is_middle) in drags {
+        let deed = drag(&seen, &mut hand(primitive), from, to);
+        let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+        assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+        let place = |stage: &Stage, point: usize| {
+            let x = stage.history().world().positions();
+            DVec2::new(x.get(2 * point), x.get(2 * point + 1))
+        };
+        let is_tie = |bond: &crate::sim::Bond| bond.a.index() < count && bond.b.index() >= count;
+        let ties: Vec<_> = stage.history().world().bonds().iter().filter(is_tie).collect();
+        let [tie] = ties[..] else { panic!("{ties:?}") };
+        assert!((place(&stage, tie.b.index()).x + 2.0).abs() < 1e-6, "{primitive:?} {from:?}: right below the rope");
+        let [low, high] = extent(stage.history().world(), count);
+        let off = 0.5 * (low.x + high.x) + 2.0;
+        assert_eq!(off.abs() < 1e-6, is_middle, "{primitive:?} {from:?}: {off} m beside the rope");
+        if is_middle {
+            (0..240).for_each(|_| _ = stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false }));
+            let [low, high] = extent(stage.history().world(), count);
+            assert!((0.5 * (low.x + high.x) + 2.0).abs() < 0.03, "{primitive:?} {from:?}: it hangs straight down");
+        }
+    }
+}
+
+#[test]
 fn boxes_are_not_tied_to_bodies_that_they_are_drawn_beside() {
     let text = LOOSE.replace("[1, 0]", "[0.4, 0.2]");
     let seen = shown(Scene::parse(&text, "x.json").unwrap());
