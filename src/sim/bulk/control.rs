@@ -35,7 +35,7 @@ const MOST_PULL: f64 = 0.3;
 /// A pull that is not waited with: no substeps that grow by a few per cent a step would come in time. A taut rope between two
 /// pins, whose length cannot give way, pulls without end.
 const UNBEARABLE: f64 = 1.0;
-/// Share of what a frame may take that one takes in which a hand moves something: what is swung stays so for a while, and others are to be moved and
+/// Share of what a frame may take that one takes in which something is grabbed: what is swung stays so for a while, and others are to be moved and
 /// drawn too.
 const HANDS: f64 = 0.25;
 /// Substeps of the first frame: what too few of them do to a start, later ones cannot mend.
@@ -46,7 +46,7 @@ const START: f64 = 16.0;
 pub(crate) struct Control {
     /// Substeps of a frame, where they follow a strain: as many whole ones as this takes.
     count: f64,
-    /// Fewest of them, and as many as a frame may take in which a hand moves something, those that are taken again among them.
+    /// Fewest of them, and as many as a frame may take, those that are taken again among them.
     least: f64,
     paid: f64,
     /// Those that the step under way has taken.
@@ -72,8 +72,8 @@ pub(crate) struct Load {
     pub(crate) pull: f64,
     /// The mouse or a surface was in reach.
     pub(crate) is_disturbed: bool,
-    /// The mouse was, or something is grabbed.
-    pub(crate) is_pushed: bool,
+    /// A hand leads some of the points.
+    pub(crate) is_grabbed: bool,
 }
 
 impl Control {
@@ -118,15 +118,10 @@ impl Control {
         self.count = self.count.max(self.least);
     }
 
-    /// A frame takes no more substeps than these, unless fewer could not bear what bonds pull; one in which a hand moves something a share of
-    /// them: there bodies stretch sooner than they get slow.
+    /// A frame takes no more substeps than these, unless fewer could not bear what bonds pull; one in which something is grabbed a share of them:
+    /// under the hand bodies stretch sooner than they get slow.
     pub(crate) fn within(self, paid: f64) -> Self {
         Control { paid: paid.max(START), ..self }
-    }
-
-    /// As many substeps as a frame may take.
-    fn paid(&self, is_pushed: bool) -> f64 {
-        if is_pushed { (HANDS * self.paid).max(START) } else { self.paid }
     }
 
     /// Whether substeps follow a strain.
@@ -158,7 +153,7 @@ impl Control {
 
     /// Substeps of a step of `h` `[s]` in which the cursor is to be followed in so many parts: as many as may be paid for.
     pub(crate) fn follow(&self, parts: u32, h: f64) -> u32 {
-        self.count(h).max(parts.min((self.paid(true) * h / FRAME) as u32))
+        self.count(h).max(parts.min((self.paid * h / FRAME) as u32))
     }
 
     /// The longest substep `[s]`.
@@ -171,7 +166,7 @@ impl Control {
         let Some(target) = self.target else { return true };
         let (count, aim) = (self.count.ceil(), AIM * target);
         self.spent += count;
-        let paid = self.paid(load.is_pushed);
+        let paid = if load.is_grabbed { (HANDS * self.paid).max(START) } else { self.paid };
         let wanted = (strain / aim).sqrt();
         let next = (count * wanted.min(MOST_GROWTH)).min(MOST_FOR_STRAIN);
         let is_event = load.is_disturbed || load.pull == 0.0 || strain > SUDDEN * self.late.min(target);

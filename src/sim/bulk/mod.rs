@@ -175,8 +175,8 @@ impl<S: Real, const D: usize> Mover<S, D> for Bulk<S, D> {
             counters.substeps += u64::from(count);
             counters.points_moved += u64::from(count) * points.len() as u64;
             let strain = if self.control.follows() { self.strain() } else { 0.0 };
-            let (is_disturbed, is_pushed) = (!outside.is_nothing(), outside.mouse.is_some() || pull.is_grabbed);
-            if self.control.accepts(strain, Load { pull: taut.to_f64(), is_disturbed, is_pushed }) {
+            let is_disturbed = !outside.is_nothing();
+            if self.control.accepts(strain, Load { pull: taut.to_f64(), is_disturbed, is_grabbed: pull.is_grabbed }) {
                 self.arrive(points, substep);
                 (self.lag, self.ahead) = (0.5 * substep, 0.0);
                 self.loaded = Some(substep);
