@@ -38,9 +38,9 @@ impl Display {
         }
         common::gpu()?;
         // The server picks a free display and writes its number to standard output. It would put the pointer back into
-        // the middle whenever its last client leaves.
+        // the middle whenever its last client leaves. Keys do not repeat: on a busy machine one stroke would be several.
         let mut server = Command::new("Xvfb")
-            .args(["-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset"])
+            .args(["-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset", "-r"])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()

@@ -1,11 +1,12 @@
-//! What the pointer did in one long frame, shown to the panels press by press.
+//! What was done in one long frame, shown to the panels press by press.
 //!
 //! The panels' library looks where the pointer is at the end of a frame and what is held down then: of a press, a drag and a release that
-//! come in one frame it sees nothing but a click somewhere else. So each of them gets a pass of its own.
+//! come in one frame it sees nothing but a click somewhere else. So each of them gets a pass of its own. So does an Enter: a field that
+//! gets the focus, is written in and is left in one frame never had it.
 
 use super::choosing::Choosing;
 use super::typed::Numbers;
-use egui::{Context, Event, Plugin, RawInput, Ui};
+use egui::{Context, Event, Key, Plugin, RawInput, Ui};
 
 /// Gives a context this way of hearing events.
 pub(in crate::app) fn listen(context: &Context) {
@@ -41,8 +42,8 @@ impl Plugin for Presses {
     }
 }
 
-/// How many of some events are heard in one pass: up to a press or a release that the pointer goes on after, and up to a release that it
-/// moved before.
+/// How many of some events are heard in one pass: up to a press or a release that the pointer goes on after, up to a release that it
+/// moved before, and up to an Enter that something came before.
 fn end_of_first(events: &[Event]) -> usize {
     let is_of_pointer =
         |event: &Event| matches!(event, Event::PointerMoved(_) | Event::PointerButton { .. } | Event::PointerGone);
@@ -52,6 +53,7 @@ fn end_of_first(events: &[Event]) -> usize {
             Event::PointerButton { pressed: false, .. } if has_moved => return place,
             Event::PointerButton { .. } if events[place + 1..].iter().any(is_of_pointer) => return place + 1,
             Event::PointerMoved(_) => has_moved = true,
+            Event::Key { key: Key::Enter, pressed: true, .. } if place > 0 => return place,
             _ => {}
         }
     }
@@ -62,7 +64,7 @@ fn end_of_first(events: &[Event]) -> usize {
 mod tests {
     use super::super::pointer::button;
     use super::*;
-    use egui::pos2;
+    use egui::{Modifiers, pos2};
 
     #[test]
     fn a_press_a_drag_and_a_release_are_heard_one_after_another() {
@@ -79,6 +81,16 @@ mod tests {
         assert_eq!(end_of_first(&all[..1]), 1, "moves alone are heard at once");
         assert_eq!(end_of_first(&[button(from, true), Event::Text("x".to_owned())]), 2, "so is what is typed");
         assert_eq!(end_of_first(&[]), 0);
+        let enter = Event::Key {
+            key: Key::Enter,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers: Modifiers::NONE,
+        };
+        let typed = [Event::Text("x".to_owned()), enter];
+        assert_eq!(end_of_first(&typed), 1, "what is typed is heard before it is entered");
+        assert_eq!(end_of_first(&typed[1..]), 1);
     }
 
     #[test]

@@ -143,6 +143,19 @@ mod tests {
     }
 
     #[test]
+    fn what_is_typed_ahead_of_a_sheet_is_entered_there() {
+        let context = Context::default();
+        super::super::listen(&context);
+        let mut state = PanelState::default();
+        frame(&context, &mut state, Vec::new());
+        (state.sheet, state.is_fresh) = (Some(Sheet::Gallery), true);
+        let typed = vec![Event::Text("whip".to_owned()), key(Key::Enter)];
+        let wishes: Vec<Wish> =
+            [typed, vec![]].into_iter().flat_map(|events| frame(&context, &mut state, events)).collect();
+        assert_eq!(wishes, [Wish::OpenScene("rope")]);
+    }
+
+    #[test]
     fn a_file_without_a_name_is_asked_for_one() {
         for sheet in [Sheet::SaveTo, Sheet::OpenFrom] {
             let (context, mut state) = clicked_beside(sheet, " ");
