@@ -9,6 +9,7 @@ mod flight;
 mod heap;
 mod kinds;
 mod layers;
+mod piles;
 mod relaxed;
 mod rest;
 mod rigid;

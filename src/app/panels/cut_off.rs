@@ -10,6 +10,9 @@ use super::{PanelState, Wish};
 /// Size of a picture of one `[points]`.
 const PICTURE: [f32; 2] = [112.0, 70.0];
 
+/// So many are listed at first: scenes come soon behind them.
+const FIRST: usize = 2;
+
 /// What is asked whether it is to be discarded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::app) enum Discards {
@@ -32,7 +35,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, wishes: &mut Vec<W
             state.discards = Some(Discards::All);
         }
     });
-    for (place, (path, line)) in state.leftovers.clone().into_iter().enumerate() {
+    let more = state.leftovers.len().saturating_sub(FIRST);
+    let listed = if state.lists_leftovers { usize::MAX } else { FIRST };
+    for (place, (path, line)) in state.leftovers.clone().into_iter().enumerate().take(listed) {
         ui.horizontal(|ui| {
             picture(ui, state, &path);
             ui.vertical(|ui| {
@@ -57,6 +62,9 @@ pub(super) fn show(ui: &mut egui::Ui, state: &mut PanelState, wishes: &mut Vec<W
                 });
             });
         });
+    }
+    if more > 0 && !state.lists_leftovers && ui.button(format!("{more} more")).clicked() {
+        state.lists_leftovers = true;
     }
     ui.add_space(10.0);
 }
@@ -97,6 +105,19 @@ mod tests {
     fn press(panels: &mut Panels, name: &str) {
         panels.get_by_label(name).click();
         panels.run_steps(4);
+    }
+
+    #[test]
+    fn two_are_listed_and_all_of_them_by_a_click() {
+        let leftovers = (0..9).map(|k| (format!("{k}").into(), format!("number {k}"))).collect();
+        let state = PanelState { leftovers, ..PanelState::default() };
+        let draw = |ui: &mut egui::Ui, (state, wishes): &mut (PanelState, Vec<Wish>)| show(ui, state, wishes);
+        let mut panels: Panels = Harness::new_ui_state(draw, (state, Vec::new()));
+        panels.run_steps(4);
+        let listed = |panels: &Panels| panels.query_all_by_label("Go on").count();
+        assert_eq!(listed(&panels), 2);
+        press(&mut panels, "7 more");
+        assert_eq!(listed(&panels), 9);
     }
 
     #[test]

@@ -263,6 +263,8 @@ pub(super) struct PanelState {
     pub(super) cut_off: BTreeMap<PathBuf, egui::TextureHandle>,
     /// What of them is asked whether it is to be discarded.
     pub(super) discards: Option<Discards>,
+    /// All sessions that were cut off are listed.
+    pub(super) lists_leftovers: bool,
     /// The name of a file that is to be written or opened.
     pub(super) path: String,
     /// Files that were opened or saved, the newest first.

@@ -148,7 +148,9 @@ mod tests {
         super::super::listen(&context);
         let mut state = PanelState::default();
         frame(&context, &mut state, Vec::new());
+        // As the key that opens it does.
         (state.sheet, state.is_fresh) = (Some(Sheet::Gallery), true);
+        context.memory_mut(|memory| memory.request_focus(gallery::search_id()));
         let typed = vec![Event::Text("whip".to_owned()), key(Key::Enter)];
         let wishes: Vec<Wish> =
             [typed, vec![]].into_iter().flat_map(|events| frame(&context, &mut state, events)).collect();

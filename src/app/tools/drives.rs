@@ -24,7 +24,7 @@ const NO_BODY: &str = "no body lies here that could be hinged";
 const HINGED: &str = "a hinge is here already: tick \"motor\" to give it one, Shift+click to take it away";
 
 /// Said where two bodies overlap that are hinged elsewhere.
-const JOINED: &str = "these two are hinged already, at the ring, and a second hinge would lock them: Shift+click takes that one away, then a click here hinges them here";
+const JOINED: &str = "these two are hinged already, at the ring: Shift+click takes that hinge away";
 
 /// Said of a hinge that no other body holds.
 const TO_BACKGROUND: &str = "its axle is pinned to the background, so what it is on turns in place; clicked where two bodies overlap it joins them";

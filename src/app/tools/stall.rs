@@ -117,7 +117,10 @@ fn words(scope: Scope<'_>, hub: PointId, speed: f64) -> Option<String> {
     let is_against = [&turning, &holder].into_iter().any(|points| stands_against(scope, points, reach));
     let why = match given < needed {
         _ if is_against => "it stands against a wall".to_owned(),
-        true if bears < needed => format!("needs about {:.0} N m, more than its soft body bears", effort::said(needed)),
+        true if bears < needed => format!(
+            "needs about {:.0} N m, more than its soft body bears: make that wood or steel",
+            effort::said(needed)
+        ),
         true => format!("needs about {:.0} N m", effort::said(needed)),
         false => "something holds it".to_owned(),
     };

@@ -11,7 +11,7 @@ use super::rig::Rig;
 use super::rigid::{Held, Shape};
 use super::skins::Skin;
 use super::strap::{is_led_apart, straps};
-use super::{Draft, FRAMES, bear, bonds, tree};
+use super::{Draft, FRAMES, bear, bonds, flats, tree};
 use crate::sim::bond::{Bond, BondKind, Lengths, Limit, PointId};
 use crate::sim::colour::by_colour;
 use crate::sim::contact::hinged::Hinged;
@@ -87,7 +87,7 @@ impl<S: Real> Bodies<S> {
             own[draft.body_of[hinge.points[1] as usize] as usize].hinges.push(*hinge);
         }
         for own in own {
-            bodies.push(own, &local, points, draft);
+            bodies.push(own, &mut local, points, draft);
         }
         bodies.note_neighbours(draft, points.len());
         bodies
@@ -96,15 +96,18 @@ impl<S: Real> Bodies<S> {
     fn note_neighbours(&mut self, draft: &Draft<S>, count: usize) {
         let mut place = vec![0; count];
         self.order.iter().zip(0..).for_each(|(&slot, at)| place[slot as usize] = at);
-        let mut ends: Vec<[u32; 2]> = Vec::with_capacity(2 * draft.bonds.len());
-        for bond in &draft.bonds {
+        // What is rigid meets nothing of itself.
+        let is_soft = |point: u32| self.list[draft.body_of[point as usize] as usize].rigid.is_none();
+        let mut ends: Vec<[u32; 2]> = Vec::new();
+        for bond in draft.bonds.iter().filter(|bond| is_soft(bond.a.0)) {
             let [a, b] = [bond.a, bond.b].map(|end| place[end.index()]);
             ends.extend([[a, b], [b, a]]);
         }
         ends.sort_unstable();
         ends.dedup();
         let place_of = |corners: &([u32; 3], Option<f64>)| corners.0.map(|corner| place[corner as usize]);
-        let triangles: Vec<[u32; 3]> = draft.triangles.iter().map(place_of).collect();
+        let soft = draft.triangles.iter().filter(|triangle| is_soft(triangle.0[0]));
+        let triangles: Vec<[u32; 3]> = soft.map(place_of).collect();
         self.hinged = Hinged::of(count, &triangles, ends.iter().copied().filter(|[a, b]| a < b));
         let starts = (0..=count as u32).map(|at| ends.partition_point(|pair| pair[0] < at) as u32).collect();
         self.neighbours = (starts, ends.into_iter().map(|pair| pair[1]).collect());
@@ -133,27 +136,36 @@ impl<S: Real> Bodies<S> {
         self.hinged.pass([a, b], [c, d]) || self.are_layers([a, b, c, d])
     }
 
-    fn push(&mut self, mut own: Own<S>, local: &[u32], points: &Points<S, 2>, draft: &Draft<S>) {
+    fn push(&mut self, mut own: Own<S>, local: &mut [u32], points: &Points<S, 2>, draft: &Draft<S>) {
         let place = |i: u32| points.position[i as usize];
         let w = |i: u32| points.inverse_mass[i as usize];
         let starts = self.ends();
-        let edges = skin(&own);
-        let mut corners: Vec<u32> = edges.iter().flat_map(|edge| edge.ends).collect();
-        if edges.is_empty() {
-            corners.extend(&own.points);
-        }
-        corners.sort_unstable();
-        corners.dedup();
+        let mut edges = skin(&own);
+        let mut corners = corners(&edges, &own);
         let lengths = Lengths::of(own.bonds.iter().map(|bond| ([bond.a, bond.b], bond.rest_length)));
         let total = edges.iter().fold(S::ZERO, |sum, edge| sum + length(sub(place(edge.ends[0]), place(edge.ends[1]))));
         let edge_length = if edges.is_empty() { S::ZERO } else { total / S::from_f64(edges.len() as f64) };
         let thin = thickness(&own.triangles, edges.iter().filter(|edge| edge.is_closed), place);
         let surface = if draft.contact.is_some() { &corners } else { &own.points };
         let is_hard = own.is_hard((place, w));
-        let rigid = own.shape((local, points), surface, |bond| bond.holds() || is_hard && is_spring(bond));
+        let mut rigid = own.shape((local, points), surface, |bond| bond.holds() || is_hard && is_spring(bond));
         let straps = straps(&own.bonds, (&own.points, local), &draft.led, |i| w(i) == S::ZERO);
         // Joints that pins contradict have no solution: bonds are stretched there.
         let is_apart = is_led_apart(&straps, (&own.points, place), draft);
+        if let Some(shape) = rigid.as_mut().filter(|_| draft.contact.is_some()) {
+            let material = |i: u32| draft.skins.get(i as usize);
+            let at = |i: u32| shape.places[local[i as usize] as usize];
+            edges = flats::joined(&edges, at, |a, b| material(a) == material(b));
+            corners = self::corners(&edges, &own);
+            // What may touch something comes first.
+            let is_inner = |i: &u32| corners.binary_search(i).is_err();
+            let inner = own.points.iter().copied().filter(is_inner);
+            let points: Vec<u32> = corners.iter().copied().chain(inner).collect();
+            let order: Vec<u32> = points.iter().map(|&i| local[i as usize]).collect();
+            shape.reorder(&order, corners.len() as u32);
+            points.iter().zip(0..).for_each(|(&i, k)| local[i as usize] = k);
+            own.points = points;
+        }
         let rig = if rigid.is_none() && !is_apart {
             own.rig((local, points), &draft.led, draft.contact.is_some())
         } else {
@@ -463,6 +475,17 @@ fn skin<S>(own: &Own<S>) -> Vec<Edge> {
     let skin = triangles::skin(&own.triangles, own.bonds.iter().map(|bond| [bond.a.0, bond.b.0]));
     let edge = |is_closed: bool| move |ends: [u32; 2]| Edge { ends, is_closed };
     skin.closed.into_iter().map(edge(true)).chain(skin.open.into_iter().map(edge(false))).collect()
+}
+
+/// The points of a skin; all where there is none.
+fn corners<S>(edges: &[Edge], own: &Own<S>) -> Vec<u32> {
+    let mut corners: Vec<u32> = edges.iter().flat_map(|edge| edge.ends).collect();
+    if edges.is_empty() {
+        corners.extend(&own.points);
+    }
+    corners.sort_unstable();
+    corners.dedup();
+    corners
 }
 
 /// Bounds on the square of the fastest oscillation `[1/s^2]` and on the fastest decay `[1/s]` of springs, a row a point.

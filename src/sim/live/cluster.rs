@@ -9,12 +9,14 @@ use super::build::Bodies;
 use super::calm::Torn;
 use super::drives::{Muscle, Turn};
 use super::given::Given;
+use super::loads::Loads;
 use super::pair::{OnPlane, Pair, Sides};
 use super::rest::Lies;
 use super::rig::Rigged;
 use super::rigid::Frame;
 use super::tangle::Tangle;
 use super::tether::Tethers;
+use super::touches::Touches;
 use super::walls::Walls;
 use crate::sim::contact::skin::Contact;
 use crate::sim::contact::surface::Surface;
@@ -90,6 +92,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) chosen: Vec<u32>,
     pub(super) active: Vec<u32>,
     pub(super) on_planes: Vec<OnPlane<S>>,
+    /// Of both what is solved on the motions of rigid bodies.
+    pub(super) touches: Touches<S>,
     /// How far each point may go until what is near what is looked for anew `[m]`; corners of obstacles nowhere.
     pub(super) promised: Vec<S>,
     /// How far each has gone since, and gets in this substep `[m]`.
@@ -109,6 +113,10 @@ pub(super) struct Cluster<S: Real> {
     pub(super) is_uneven: bool,
     /// How long a substep is `[s]`.
     pub(super) span: S,
+    /// How long the one was in which contacts were pressed last `[s]`; 0: none was.
+    pub(super) pressed_in: S,
+    /// Speed below which nothing bounces `[m/s]`.
+    pub(super) least_bounce: S,
     /// The largest radius of its skins `[m]`.
     pub(super) widest: S,
     /// How far an overlap of two skins, or of what began in an obstacle, is mended in a substep at most `[m]`.
@@ -199,6 +207,8 @@ pub(super) struct Common<'a, S: Real> {
     pub(super) most_push: f64,
     /// Sides that points had of edges, from before.
     pub(super) sides: &'a Sides,
+    /// What contacts bore, from before.
+    pub(super) loads: &'a Loads<S>,
 }
 
 impl<S: Real> Common<'_, S> {
@@ -252,7 +262,9 @@ impl<S: Real> Cluster<S> {
     /// Whether something presses in this substep.
     pub(super) fn is_pressed(&self) -> bool {
         let mut pairs = self.active.iter().map(|&number| &self.pairs[number as usize]);
-        pairs.any(|pair| pair.pressed > S::ZERO) || self.on_planes.iter().any(|on| on.pressed > S::ZERO)
+        pairs.any(|pair| pair.pressed > S::ZERO)
+            || self.on_planes.iter().any(|on| on.pressed > S::ZERO)
+            || self.touches.press()
     }
 
     /// Whether obstacles press it in this substep.

@@ -102,8 +102,10 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (old, most): 
     state.gone[..own].fill(S::ZERO);
     state.counts.detections += 1;
     let boxes = state.boxes();
+    let loads = state.loads(common);
     near_planes(state, common, &boxes);
     if state.edges.is_empty() {
+        state.load_again(common, loads);
         return true;
     }
     let mut pairs = std::mem::take(&mut state.pairs);
@@ -163,6 +165,7 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (old, most): 
     pairs.sort_unstable_by_key(|pair| pair.key);
     part::suspend(state, &mut pairs);
     state.list(pairs);
+    state.load_again(common, loads);
     true
 }
 
@@ -328,6 +331,7 @@ pub(super) fn pair<S: Real>(
         approach: S::ZERO,
         bounced: S::ZERO,
         is_met: false,
+        load: [S::ZERO; 2],
         seen: state.counts.substeps as u32,
     }
 }

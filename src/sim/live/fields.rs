@@ -36,6 +36,11 @@ impl<S: Real> Field<S> {
         thrusts.iter().map(of).collect()
     }
 
+    /// Whether it acts on a body.
+    pub(super) fn is_at(&self, body: usize) -> bool {
+        self.points.iter().any(|point| point.0 as usize == body)
+    }
+
     /// Bodies that it acts on are of one cluster.
     pub(super) fn join(&self, together: &mut Sets) {
         self.points.windows(2).for_each(|pair| together.join(pair[0].0, pair[1].0));

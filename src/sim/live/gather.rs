@@ -7,7 +7,9 @@ use super::bend::Bends;
 use super::body::Body;
 use super::cluster::{Cluster, Common, Counts, OBSTACLE, Side, Swing};
 use super::given::Given;
+use super::rigid::Frame;
 use super::tether::Tethers;
+use super::touches::Touches;
 use super::tree;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
@@ -17,7 +19,7 @@ use crate::sim::points::Points;
 use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::swept::{self, Span, Swept};
-use crate::sim::vector::zero;
+use crate::sim::vector::{add, convert, sub, widen, zero};
 
 /// Share of the shortest mean edge that points may go until what is near what is looked for anew.
 pub(super) const PROMISE: f64 = 0.25;
@@ -26,6 +28,10 @@ pub(super) const WAY: f64 = 0.5;
 /// Substeps of a frame that speeds ask for: one of these numbers.
 const BY_SPEED: [u32; 4] = [16, 32, 64, 128];
 const MOST_BY_SPEED: u32 = BY_SPEED[BY_SPEED.len() - 1];
+/// The same of rigid bodies alone that are all slower than this `[m/s]`: their contacts begin with what they bore before. Blows are the more exact the
+/// shorter the substep is.
+const FEWEST: u32 = 8;
+const SLOW: f64 = 1.0;
 /// The same of what swings faster than those resolve: bodies that are small enough have more of them.
 pub(super) const SUBSTEPS: [u32; 13] = [16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024];
 pub(super) const MOST_SUBSTEPS: u32 = SUBSTEPS[SUBSTEPS.len() - 1];
@@ -87,14 +93,20 @@ impl<S: Real> Live<S> {
         &self,
         points: &Points<S, 2>,
         common: &Common<S>,
-        outside: (&Pull<S, 2>, &Environment<2>),
-        h: f64,
+        (outside, is_told): ((&Pull<S, 2>, &Environment<2>), bool),
+        (t, h): (f64, f64),
     ) -> Vec<Cluster<S>> {
         let is_awake = |bodies: &Vec<usize>| bodies.iter().any(|&body| !self.rests[body].is_asleep);
         let together: Vec<Vec<usize>> = self.together(points, outside, h).into_iter().filter(is_awake).collect();
         let most_substeps = self.affordable(together.iter().flatten());
+        let motion = |body: usize| match self.is_left_alone(body, points, outside, (t, h)) {
+            // A ledger is kept point by point.
+            true if is_told => Motion::Carried,
+            true => Motion::Lean,
+            false => Motion::OfPoints,
+        };
         let cluster = |bodies| {
-            let cluster = self.cluster(bodies, points, common);
+            let cluster = self.cluster(bodies, points, common, motion);
             // What is crumpled has more contacts than bonds. Few sides in all take nothing from anybody.
             let most = OF_A_PAIR * common.sides.len() as f64;
             let is_any = affordable(most) < most_substeps;
@@ -102,6 +114,31 @@ impl<S: Real> Live<S> {
             Cluster { most_substeps: most_substeps.min(affordable(OF_A_PAIR * pairs as f64)), ..cluster }
         };
         together.into_iter().map(cluster).collect()
+    }
+
+    /// Whether nothing but gravity, drag and contacts acts on a rigid body within `h` from `t` on `[s]`.
+    fn is_left_alone(
+        &self,
+        body: usize,
+        points: &Points<S, 2>,
+        (pull, around): (&Pull<S, 2>, &Environment<2>),
+        span: (f64, f64),
+    ) -> bool {
+        let of = &self.bodies.list[body];
+        let is_rigid = of.rigid.is_some() && self.contact.is_some();
+        if !is_rigid
+            || pull.air.is_some()
+            || !pull.cushions.is_empty()
+            || self.fields.iter().any(|field| field.is_at(body))
+        {
+            return false;
+        }
+        let is_driven = of.muscles.len() + of.turns.len() > 0;
+        let is_reached = || {
+            let places = self.bodies.order[of.points.range()].iter().map(|&slot| points.position[slot as usize]);
+            measure::extent(&places.collect::<Vec<_>>()).is_some_and(|bounds| around.may_reach(bounds, span))
+        };
+        !is_driven && (around.mouse.is_none() || !is_reached())
     }
 
     /// Substeps of a frame that these bodies are given so that their springs can be forces.
@@ -156,7 +193,13 @@ impl<S: Real> Live<S> {
         if is_any { bodies.iter().map(|body| of(body).cloned()).collect() } else { Vec::new() }
     }
 
-    pub(super) fn cluster(&self, bodies: Vec<usize>, points: &Points<S, 2>, common: &Common<S>) -> Cluster<S> {
+    pub(super) fn cluster(
+        &self,
+        bodies: Vec<usize>,
+        points: &Points<S, 2>,
+        common: &Common<S>,
+        motion: impl Fn(usize) -> Motion,
+    ) -> Cluster<S> {
         let own: usize = bodies.iter().map(|&body| self.bodies.list[body].points.len()).sum();
         let mut cluster = Cluster {
             settles: bodies.iter().map(|&body| self.rests[body].settles()).collect(),
@@ -193,6 +236,7 @@ impl<S: Real> Live<S> {
             chosen: Vec::new(),
             active: Vec::new(),
             on_planes: Vec::new(),
+            touches: Touches::default(),
             promised: Vec::new(),
             gone: Vec::new(),
             goes: Vec::new(),
@@ -203,6 +247,8 @@ impl<S: Real> Live<S> {
             is_uneven: false,
             share: 1.0,
             span: S::ZERO,
+            pressed_in: S::ZERO,
+            least_bounce: S::ZERO,
             widest: S::ZERO,
             gentle: S::ZERO,
             lies: bodies.iter().map(|&body| self.rests[body].lies).collect(),
@@ -228,7 +274,12 @@ impl<S: Real> Live<S> {
             let body = &self.bodies.list[cluster.bodies[k]];
             let base = cluster.now.len() as u32;
             cluster.bases.push(base);
-            for &slot in &self.bodies.order[body.points.range()] {
+            let (slots, moves) = (&self.bodies.order[body.points.range()], motion(cluster.bodies[k]));
+            let inside = match &body.rigid {
+                Some(shape) if moves == Motion::Lean => &slots[..shape.surface.len()],
+                _ => slots,
+            };
+            for &slot in inside {
                 let i = slot as usize;
                 cluster.now.push(points.position[i]);
                 cluster.velocity.push(points.velocity[i]);
@@ -237,7 +288,12 @@ impl<S: Real> Live<S> {
                 cluster.body_of.push(k as u32);
             }
             if let Some(shape) = &body.rigid {
-                cluster.include_rigid(shape, base as usize);
+                let lost = |i: usize| points.position_lost.get(i).copied().map_or([0.0; 2], widen);
+                let state = |k: usize| {
+                    let i = slots[k] as usize;
+                    [add(widen(points.position[i]), lost(i)), widen(points.velocity[i])]
+                };
+                cluster.include_rigid(shape, base as usize, state, moves);
             }
             if let Some(rig) = &body.rig {
                 let bonds = common.springs(body).iter().chain(common.holds(body)).flat_map(|link| [link.a, link.b]);
@@ -288,14 +344,42 @@ impl<S: Real> Live<S> {
     /// Writes the state of a cluster back.
     pub(super) fn scatter(&self, cluster: &Cluster<S>, points: &mut Points<S, 2>) {
         for (k, &body) in cluster.bodies.iter().enumerate() {
+            let slots = &self.bodies.order[self.bodies.list[body].points.range()];
+            if let Some(frame) = cluster.whole(k as u32).filter(|frame| frame.is_free) {
+                scatter_all(frame, slots, points);
+                continue;
+            }
             let base = cluster.bases[k] as usize;
-            for (i, &slot) in (base..).zip(&self.bodies.order[self.bodies.list[body].points.range()]) {
+            for (i, &slot) in (base..).zip(slots) {
                 points.position[slot as usize] = cluster.now[i];
                 points.velocity[slot as usize] = cluster.velocity[i];
                 if let Some(lost) = points.position_lost.get_mut(slot as usize) {
                     *lost = cluster.lost[i];
                 }
             }
+        }
+    }
+}
+
+/// How a body of a cluster moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Motion {
+    /// As its points do.
+    OfPoints,
+    /// By itself, and its points follow.
+    Carried,
+    /// The same, and only those points are in the cluster that may touch something.
+    Lean,
+}
+
+/// The points of a rigid body that moves by itself follow it.
+fn scatter_all<S: Real>(frame: &Frame, slots: &[u32], points: &mut Points<S, 2>) {
+    for ([x, v], &slot) in frame.state().zip(slots) {
+        let slot = slot as usize;
+        points.position[slot] = convert(x);
+        points.velocity[slot] = convert(v);
+        if let Some(lost) = points.position_lost.get_mut(slot) {
+            *lost = convert(sub(x, widen(points.position[slot])));
         }
     }
 }
@@ -353,6 +437,10 @@ impl<S: Real> Cluster<S> {
         let least = moving.filter_map(|((body, _), _)| asked(body)).max().unwrap_or_default();
         // What is struck by something that fast is projected.
         let least = if wanted > VIOLENT { least.min(MOST_BY_SPEED) } else { least };
+        let has_skins = self.widest > S::ZERO;
+        if self.is_all_whole() && has_skins && !self.is_uneven && speed < SLOW {
+            return FEWEST;
+        }
         enough(wanted, least.max(self.for_swings(common)))
     }
 

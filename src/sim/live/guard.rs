@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::cluster::{Cluster, Common};
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub, zero};
+use crate::sim::vector::{add, convert, dot, scale, sub, widen, zero};
 
 /// How quickly what is owed is forgotten `[1/s]`: gravity's energy that overlaps cost as they were mended is not asked back for ever.
 const FORGIVEN: f64 = 0.5;
@@ -26,15 +26,28 @@ fn moving<S: Real>(state: &Cluster<S>, gravity: [f64; 2]) -> (S, S) {
     let gravity = gravity.map(S::from_f64);
     let (mut kinetic, mut fall) = (S::ZERO, S::ZERO);
     let middle = state.now.first().copied().unwrap_or(zero());
-    for i in 0..state.own() {
-        if state.w[i] != S::ZERO {
-            let mass = S::ONE / state.w[i];
-            kinetic += S::HALF * mass * dot(state.velocity[i], state.velocity[i]);
-            fall -= mass * dot(gravity, sub(state.now[i], middle));
-        }
+    for i in moved(state) {
+        let mass = S::ONE / state.w[i];
+        kinetic += S::HALF * mass * dot(state.velocity[i], state.velocity[i]);
+        fall -= mass * dot(gravity, sub(state.now[i], middle));
     }
-    let mass = (0..state.own()).filter(|&i| state.w[i] != S::ZERO).fold(S::ZERO, |sum, i| sum + S::ONE / state.w[i]);
-    (kinetic, fall - mass * dot(gravity, middle))
+    for frame in state.free() {
+        kinetic += S::from_f64(frame.kinetic());
+        let from = sub(frame.place().middle, widen(middle));
+        fall -= S::from_f64(frame.mass() * dot(widen(gravity), from));
+    }
+    (kinetic, fall - mass(state) * dot(gravity, middle))
+}
+
+/// The points that move, but those that follow bodies which move by themselves.
+fn moved<S: Real>(state: &Cluster<S>) -> impl Iterator<Item = usize> + '_ {
+    (0..state.own()).filter(|&i| state.w[i] != S::ZERO && !state.is_carried(i))
+}
+
+/// The mass of all that moves `[kg]`.
+pub(super) fn mass<S: Real>(state: &Cluster<S>) -> S {
+    let points = moved(state).fold(S::ZERO, |sum, i| sum + S::ONE / state.w[i]);
+    state.free().fold(points, |sum, frame| sum + S::from_f64(frame.mass()))
 }
 
 /// What bonds, angles and areas can give back `[J]`: of a spring e longer that is projected in substeps of h, k e^2/(2 (1 + k h^2 w)), for it
@@ -110,14 +123,20 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
     }
     let is_held = state.has_leaned || (0..state.own()).any(|i| state.w[i] == S::ZERO);
     let (mut momentum, mut mass) = (zero::<S, 2>(), S::ZERO);
-    for i in (0..state.own()).filter(|&i| state.w[i] != S::ZERO && !is_held) {
-        momentum = add(momentum, scale(state.velocity[i], S::ONE / state.w[i]));
-        mass += S::ONE / state.w[i];
+    if !is_held {
+        for i in moved(state) {
+            momentum = add(momentum, scale(state.velocity[i], S::ONE / state.w[i]));
+            mass += S::ONE / state.w[i];
+        }
+        for frame in state.free() {
+            momentum = add(momentum, convert(scale(frame.twist().velocity, frame.mass())));
+            mass += S::from_f64(frame.mass());
+        }
     }
     let mean = if mass > S::ZERO { scale(momentum, S::ONE / mass) } else { zero() };
     let own = kinetic - S::HALF * mass * dot(mean, mean);
     // Bodies that are led, and springs that are to let go, need some speed.
-    let free = (0..state.own()).filter(|&i| state.w[i] != S::ZERO).fold(S::ZERO, |sum, i| sum + S::ONE / state.w[i]);
+    let free = self::mass(state);
     let left = if debt > S::ZERO || is_led_back { S::HALF * free * S::from_f64(LEFT * LEFT) } else { S::ZERO };
     // In flight springs swing, and only what is owed is asked back.
     let asked = if is_watched || is_joined { excess } else { excess.min(debt) };
@@ -131,5 +150,7 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
             state.velocity[i] = add(mean, scale(sub(state.velocity[i], mean), kept));
         }
     }
+    state.frames.iter_mut().filter(|frame| frame.is_free).for_each(|frame| frame.slow(widen(mean), kept.to_f64()));
+    state.turn_free();
     state.counts.guarded += 1;
 }

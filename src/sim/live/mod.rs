@@ -9,7 +9,8 @@
 //! ```
 //!
 //! Everything is solved on the ways of the points within the substep. Multipliers begin at 0 in each: nothing is kept from one
-//! substep to the next but on which side of an edge a point belongs.
+//! substep to the next but on which side of an edge a point belongs, and what contacts of rigid bodies bore (`loads.rs`). These are solved
+//! on the motions of the bodies (`touches.rs`), and only points of them that may touch something are in a cluster.
 //! Sources: M. Macklin and others, Small Steps in Physics Simulation, 2019 (one sweep in many substeps); M. Müller and others,
 //! Detailed Rigid Body Simulation with Extended Position Based Dynamics, 2020 (friction on the ways of a substep, restitution).
 
@@ -28,12 +29,14 @@ mod cross;
 mod detect;
 mod drives;
 mod fields;
+mod flats;
 mod gather;
 mod given;
 mod guard;
 mod heir;
 mod impaled;
 mod layout;
+mod loads;
 mod mend;
 mod nailed;
 mod pace;
@@ -52,6 +55,7 @@ mod strap;
 mod substep;
 mod tangle;
 mod tether;
+mod touches;
 mod tree;
 mod truncate;
 mod walls;
@@ -80,6 +84,7 @@ use build::Bodies;
 use cluster::{Cluster, Common};
 use drives::Source;
 use fields::Field;
+use loads::Loads;
 use pace::Pace;
 use pair::Sides;
 use rest::Rest;
@@ -131,6 +136,8 @@ struct Live<S: Real> {
     walls: Walls<S>,
     /// Which side of an edge every point near one belongs to.
     sides: Sides,
+    /// What contacts of rigid bodies bore in the last substep.
+    loads: Loads<S>,
     /// What is inside out or crosses.
     tangle: Tangle<S>,
     /// Of every body.
@@ -196,6 +203,7 @@ impl<S: Real> Live<S> {
             resist: draft.areas,
             walls,
             sides: Vec::new(),
+            loads: Vec::new(),
             tangle: Tangle::new(count),
             rests: vec![Rest::fresh(); count],
             anchor: Vec::new(),
@@ -210,7 +218,7 @@ impl<S: Real> Live<S> {
     }
 
     /// What all clusters share.
-    fn common<'a>(&'a self, pull: &'a Pull<S, 2>, sides: &'a Sides) -> Common<'a, S> {
+    fn common<'a>(&'a self, pull: &'a Pull<S, 2>, (sides, loads): (&'a Sides, &'a Loads<S>)) -> Common<'a, S> {
         let obstacles = &pull.contacts.obstacles;
         Common {
             bodies: &self.bodies,
@@ -220,6 +228,7 @@ impl<S: Real> Live<S> {
             surfaces: &obstacles.surfaces,
             planes: obstacles.planes(),
             sides,
+            loads,
             most_push: length(pull.gravity) + pull.most_push(),
         }
     }
@@ -291,12 +300,12 @@ impl<S: Real> Mover<S, 2> for Live<S> {
         counters: &mut Counters,
         account: Option<&mut Account>,
     ) {
-        let sides = std::mem::take(&mut self.sides);
+        let (sides, loads) = (std::mem::take(&mut self.sides), std::mem::take(&mut self.loads));
         self.wake(points, around, (t, h));
         self.wake_driven(around, t);
         let mut clusters = {
-            let common = self.common(pull, &sides);
-            let mut clusters = self.gather(points, &common, (pull, around), h);
+            let common = self.common(pull, (&sides, &loads));
+            let mut clusters = self.gather(points, &common, ((pull, around), account.is_some()), (t, h));
             let mut account = account;
             for cluster in &mut clusters {
                 cluster.tally = account.as_ref().map(|_| Box::new(Tally::new(cluster.own())));
@@ -313,7 +322,11 @@ impl<S: Real> Mover<S, 2> for Live<S> {
             let bodies = cluster.lost().map(|body| self.bodies.list[body].points.range());
             self.lost.extend(bodies.flat_map(|points| &self.bodies.order[points]));
         }
-        self.sides = kept(sides, &clusters);
+        self.sides = kept(sides, &clusters, |cluster| detect::known(cluster));
+        self.loads = {
+            let common = self.common(pull, (&self.sides, &loads));
+            kept(loads.clone(), &clusters, |cluster| cluster.loads(&common))
+        };
         self.tangle.note(&mut clusters, h);
         for cluster in &mut clusters {
             self.scatter(cluster, points);
@@ -413,10 +426,14 @@ fn lost<S: Real, const D: usize>(
     bodies.iter().zip(ends).filter(move |(_, points)| !points.clone().all(is_fine)).map(|(&body, _)| body)
 }
 
-/// The sides of what moved as they are now, those of what sleeps as they were.
-fn kept<S: Real>(sides: Sides, clusters: &[Cluster<S>]) -> Sides {
+/// What is known of contacts by their numbers: of what moved as it is now, of what sleeps as it was.
+fn kept<S: Real, T>(
+    known: Vec<(u64, T)>,
+    clusters: &[Cluster<S>],
+    now: impl Fn(&Cluster<S>) -> Vec<(u64, T)>,
+) -> Vec<(u64, T)> {
     if clusters.is_empty() {
-        return sides;
+        return known;
     }
     let mut awake: Vec<(u32, u32)> = Vec::new();
     for cluster in clusters {
@@ -424,9 +441,9 @@ fn kept<S: Real>(sides: Sides, clusters: &[Cluster<S>]) -> Sides {
     }
     awake.sort_unstable();
     let is_awake = |key: u64| awake.binary_search_by_key(&((key >> 32) as u32), |entry| entry.0).is_ok();
-    let mut list: Sides = sides.into_iter().filter(|side| !is_awake(side.0)).collect();
-    clusters.iter().for_each(|cluster| list.extend(detect::known(cluster)));
-    list.sort_unstable();
-    list.dedup_by_key(|side| side.0);
+    let mut list: Vec<(u64, T)> = known.into_iter().filter(|side| !is_awake(side.0)).collect();
+    clusters.iter().for_each(|cluster| list.extend(now(cluster)));
+    list.sort_by_key(|entry| entry.0);
+    list.dedup_by_key(|entry| entry.0);
     list
 }

@@ -1,6 +1,7 @@
 //! A point near an edge: on which side it belongs, how hard they press each other, how they rub.
 
 use super::cluster::Cluster;
+use super::loads::{self, Load};
 use super::rigid::Change;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
@@ -51,6 +52,8 @@ pub(super) struct Pair<S> {
     /// What restitution gave back `[kg m/s]`.
     pub(super) bounced: S,
     pub(super) is_met: bool,
+    /// What pressed and rubbed in the substep before (`loads.rs`) `[N]`.
+    pub(super) load: Load<S>,
     /// Before which substep the side was last looked at: where they are too far apart to touch nobody does, and the point may go around.
     pub(super) seen: u32,
 }
@@ -71,6 +74,7 @@ pub(super) struct OnPlane<S> {
     pub(super) approach: S,
     pub(super) bounced: S,
     pub(super) is_met: bool,
+    pub(super) load: Load<S>,
 }
 
 /// Where a point is beside an edge.
@@ -125,7 +129,7 @@ pub(super) fn beside<S: Real>([p, a, b]: [[S; 2]; 3], side: S) -> Option<Beside<
 
 /// Whether a point is further behind an edge than that is long: it does not come out there.
 #[inline(always)]
-fn gap_is_hopeless<S: Real>(gap: S, [a, b]: [[S; 2]; 2]) -> bool {
+pub(super) fn gap_is_hopeless<S: Real>(gap: S, [a, b]: [[S; 2]; 2]) -> bool {
     let u = sub(b, a);
     gap < S::ZERO && gap * gap > dot(u, u)
 }
@@ -143,9 +147,12 @@ impl<S: Real> Pair<S> {
         beside(self.places().map(|i| state.now[i]), self.side)
     }
 
-    /// The substep begins anew.
+    /// The substep begins anew; of the last one what a push was and the least speed that bounced are known.
     #[inline(always)]
-    pub(super) fn clear(&mut self) {
+    pub(super) fn clear(&mut self, last: (S, S)) {
+        if self.pressed > S::ZERO {
+            self.load = loads::load([self.pressed, self.rubbed], self.approach, last);
+        }
         (self.pressed, self.rubbed, self.bounced, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, S::ZERO, false);
     }
 
@@ -182,35 +189,8 @@ impl<S: Real> Pair<S> {
         }
         let mut gap = gap;
         if !self.is_met {
-            // What comes from behind, around an end, is no contact.
-            let Some(before) = beside([state.start[p], state.start[a], state.start[b]], self.side) else { return true };
-            self.is_met = true;
-            let v = sub(state.begun[p], add(scale(state.begun[a], rest), scale(state.begun[b], at)));
-            self.approach = dot(v, normal);
-            let overlap = (self.distance - before.gap).max(S::ZERO);
-            if overlap > S::ZERO {
-                // Between skins slowly: a body that is deep in another would be torn, its springs loaded from nowhere.
-                let is_between_skins = p.max(a) < state.own();
-                let mended = match is_between_skins {
-                    true => {
-                        [p, a].into_iter().for_each(|i| _ = state.note_within(i, overlap));
-                        let is_itself = state.body_of[p] == state.body_of[a];
-                        let most = if is_itself { state.gentle * S::from_f64(ITSELF) } else { state.gentle };
-                        (overlap * S::from_f64(MENDED)).min(most)
-                    }
-                    // A circle whose middle is behind the edge is as deep as it is large.
-                    false if self.is_round && before.gap < S::ZERO => overlap.min(state.gentle),
-                    false => {
-                        let is_point = p < state.own();
-                        let led = if is_point { [p, p] } else { [a, b] };
-                        let out = if is_point { normal } else { scale(normal, -S::ONE) };
-                        state.led_out(led, out, overlap)
-                    }
-                };
-                state.push(points, at, scale(normal, mended / w), Change::Place);
-                gap += mended;
-                self.old = overlap - mended;
-            }
+            let Some(mended) = self.meet(state, &found, w) else { return true };
+            gap += mended;
         }
         let before = self.pressed;
         self.pressed = (before + (self.distance - self.old - gap) / w).max(S::ZERO);
@@ -237,6 +217,47 @@ impl<S: Real> Pair<S> {
         true
     }
 
+    /// The two meet for the first time in this substep. Returns by how much that mends what they overlapped before `[m]`; `None`: what comes from
+    /// behind, around an end, is no contact.
+    #[inline(always)]
+    pub(super) fn meet(&mut self, state: &mut Cluster<S>, found: &Beside<S>, w: S) -> Option<S> {
+        let (points, Beside { at, normal, .. }) = (self.places(), *found);
+        let ([p, a, b], rest) = (points, S::ONE - at);
+        let before = beside([state.start[p], state.start[a], state.start[b]], self.side)?;
+        self.is_met = true;
+        let v = sub(state.begun[p], add(scale(state.begun[a], rest), scale(state.begun[b], at)));
+        self.approach = dot(v, normal);
+        let overlap = (self.distance - before.gap).max(S::ZERO);
+        if overlap <= S::ZERO {
+            return Some(S::ZERO);
+        }
+        let mended = self.mends(state, (normal, before.gap));
+        state.push(points, at, scale(normal, mended / w), Change::Place);
+        self.old = overlap - mended;
+        Some(mended)
+    }
+
+    /// How much is mended at once of what the two overlapped before, where they were so far apart `[m]`.
+    #[inline(always)]
+    pub(super) fn mends(&self, state: &mut Cluster<S>, (normal, gap): ([S; 2], S)) -> S {
+        let ([p, a, b], overlap) = (self.places(), self.distance - gap);
+        // Between skins slowly: a body that is deep in another would be torn, its springs loaded from nowhere.
+        if p.max(a) < state.own() {
+            [p, a].into_iter().for_each(|i| _ = state.note_within(i, overlap));
+            let is_itself = state.body_of[p] == state.body_of[a];
+            let most = if is_itself { state.gentle * S::from_f64(ITSELF) } else { state.gentle };
+            return (overlap * S::from_f64(MENDED)).min(most);
+        }
+        // A circle whose middle is behind the edge is as deep as it is large.
+        if self.is_round && gap < S::ZERO {
+            return overlap.min(state.gentle);
+        }
+        let is_point = p < state.own();
+        let led = if is_point { [p, p] } else { [a, b] };
+        let out = if is_point { normal } else { scale(normal, -S::ONE) };
+        state.led_out(led, out, overlap)
+    }
+
     /// How far the two may be from touching and yet be struck with what touches `[m]`.
     #[inline(always)]
     fn soon(&self, state: &Cluster<S>, [p, a, b]: [usize; 3], found: &Beside<S>) -> S {
@@ -249,7 +270,7 @@ impl<S: Real> Pair<S> {
 
     /// The side on which the point is as the substep starts, of an edge that it did not touch. Behind what is closed it came around an end,
     /// unless it is of the same body.
-    fn see(&mut self, state: &Cluster<S>) {
+    pub(super) fn see(&mut self, state: &Cluster<S>) {
         self.seen = state.counts.substeps as u32;
         let [p, a, b] = self.places();
         let (u, r) = (sub(state.start[b], state.start[a]), sub(state.start[p], state.start[a]));

@@ -9,10 +9,11 @@
 
 use super::cluster::Cluster;
 use super::cross::Crossing;
+use super::guard;
 use super::pair::{Pair, beside, left};
 use super::tangle::Knot;
 use crate::sim::real::Real;
-use crate::sim::vector::{add, dot, scale, sub, zero};
+use crate::sim::vector::{add, convert, dot, scale, sub, widen, zero};
 
 /// How fast two bodies go apart, and how fast one may go at most `[m/s]`.
 const SPEED: f64 = 1.0;
@@ -60,6 +61,9 @@ impl<S: Real> Couple<S> {
 /// How heavy a body is `[kg]`, and how fast `[m/s]`; infinite where something holds it.
 fn motion<S: Real>(state: &Cluster<S>, body: u32) -> (S, [S; 2]) {
     let range = state.bases[body as usize] as usize..state.bases[body as usize + 1] as usize;
+    if let Some(frame) = state.whole(body).filter(|frame| frame.is_free) {
+        return (S::from_f64(frame.mass()), convert(frame.twist().velocity));
+    }
     let (mut mass, mut momentum) = (S::ZERO, zero::<S, 2>());
     for i in range {
         if state.w[i] == S::ZERO {
@@ -177,6 +181,9 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S, gravity: [f64; 2]) {
         {
             shifts[body] = add(shifts[body], scale(way, goes * goes_by));
             let gain = scale(couple.out, -goes * share * closing);
+            if let Some(number) = state.whole_number(body as u32) {
+                state.frames[number].speed_up(widen(gain));
+            }
             for i in state.bases[body] as usize..state.bases[body + 1] as usize {
                 if state.w[i] != S::ZERO {
                     state.velocity[i] = add(state.velocity[i], gain);
@@ -199,8 +206,13 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S, gravity: [f64; 2]) {
         for i in state.bases[body] as usize..state.bases[body + 1] as usize {
             if state.w[i] != S::ZERO {
                 state.now[i] = add(state.now[i], shift);
-                state.lifted -= dot(gravity, shift) / state.w[i];
+                if !state.is_carried(i) {
+                    state.lifted -= dot(gravity, shift) / state.w[i];
+                }
             }
+        }
+        if let Some(frame) = state.whole(body as u32).filter(|frame| frame.is_free) {
+            state.lifted -= dot(gravity, shift) * S::from_f64(frame.mass());
         }
     }
 }
@@ -210,9 +222,7 @@ pub(super) fn owes<S: Real>(state: &Cluster<S>) -> bool {
     if state.debt == S::ZERO {
         return false;
     }
-    let free = state.w[..state.own()].iter().filter(|&&w| w != S::ZERO);
-    let mass = free.fold(S::ZERO, |sum, &w| sum + S::ONE / w);
-    state.debt > S::HALF * mass * S::from_f64(OWED * OWED)
+    state.debt > S::HALF * guard::mass(state) * S::from_f64(OWED * OWED)
 }
 
 /// Takes contacts away between bodies that are parted, and with themselves of bodies that are mended or that led pins tore at.

@@ -1,6 +1,7 @@
 //! Points on planes, on the walls of the bounds and on circles, by the same rules as points on edges.
 
 use super::cluster::{Cluster, Common};
+use super::loads;
 use super::pair::{BOUNCED, OnPlane, left};
 use super::rigid::Change;
 use crate::sim::real::Real;
@@ -19,11 +20,15 @@ impl<S: Real> OnPlane<S> {
             approach: S::ZERO,
             bounced: S::ZERO,
             is_met: false,
+            load: [S::ZERO; 2],
         }
     }
 
     #[inline(always)]
-    pub(super) fn clear(&mut self) {
+    pub(super) fn clear(&mut self, last: (S, S)) {
+        if self.pressed > S::ZERO {
+            self.load = loads::load([self.pressed, self.rubbed], self.approach, last);
+        }
         (self.pressed, self.rubbed, self.bounced, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, S::ZERO, false);
     }
 
@@ -37,15 +42,7 @@ impl<S: Real> OnPlane<S> {
             return;
         }
         if !self.is_met {
-            self.is_met = true;
-            self.approach = dot(state.begun[p], normal);
-            let depth = self.depth(common, state.start[p]);
-            if depth > S::ZERO {
-                let out = state.led_out([p, p], normal, depth);
-                state.push_one(p, scale(normal, out / state.own_weight(p, normal)), Change::Place);
-                gap += out;
-                self.old = depth - out;
-            }
+            gap += self.meet(state, common);
         }
         gap += self.old;
         let before = self.pressed;
@@ -68,6 +65,22 @@ impl<S: Real> OnPlane<S> {
                 state.push_one(p, scale(along, -crept.max(-most).min(most)), Change::Place);
             }
         }
+    }
+
+    /// The point meets it for the first time in this substep. Returns by how much it is put out of where it was `[m]`.
+    #[inline(always)]
+    pub(super) fn meet(&mut self, state: &mut Cluster<S>, common: &Common<S>) -> S {
+        let (p, normal) = (self.p as usize, self.normal);
+        self.is_met = true;
+        self.approach = dot(state.begun[p], normal);
+        let depth = self.depth(common, state.start[p]);
+        if depth <= S::ZERO {
+            return S::ZERO;
+        }
+        let out = state.led_out([p, p], normal, depth);
+        state.push_one(p, scale(normal, out / state.own_weight(p, normal)), Change::Place);
+        self.old = depth - out;
+        out
     }
 
     /// Gives the velocity that restitution asks for, where the point came faster than `least` `[m/s]`. Returns whether that

@@ -130,13 +130,20 @@ impl<S: Real> Live<S> {
         for on in cluster.on_planes.iter().filter(|on| on.pressed > S::ZERO) {
             note(on.p, on.slips);
         }
+        let all = cluster.bodies.iter().map(|&body| self.bodies.list[body].points.len() as f64).sum::<f64>();
         for (k, &body) in cluster.bodies.iter().enumerate() {
             let range = cluster.bases[k] as usize..cluster.bases[k + 1] as usize;
-            let count = S::from_f64(range.len() as f64);
-            let square = cluster.velocity[range].iter().fold(S::ZERO, |sum, &v| sum + dot(v, v)) / count;
+            let square = match cluster.whole(k as u32) {
+                Some(frame) => S::from_f64(frame.mean_square()),
+                None => {
+                    let count = S::from_f64(range.len() as f64);
+                    cluster.velocity[range].iter().fold(S::ZERO, |sum, &v| sum + dot(v, v)) / count
+                }
+            };
+            let count = S::from_f64(self.bodies.list[body].points.len() as f64);
             let [sticks, slips] = touches[k];
             let rest = &mut self.rests[body];
-            rest.debt = (cluster.debt * count).to_f64() / cluster.own() as f64;
+            rest.debt = (cluster.debt * count).to_f64() / all;
             rest.lies = match cluster.stands(k) {
                 true => rest.lies,
                 false if cluster.sunk[k] => Lies::Within,

@@ -123,6 +123,11 @@ pub(super) struct Rigged {
 }
 
 impl<S: Real> Cluster<S> {
+    /// Where a point is as the step begins.
+    fn found(&self, i: usize) -> [f64; 2] {
+        add(widen(self.now[i]), widen(self.lost[i]))
+    }
+
     /// One of its bodies, which comes last, is a rig; others pull at these of its points, counted in the body.
     pub(super) fn include_rig(&mut self, rig: &Arc<Rig>, base: usize, pulled: impl Iterator<Item = u32>) {
         let first = self.frames.len();
@@ -131,8 +136,9 @@ impl<S: Real> Cluster<S> {
             (self.w[i], self.velocity[i]) = (S::ZERO, [S::ZERO; 2]);
         }
         for (shape, points) in rig.frames() {
-            let points = points.iter().map(|&point| base as u32 + point).collect();
-            self.include_frame(shape, points);
+            let points: Vec<u32> = points.iter().map(|&point| base as u32 + point).collect();
+            let at: Vec<[f64; 2]> = points.iter().map(|&i| self.found(i as usize)).collect();
+            self.include_frame(shape, points, |k| at[k]);
         }
         for point in pulled.chain(rig.fastened.iter().copied()) {
             self.fasten(base + point as usize);

@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use super::cluster::Cluster;
+use super::gather::Motion;
 use super::substep::SHORT;
 use crate::sim::real::Real;
 use crate::sim::rigid::motion::{Pose, Twist};
@@ -15,7 +16,7 @@ pub(super) use crate::sim::rigid::shape::{Held, Shape};
 use crate::sim::vector::{add, convert, cross, dot, scale, sub, widen};
 
 /// Share of what two things close within a substep in which hits count as one.
-const AT_ONCE: f64 = 0.02;
+pub(super) const AT_ONCE: f64 = 0.02;
 
 /// What a pinned end of an edge gives where it is pressed by what does not move, as a share of what the other end would `[1]`: right beside the pin
 /// that would be pushed without end.
@@ -41,6 +42,8 @@ pub(super) struct Frame {
     found: Place,
     start: Place,
     now: Place,
+    /// Where its velocity alone takes it from its start.
+    free: Place,
     /// `[m/s]`, `[rad/s]`
     velocity: [f64; 2],
     spin: f64,
@@ -51,6 +54,29 @@ pub(super) struct Frame {
     fastened: Vec<u32>,
     /// A pin holds it within an obstacle, which it cannot leave (`nailed.rs`).
     pub(super) is_nailed: bool,
+    /// It is a whole body on whose points nothing acts but gravity and drag, or contacts: it moves by itself, and they follow.
+    pub(super) is_free: bool,
+}
+
+/// A small motion of a body: of its middle `[m]`, and by an angle `[rad]`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Shift {
+    pub(super) way: [f64; 2],
+    pub(super) turn: f64,
+}
+
+impl Shift {
+    fn between(from: &Place, to: &Place) -> Self {
+        Shift { way: sub(to.middle, from.middle), turn: to.angle - from.angle }
+    }
+
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        Shift { way: add(self.way, other.way), turn: self.turn + other.turn }
+    }
+
+    pub(super) fn less(&self, other: &Self) -> Self {
+        Shift { way: sub(self.way, other.way), turn: self.turn - other.turn }
+    }
 }
 
 /// What a push changes.
@@ -65,11 +91,10 @@ pub(super) enum Change {
 }
 
 impl Frame {
-    /// Where the shape fits places best, by mass.
+    /// Where the shape fits places best, by mass; `points` of it, the first, are those of the cluster.
     fn of(shape: &Arc<Shape>, points: Vec<u32>, at: impl Fn(usize) -> [f64; 2]) -> Self {
-        let at = |k: usize| at(points[k] as usize);
         let origin = at(0);
-        let sum = (0..points.len())
+        let sum = (0..shape.places.len())
             .fold([0.0; 2], |sum, k| add(sum, scale(sub(at(k), origin), shape.masses[k] / shape.mass)));
         let middle = add(origin, sum);
         let mut fit = [0.0; 2];
@@ -87,13 +112,68 @@ impl Frame {
             found: place,
             start: place,
             now: place,
+            free: place,
             velocity: [0.0; 2],
             spin: 0.0,
             turned: Twist::STILL,
             near: Vec::new(),
             fastened: Vec::new(),
             is_nailed: false,
+            is_free: false,
         }
+    }
+
+    /// It moves as its points do, which go so fast.
+    fn take_motion(&mut self, velocity: impl Fn(usize) -> [f64; 2]) {
+        let (mut momentum, mut turning) = ([0.0; 2], 0.0);
+        for (k, (&q, &mass)) in self.shape.places.iter().zip(&self.shape.masses).enumerate() {
+            let v = scale(velocity(k), mass);
+            momentum = add(momentum, v);
+            turning += cross(self.now.turned(q), v);
+        }
+        self.velocity = scale(momentum, 1.0 / self.shape.mass);
+        self.spin = turning / self.shape.inertia;
+    }
+
+    pub(super) fn mass(&self) -> f64 {
+        self.shape.mass
+    }
+
+    /// How many of its points are worked on in a substep.
+    pub(super) fn busy(&self) -> usize {
+        if self.is_free { self.shape.surface.len() } else { self.points.len() }
+    }
+
+    /// Its kinetic energy `[J]`.
+    pub(super) fn kinetic(&self) -> f64 {
+        0.5 * (self.shape.mass * dot(self.velocity, self.velocity) + self.shape.inertia * self.spin * self.spin)
+    }
+
+    /// The mean square of the speeds of its points, by mass `[m^2/s^2]`.
+    pub(super) fn mean_square(&self) -> f64 {
+        2.0 * self.kinetic() / self.shape.mass
+    }
+
+    /// Gravity gives it `fall` `[m/s]`, and drag leaves a share of what it has.
+    pub(super) fn fall(&mut self, fall: [f64; 2], kept: f64) {
+        self.velocity = scale(add(self.velocity, fall), kept);
+        self.spin *= kept;
+    }
+
+    /// It gets faster.
+    pub(super) fn speed_up(&mut self, gain: [f64; 2]) {
+        self.velocity = add(self.velocity, gain);
+    }
+
+    /// It moves less about a mean velocity.
+    pub(super) fn slow(&mut self, mean: [f64; 2], kept: f64) {
+        self.velocity = add(mean, scale(sub(self.velocity, mean), kept));
+        self.spin *= kept;
+    }
+
+    /// Place and velocity of each of its points, in the order of the shape.
+    pub(super) fn state(&self) -> impl Iterator<Item = [[f64; 2]; 2]> {
+        self.shape.places.iter().map(|&q| [self.now.out(q), self.velocity_of(q)])
     }
 
     /// Of its mass `[1/kg]`.
@@ -101,8 +181,23 @@ impl Frame {
         self.inverse[0]
     }
 
+    /// Of its mass `[1/kg]` and its moment of inertia `[1/(kg m^2)]`.
+    pub(super) fn inverse(&self) -> [f64; 2] {
+        self.inverse
+    }
+
     pub(super) fn place(&self) -> Place {
         self.now
+    }
+
+    /// How far it is from where its velocity alone would take it.
+    pub(super) fn pushed(&self) -> Shift {
+        Shift::between(&self.free, &self.now)
+    }
+
+    /// How far it was led in this substep without speed.
+    pub(super) fn led(&self) -> Shift {
+        Shift::between(&self.found, &self.start)
     }
 
     /// Where it was as the substep began.
@@ -136,6 +231,7 @@ impl Frame {
             Change::Way => self.now = self.now.moved(way, turn),
             Change::Place => {
                 self.start = self.start.moved(way, turn);
+                self.free = self.free.moved(way, turn);
                 self.now = self.now.moved(way, turn);
             }
             Change::Velocity => {
@@ -160,10 +256,21 @@ impl Frame {
 }
 
 impl<S: Real> Cluster<S> {
-    /// One of its bodies, which comes last, is rigid.
-    pub(super) fn include_rigid(&mut self, shape: &Arc<Shape>, base: usize) {
-        let end = base + shape.places.len();
-        self.include_frame(shape, (base as u32..end as u32).collect());
+    /// One of its bodies, which comes last, is rigid; its points, in the order of the shape, are there and go so fast. Of them those from `base` on are
+    /// in the cluster.
+    pub(super) fn include_rigid(
+        &mut self,
+        shape: &Arc<Shape>,
+        base: usize,
+        points: impl Fn(usize) -> [[f64; 2]; 2],
+        motion: Motion,
+    ) {
+        let end = self.now.len();
+        self.include_frame(shape, (base as u32..end as u32).collect(), |k| points(k)[0]);
+        if let Some(frame) = self.frames.last_mut() {
+            frame.take_motion(|k| points(k)[1]);
+            frame.is_free = motion != Motion::OfPoints;
+        }
         self.inner.resize(base, false);
         self.inner.resize(end, true);
         shape.surface.iter().for_each(|&k| self.inner[base + k as usize] = false);
@@ -172,8 +279,7 @@ impl<S: Real> Cluster<S> {
     }
 
     /// Some of its points, which come last, go together; those that go with others already are only felt.
-    pub(super) fn include_frame(&mut self, shape: &Arc<Shape>, points: Vec<u32>) {
-        let at = |i: usize| add(widen(self.now[i]), widen(self.lost[i]));
+    pub(super) fn include_frame(&mut self, shape: &Arc<Shape>, points: Vec<u32>, at: impl Fn(usize) -> [f64; 2]) {
         let frame = Frame::of(shape, points, at);
         self.frame_of.resize(self.now.len(), [NONE; 2]);
         for (&i, k) in frame.points.iter().zip(0..) {
@@ -395,21 +501,30 @@ impl<S: Real> Cluster<S> {
         let frame = &mut frames[number];
         frame.push(widen(x), widen(push), change);
         counts.work += 40 + 40 * frame.near.len() as u64;
-        for &k in &frame.near {
-            let (i, q) = (frame.points[k as usize] as usize, frame.shape.places[k as usize]);
-            if change == Change::Velocity {
-                velocity[i] = convert(frame.velocity_of(q));
-                continue;
-            }
-            if change == Change::Place {
-                let before = start[i];
-                start[i] = convert(frame.start.out(q));
-                let shift = sub(start[i], before);
-                gone[i] += dot(shift, shift).sqrt();
-            }
-            way[i] = convert(frame.way_of(q));
-            now[i] = convert(frame.now.out(q));
+        follow(frame, (now, way, start, gone, velocity), change);
+    }
+
+    /// Moves a frame as contacts do: by a way, which becomes speed, and elsewhere.
+    pub(super) fn shift_frame(&mut self, number: usize, way: Shift, led: Shift) {
+        let Cluster { frames, now, way: ways, start, gone, velocity, counts, .. } = self;
+        let frame = &mut frames[number];
+        let is_led = led != Shift::default();
+        if is_led {
+            frame.start = frame.start.moved(led.way, led.turn);
+            frame.free = frame.free.moved(led.way, led.turn);
+        } else if way == Shift::default() {
+            return;
         }
+        let all = way.plus(&led);
+        frame.now = frame.now.moved(all.way, all.turn);
+        counts.work += 40 * frame.near.len() as u64;
+        follow(frame, (now, ways, start, gone, velocity), if is_led { Change::Place } else { Change::Way });
+    }
+
+    /// Where a point is that goes with a frame, as far as the substep is solved.
+    pub(super) fn of_frame(&self, i: usize) -> Option<[f64; 2]> {
+        let frame = self.frame(i)?;
+        Some(frame.now.out(frame.shape.places[self.frame_of[i][1] as usize]))
     }
 
     /// Notes which points of rigid bodies may touch something in this substep: only they follow each push.
@@ -456,19 +571,17 @@ impl<S: Real> Cluster<S> {
     pub(super) fn predict_rigid(&mut self, h: S) {
         let mut frames = std::mem::take(&mut self.frames);
         for frame in &mut frames {
-            let (shape, now) = (frame.shape.clone(), frame.now);
-            let (mut momentum, mut turning) = ([0.0; 2], 0.0);
-            for ((&i, &q), &mass) in frame.points.iter().zip(&shape.places).zip(&shape.masses) {
-                let v = scale(widen(self.velocity[i as usize]), mass);
-                momentum = add(momentum, v);
-                turning += cross(now.turned(q), v);
-            }
             let time = h.to_f64();
-            frame.velocity = scale(momentum, 1.0 / shape.mass);
-            frame.spin = turning / shape.inertia;
+            if !frame.is_free {
+                let points = std::mem::take(&mut frame.points);
+                frame.take_motion(|k| widen(self.velocity[points[k] as usize]));
+                frame.points = points;
+                self.counts.work += 10 * frame.busy() as u64;
+            }
             (frame.found, frame.start) = (frame.now, frame.now);
             frame.now = frame.now.moved(scale(frame.velocity, time), frame.spin * time);
-            self.counts.work += 30 * frame.shape.places.len() as u64;
+            frame.free = frame.now;
+            self.counts.work += 20 * frame.busy() as u64;
         }
         self.frames = frames;
         for number in 0..self.frames.len() {
@@ -517,7 +630,16 @@ impl<S: Real> Cluster<S> {
 
     /// Velocities of all points of rigid bodies.
     pub(super) fn turn_rigid(&mut self) {
-        for (frame, number) in self.frames.iter().zip(0..) {
+        self.turn_those(|_| true);
+    }
+
+    /// Velocities of the points of those that move by themselves.
+    pub(super) fn turn_free(&mut self) {
+        self.turn_those(|frame| frame.is_free);
+    }
+
+    fn turn_those(&mut self, are_meant: impl Fn(&Frame) -> bool) {
+        for (frame, number) in self.frames.iter().zip(0..).filter(|(frame, _)| are_meant(frame)) {
             for (&i, &q) in frame.points.iter().zip(&frame.shape.places) {
                 if self.frame_of[i as usize][0] == number {
                     self.velocity[i as usize] = convert(frame.velocity_of(q));
@@ -541,7 +663,7 @@ impl<S: Real> Cluster<S> {
     /// A frame is there before anything moves, and all that goes with it.
     pub(super) fn begin_at(&mut self, number: usize, place: Place) {
         let frame = &mut self.frames[number];
-        (frame.found, frame.start, frame.now) = (place, place, place);
+        (frame.found, frame.start, frame.free, frame.now) = (place, place, place, place);
         self.place_all(number);
     }
 
@@ -555,6 +677,31 @@ impl<S: Real> Cluster<S> {
         }
     }
 
+    /// How many points are worked on in a substep: of bodies that move by themselves those that may touch something.
+    pub(super) fn busy(&self) -> usize {
+        self.free().fold(self.own(), |sum, frame| sum + frame.busy() - frame.points.len())
+    }
+
+    /// The frame that a body is, if it is one.
+    pub(super) fn whole(&self, body: u32) -> Option<&Frame> {
+        if self.is_rigid(body) { self.frame(self.bases[body as usize] as usize) } else { None }
+    }
+
+    /// The number of that frame.
+    pub(super) fn whole_number(&self, body: u32) -> Option<usize> {
+        if self.is_rigid(body) { self.frame_number(self.bases[body as usize] as usize) } else { None }
+    }
+
+    /// Whether a point follows a body that moves by itself.
+    pub(super) fn is_carried(&self, i: usize) -> bool {
+        !self.frames.is_empty() && self.frame(i).is_some_and(|frame| frame.is_free)
+    }
+
+    /// The bodies that do so.
+    pub(super) fn free(&self) -> impl Iterator<Item = &Frame> {
+        self.frames.iter().filter(|frame| frame.is_free)
+    }
+
     /// How many of its bodies are rigid.
     pub(super) fn rigid_count(&self) -> u64 {
         self.frames.len() as u64
@@ -563,6 +710,29 @@ impl<S: Real> Cluster<S> {
     /// Whether one of these points goes with a rigid body.
     pub(super) fn is_of_rigid(&self, points: [usize; 2]) -> bool {
         !self.frames.is_empty() && points.into_iter().any(|i| self.frame(i).is_some())
+    }
+}
+
+/// Places, ways, starts, how far they have gone, and velocities of the points of a cluster.
+type Lists<'a, S> = (&'a mut [[S; 2]], &'a mut [[S; 2]], &'a mut [[S; 2]], &'a mut [S], &'a mut [[S; 2]]);
+
+/// Points of a frame that may touch something follow what was changed of it.
+#[inline(always)]
+fn follow<S: Real>(frame: &Frame, (now, way, start, gone, velocity): Lists<'_, S>, change: Change) {
+    for &k in &frame.near {
+        let (i, q) = (frame.points[k as usize] as usize, frame.shape.places[k as usize]);
+        if change == Change::Velocity {
+            velocity[i] = convert(frame.velocity_of(q));
+            continue;
+        }
+        if change == Change::Place {
+            let before = start[i];
+            start[i] = convert(frame.start.out(q));
+            let shift = sub(start[i], before);
+            gone[i] += dot(shift, shift).sqrt();
+        }
+        way[i] = convert(frame.way_of(q));
+        now[i] = convert(frame.now.out(q));
     }
 }
 
@@ -576,7 +746,7 @@ mod tests {
         let bonds = vec![([0, 1], 1.0), ([1, 2], 1.0), ([0, 2], 2.0_f64.sqrt())];
         let held = Held { now: places.to_vec(), masses: vec![1.0, 2.0, 3.0], bonds, surface: &[] };
         let shape = Arc::new(Shape::of(held).unwrap_or_else(|| unreachable!("it is rigid")));
-        let mut frame = Frame::of(&shape, vec![0, 1, 2], |i| places[i]);
+        let mut frame = Frame::of(&shape, vec![0, 1, 2], |k| places[k]);
         let (x, n) = (places[2], [0.6, 0.8]);
         let weight = frame.weight(x, n);
         frame.push(x, scale(n, 1e-7), Change::Way);

@@ -2,6 +2,7 @@
 
 use super::Live;
 use super::detect;
+use super::gather::Motion;
 use super::pair::Pair;
 use crate::sim::bulk::mover::Part;
 use crate::sim::environment::Environment;
@@ -38,7 +39,7 @@ impl<S: Real> Live<S> {
         (pull, around): (&Pull<S, 2>, &Environment<2>),
         h: f64,
     ) -> Vec<Part> {
-        let common = self.common(pull, &self.sides);
+        let common = self.common(pull, (&self.sides, &self.loads));
         let of = |bodies: Vec<usize>| {
             let own = bodies.iter().flat_map(|&body| &self.bodies.order[self.bodies.list[body].points.range()]);
             let slots = own.copied().collect();
@@ -46,7 +47,7 @@ impl<S: Real> Live<S> {
                 return Part { slots, is_free: false };
             }
             let own_bodies = bodies.clone();
-            let mut cluster = self.cluster(bodies, points, &common);
+            let mut cluster = self.cluster(bodies, points, &common, |_| Motion::OfPoints);
             detect::look(&mut cluster, &common);
             // Sides of obstacles are met by points in all methods; what is around a corner is no nearer than that.
             let own = cluster.own() as u32;
@@ -99,9 +100,10 @@ impl<S: Real> Live<S> {
             surfaces: &[],
             planes: &[],
             sides: &self.sides,
+            loads: &self.loads,
             most_push: 0.0,
         };
-        let mut cluster = self.cluster(all, points, &common);
+        let mut cluster = self.cluster(all, points, &common, |_| Motion::OfPoints);
         let promise = cluster.least_promise.max(way * S::from_f64(STEPS));
         detect::look_within(&mut cluster, &common, promise);
         self.room = cluster.pairs.iter().fold(promise + promise, |least, pair| least.min(pair.room));

@@ -73,6 +73,8 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     let (passes, pushed) = tree::passes(state, common);
     let pushed = state.choose(pushed);
     state.note_near();
+    state.touch(common, (time, pushed), outside.around.gravity);
+    let passes = if state.touches.is_alone { 1 } else { passes };
     for pass in 0..passes {
         shape::hold(state, common);
         drives::stop(state);
@@ -86,13 +88,15 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
         state.press(common, pushed);
         state.straighten_rigs();
     }
+    state.end_touches(common);
     bear::stop(state, common);
     super::truncate::cut(state);
     super::circle::cut(state, common);
     state.follow_sides();
     state.finish(h, common, outside.pull.gravity);
+    state.pressed_in = time;
     state.counts.substeps += 1;
-    state.counts.points += state.own() as u64;
+    state.counts.points += state.busy() as u64;
 }
 
 /// What forces, gravity and drag over `h` make of velocities.
@@ -120,6 +124,9 @@ fn kick<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outside: Outside<S>
                 }
                 state.velocity[i] = scale(falls, kept);
             }
+        }
+        if let Some(number) = state.whole_number(k as u32) {
+            state.frames[number].fall(around.gravity.map(|g| g * h), kept.to_f64());
         }
     }
     fields::blow(state, outside, (t, h));
@@ -165,10 +172,16 @@ impl<S: Real> Cluster<S> {
             self.now[i] = add(self.start[i], way);
         }
         self.predict_rigid(h);
+        let last = (self.load_of_a_push(), self.least_bounce);
         for &number in &self.chosen {
-            self.pairs[number as usize].clear();
+            self.pairs[number as usize].clear(last);
         }
-        self.on_planes.iter_mut().for_each(super::pair::OnPlane::clear);
+        self.on_planes.iter_mut().for_each(|on| on.clear(last));
+    }
+
+    /// The longest way of a point in this substep `[m]`.
+    pub(super) fn longest_way(&self) -> S {
+        longest(&self.way[..self.own()])
     }
 
     /// Whether a point may get further within `h` `[s]` than it was looked at.
@@ -216,6 +229,7 @@ impl<S: Real> Cluster<S> {
     /// One pass over all contacts; pairs that are too far apart to touch by what is still to come are left out from then on, but cut and
     /// followed.
     fn press(&mut self, common: &Common<S>, slack: S) {
+        self.press_touches();
         let mut pairs = std::mem::take(&mut self.pairs);
         let mut active = std::mem::take(&mut self.active);
         self.counts.work += 25 * active.len() as u64;
@@ -270,6 +284,7 @@ impl<S: Real> Cluster<S> {
         let (mut pairs, mut on_planes) = (std::mem::take(&mut self.pairs), std::mem::take(&mut self.on_planes));
         let numbers = std::mem::take(&mut self.chosen);
         let least = S::from_f64(LEAST_BOUNCE * h * crate::sim::vector::length(gravity));
+        self.least_bounce = least;
         self.rebound(common, |state| {
             let mut gave = Gave::default();
             for &number in &numbers {
@@ -287,7 +302,7 @@ impl<S: Real> Cluster<S> {
         let lies = on_planes.iter().any(|on| on.pressed > S::ZERO);
         self.has_pressed |= pressed > 0 || lies;
         self.counts.work += 45 * numbers.len() as u64 + 4 * pairs.len() as u64;
-        self.counts.work += 20 * on_planes.len() as u64 + OF_A_POINT * self.own() as u64;
+        self.counts.work += 20 * on_planes.len() as u64 + OF_A_POINT * self.busy() as u64;
         (self.pairs, self.chosen, self.on_planes) = (pairs, numbers, on_planes);
         self.has_leaned |= (pressed > 0 || lies) && self.leans();
     }

@@ -68,6 +68,13 @@ impl Shape {
         Some(Shape { places, masses, mass, inertia, pin, surface: held.surface.to_vec() })
     }
 
+    /// Its points in another order, of which the first `outer` may touch something. Nothing of it is pinned.
+    pub(crate) fn reorder(&mut self, order: &[u32], outer: u32) {
+        self.places = order.iter().map(|&k| self.places[k as usize]).collect();
+        self.masses = order.iter().map(|&k| self.masses[k as usize]).collect();
+        self.surface = (0..outer).collect();
+    }
+
     /// The shape of places with these masses `[kg]`, counted from their middle; a point alone does not turn.
     pub(crate) fn free(mut places: Vec<[f64; 2]>, masses: Vec<f64>) -> Self {
         let (mass, middle) = middle(&places, &masses);
