@@ -1,7 +1,8 @@
 //! Piles of rigid bodies: they come to rest, in each other nowhere, by work that grows with what may touch and not with what they are made of.
 
 use serde_json::{Value, json};
-use wobble::sim::{Dynamics, Sample};
+use wobble::scene::record::ledgers;
+use wobble::sim::{Dynamics, Sample, judge};
 
 use super::world;
 
@@ -158,4 +159,32 @@ fn all_the_weight_that_stands_on_a_board_holds_it() {
     assert!(held.abs() < 1e-3, "it slid by {held} m");
     // With the speed that they have by then, and at 0.49 m/s^2.
     assert!(slides > 0.2, "it slid by {slides} m");
+}
+
+#[test]
+fn a_tower_of_ten_is_at_rest_also_where_all_is_ten_times_as_heavy() {
+    let bodies = (0..10).map(|row| make_box(CRATE, [5.0, 0.26 + 0.52 * f64::from(row)], 0.0)).collect();
+    let mut scene = scene(bodies, 20.0);
+    (scene["gravity"], scene["contact"]["radius"]) = (json!([0, -100]), json!(0.01));
+    scene["method"] = json!({"solver": "live", "ledger": true});
+    let list = ledgers(&mut *world(&scene), 3.0).unwrap();
+    let (end, verdict) = (list.last().unwrap(), judge(&list));
+    assert!(end.now.kinetic == 0.0, "{:?}", end.now);
+    // Of the 2,600 J that they have above the floor.
+    assert!(end.left_over().abs() < 10.0 && verdict.passes(), "{} J: {verdict:?}", end.left_over());
+}
+
+/// Bars and boxes of 10 g, 1 kg and 100 kg that spin by up to 200 rad/s on both sides of a wall of 1 to 2 cm.
+#[test]
+fn what_is_light_and_spins_among_what_is_heavy_gets_through_no_thin_wall() {
+    let scene: Value = serde_json::from_str(include_str!("../files/chamber.json")).unwrap();
+    let mut world = world(&scene);
+    let start = world.sample(0.0);
+    let left: Vec<usize> = (0..start.position.len()).filter(|&i| start.position[i][0] < 10.0).collect();
+    while world.time() < 2.5 {
+        world.step();
+        let now = world.sample(world.time());
+        let most = left.iter().map(|&i| now.position[i][0] - 10.0).fold(f64::MIN, f64::max);
+        assert!(most < 0.05, "{most} m beyond the wall at {} s", world.time());
+    }
 }
