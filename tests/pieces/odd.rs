@@ -130,7 +130,7 @@ fn what_is_cut_in_an_impact_goes_on_as_two_and_makes_no_energy() {
         go(&what, &mut *world, 2.0);
         let end = world.sample(world.time());
         let [left, right] = [0, 20].map(|column| end.position[column][0]);
-        assert!(end.max_strain < 1e-6 && left < -0.5 && right > 0.5, "{what}: {left} {right}, {}", end.max_strain);
+        assert!(end.max_strain < 1e-6 && left < -0.4 && right > 0.4, "{what}: {left} {right}, {}", end.max_strain);
         let movers = world.moved_by();
         assert!(movers.iter().all(|moved| matches!(moved.method, Solver::Rigid | Solver::Live)), "{what}: {movers:?}");
     }
