@@ -30,6 +30,7 @@ mod detect;
 mod drives;
 mod fields;
 mod flats;
+mod frame;
 mod gather;
 mod given;
 mod guard;
