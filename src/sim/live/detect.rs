@@ -3,6 +3,7 @@
 //! What is found holds as long as no point goes further than was promised.
 
 use super::FRAMES;
+use super::build::Bodies;
 use super::cells::grid;
 use super::circle;
 use super::cluster::{Cluster, Common, OBSTACLE, Side};
@@ -102,7 +103,7 @@ fn find_pairs<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (old, most): 
     state.gone[..own].fill(S::ZERO);
     state.counts.detections += 1;
     let boxes = state.boxes();
-    let loads = state.loads(common);
+    let loads = state.loads(common.bodies);
     near_planes(state, common, &boxes);
     if state.edges.is_empty() {
         state.load_again(common, loads);
@@ -301,7 +302,7 @@ pub(super) fn pair<S: Real>(
         (_, OBSTACLE) => Some(common.walls.surface_of_corner((key >> 32) as u32 - common.bodies.order.len() as u32)),
         _ => None,
     };
-    let own = || common.bodies.between([(key >> 32) as u32, number(state, common, of)]);
+    let own = || common.bodies.between([(key >> 32) as u32, number(state, common.bodies, of.ends[0])]);
     let [friction, restitution, distance] = match surface {
         Some(surface) => {
             let of = &common.surfaces[surface];
@@ -336,10 +337,10 @@ pub(super) fn pair<S: Real>(
     }
 }
 
-/// The number for ever of the first end of an edge of a skin.
-fn number<S: Real>(state: &Cluster<S>, common: &Common<S>, edge: &Side) -> u32 {
-    let body = edge.body as usize;
-    edge.ends[0] - state.bases[body] + common.bodies.list[state.bodies[body]].points.first
+/// The number for ever of a point of a body.
+pub(super) fn number<S: Real>(state: &Cluster<S>, bodies: &Bodies<S>, point: u32) -> u32 {
+    let body = state.body_of[point as usize] as usize;
+    point - state.bases[body] + bodies.list[state.bodies[body]].points.first
 }
 
 /// The distance that a point keeps from an edge `[m]`: the sum of the radii; of obstacles none.

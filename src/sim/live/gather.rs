@@ -134,11 +134,7 @@ impl<S: Real> Live<S> {
             return false;
         }
         let is_driven = of.muscles.len() + of.turns.len() > 0;
-        let is_reached = || {
-            let places = self.bodies.order[of.points.range()].iter().map(|&slot| points.position[slot as usize]);
-            measure::extent(&places.collect::<Vec<_>>()).is_some_and(|bounds| around.may_reach(bounds, span))
-        };
-        !is_driven && (around.mouse.is_none() || !is_reached())
+        !is_driven && (around.mouse.is_none() || !self.is_reached(body, points, (around, span)))
     }
 
     /// Substeps of a frame that these bodies are given so that their springs can be forces.

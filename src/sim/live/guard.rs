@@ -122,21 +122,20 @@ pub(super) fn hold<S: Real>(state: &mut Cluster<S>, common: &Common<S>, (before,
         return;
     }
     let is_held = state.has_leaned || (0..state.own()).any(|i| state.w[i] == S::ZERO);
-    let (mut momentum, mut mass) = (zero::<S, 2>(), S::ZERO);
+    let free = mass(state);
+    let mut momentum = zero::<S, 2>();
     if !is_held {
         for i in moved(state) {
             momentum = add(momentum, scale(state.velocity[i], S::ONE / state.w[i]));
-            mass += S::ONE / state.w[i];
         }
         for frame in state.free() {
             momentum = add(momentum, convert(scale(frame.twist().velocity, frame.mass())));
-            mass += S::from_f64(frame.mass());
         }
     }
+    let mass = if is_held { S::ZERO } else { free };
     let mean = if mass > S::ZERO { scale(momentum, S::ONE / mass) } else { zero() };
     let own = kinetic - S::HALF * mass * dot(mean, mean);
     // Bodies that are led, and springs that are to let go, need some speed.
-    let free = self::mass(state);
     let left = if debt > S::ZERO || is_led_back { S::HALF * free * S::from_f64(LEFT * LEFT) } else { S::ZERO };
     // In flight springs swing, and only what is owed is asked back.
     let asked = if is_watched || is_joined { excess } else { excess.min(debt) };

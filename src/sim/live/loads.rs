@@ -4,7 +4,9 @@
 //! and a heap creeps apart for ever.
 //! Source: E. Catto, Iterative Dynamics with Temporal Coherence, 2005 (warm starting).
 
+use super::build::Bodies;
 use super::cluster::{Cluster, Common};
+use super::detect;
 use super::pair::{OnPlane, Pair};
 use crate::sim::real::Real;
 
@@ -23,10 +25,8 @@ pub(super) fn load<S: Real>(pushes: [S; 2], approach: S, (rate, least): (S, S)) 
 
 impl<S: Real> Cluster<S> {
     /// The number of a point on a plane or a circle for ever.
-    fn key(&self, common: &Common<S>, on: &OnPlane<S>) -> u64 {
-        let body = self.body_of[on.p as usize] as usize;
-        let number = on.p - self.bases[body] + common.bodies.list[self.bodies[body]].points.first;
-        u64::from(number) << 32 | u64::from(!on.surface)
+    fn key(&self, bodies: &Bodies<S>, on: &OnPlane<S>) -> u64 {
+        u64::from(detect::number(self, bodies, on.p)) << 32 | u64::from(!on.surface)
     }
 
     /// The force that a push `[kg m]` of the last substep was `[1/s^2]`.
@@ -36,7 +36,7 @@ impl<S: Real> Cluster<S> {
     }
 
     /// The loads of the last substep, or of those before it.
-    pub(super) fn loads(&self, common: &Common<S>) -> Loads<S> {
+    pub(super) fn loads(&self, bodies: &Bodies<S>) -> Loads<S> {
         if self.is_one.is_empty() {
             return Vec::new();
         }
@@ -45,7 +45,7 @@ impl<S: Real> Cluster<S> {
             if pushes[0] > S::ZERO { load(pushes, approach, last) } else { kept }
         };
         let of_pair = |pair: &Pair<S>| (pair.key, force([pair.pressed, pair.rubbed], pair.approach, pair.load));
-        let of_plane = |on: &OnPlane<S>| (self.key(common, on), force([on.pressed, on.rubbed], on.approach, on.load));
+        let of_plane = |on: &OnPlane<S>| (self.key(bodies, on), force([on.pressed, on.rubbed], on.approach, on.load));
         let pairs = self.pairs.iter().filter(|pair| self.is_between_firm(pair)).map(of_pair);
         let planes = self.on_planes.iter().filter(|on| self.is_firm(on.p as usize)).map(of_plane);
         let mut list: Loads<S> = pairs.chain(planes).filter(|load| load.1[0] > S::ZERO).collect();
@@ -66,7 +66,7 @@ impl<S: Real> Cluster<S> {
         self.pairs.iter_mut().for_each(|pair| pair.load = of(pair.key));
         let mut on_planes = std::mem::take(&mut self.on_planes);
         for on in &mut on_planes {
-            on.load = of(self.key(common, on));
+            on.load = of(self.key(common.bodies, on));
         }
         self.on_planes = on_planes;
     }

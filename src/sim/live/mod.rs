@@ -324,10 +324,8 @@ impl<S: Real> Mover<S, 2> for Live<S> {
             self.lost.extend(bodies.flat_map(|points| &self.bodies.order[points]));
         }
         self.sides = kept(sides, &clusters, |cluster| detect::known(cluster));
-        self.loads = {
-            let common = self.common(pull, (&self.sides, &loads));
-            kept(loads.clone(), &clusters, |cluster| cluster.loads(&common))
-        };
+        let has_rigid = clusters.iter().any(|cluster| !cluster.is_one.is_empty());
+        self.loads = if has_rigid { kept(loads, &clusters, |cluster| cluster.loads(&self.bodies)) } else { loads };
         self.tangle.note(&mut clusters, h);
         for cluster in &mut clusters {
             self.scatter(cluster, points);

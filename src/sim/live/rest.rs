@@ -95,12 +95,22 @@ impl<S: Real> Live<S> {
             }
             let slots = &self.bodies.order[self.bodies.list[body].points.range()];
             let moves = slots.iter().any(|&slot| points.velocity[slot as usize] != zero());
-            let places: Vec<[S; 2]> = slots.iter().map(|&slot| points.position[slot as usize]).collect();
-            let is_reached = || measure::extent(&places).is_some_and(|bounds| around.may_reach(bounds, span));
-            if moves || is_reached() {
+            if moves || self.is_reached(body, points, (around, span)) {
                 self.rests[body] = self.rests[body].anew();
             }
         }
+    }
+
+    /// Whether the mouse force may reach a body within a span `[s]`.
+    pub(super) fn is_reached(
+        &self,
+        body: usize,
+        points: &Points<S, 2>,
+        (around, span): (&Environment<2>, (f64, f64)),
+    ) -> bool {
+        let slots = &self.bodies.order[self.bodies.list[body].points.range()];
+        let places: Vec<[S; 2]> = slots.iter().map(|&slot| points.position[slot as usize]).collect();
+        measure::extent(&places).is_some_and(|bounds| around.may_reach(bounds, span))
     }
 
     /// Wakes bodies that a drive moves from time `t` on `[s]`.

@@ -460,7 +460,7 @@ impl<S: Real> Cluster<S> {
 
     /// The frame that a body is, if it is one.
     pub(super) fn whole(&self, body: u32) -> Option<&Frame> {
-        if self.is_rigid(body) { self.frame(self.bases[body as usize] as usize) } else { None }
+        self.whole_number(body).map(|number| &self.frames[number])
     }
 
     /// The number of that frame.

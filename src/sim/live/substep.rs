@@ -71,9 +71,9 @@ pub(super) fn advance<S: Real>(state: &mut Cluster<S>, common: &Common<S>, outsi
     mend::lead(state, time);
     areas::look(state, common);
     let (passes, pushed) = tree::passes(state, common);
-    let pushed = state.choose(pushed);
+    let (pushed, longest) = state.choose(pushed);
     state.note_near();
-    state.touch(common, (time, pushed), outside.around.gravity);
+    state.touch(common, (time, pushed, longest), outside.around.gravity);
     let passes = if state.touches.is_alone { 1 } else { passes };
     for pass in 0..passes {
         shape::hold(state, common);
@@ -179,11 +179,6 @@ impl<S: Real> Cluster<S> {
         self.on_planes.iter_mut().for_each(|on| on.clear(last));
     }
 
-    /// The longest way of a point in this substep `[m]`.
-    pub(super) fn longest_way(&self) -> S {
-        longest(&self.way[..self.own()])
-    }
-
     /// Whether a point may get further within `h` `[s]` than it was looked at.
     fn may_leave(&self, h: S) -> bool {
         let own = self.own();
@@ -197,8 +192,9 @@ impl<S: Real> Cluster<S> {
     }
 
     /// Which pairs may touch in this substep: those whose points cannot have gone so far, and will not, are left out. Others push them by
-    /// `slack` `[m]`, or as far as the fastest goes. Returns the larger one.
-    fn choose(&mut self, slack: S) -> S {
+    /// `slack` `[m]`, or as far as the fastest goes. Returns the larger one, and how far the fastest
+    /// goes.
+    fn choose(&mut self, slack: S) -> (S, S) {
         let own = self.own();
         let (goes, gone, way) = (&mut self.goes[..own], &self.gone[..own], &self.way[..own]);
         // Four largest that do not wait for each other.
@@ -223,7 +219,7 @@ impl<S: Real> Cluster<S> {
         chosen.clear();
         chosen.extend(near.map(|(_, number)| number));
         active.clone_from(chosen);
-        slack
+        (slack, fastest)
     }
 
     /// One pass over all contacts; pairs that are too far apart to touch by what is still to come are left out from then on, but cut and

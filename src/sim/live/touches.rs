@@ -72,6 +72,11 @@ struct Side {
 }
 
 impl Side {
+    /// What does not move, whose place among the moves is this.
+    fn still(body: usize) -> Self {
+        Side { body, inverse: [0.0; 2], arms: [0.0; 2] }
+    }
+
     fn weights(&self) -> [f64; 2] {
         let [ease, swing] = self.inverse;
         self.arms.map(|arm| ease + arm * arm * swing)
@@ -197,8 +202,9 @@ impl<S: Real> Cluster<S> {
         !pair.is_round && pair.places().into_iter().all(|i| self.is_firm(i))
     }
 
-    /// Finds what may touch in a substep of `h` `[s]`, and lets it begin with what it bore. What others push moves it by `slack` `[m]` at most.
-    pub(super) fn touch(&mut self, common: &Common<S>, (h, slack): (S, S), gravity: [f64; 2]) {
+    /// Finds what may touch in a substep of `h` `[s]`, and lets it begin with what it bore. What others push moves it by `slack`, and its
+    /// own points go `longest`, at most `[m]`.
+    pub(super) fn touch(&mut self, common: &Common<S>, (h, slack, longest): (S, S, S), gravity: [f64; 2]) {
         if self.is_one.is_empty() {
             return;
         }
@@ -208,8 +214,8 @@ impl<S: Real> Cluster<S> {
         let from = |frame: &Frame| Moves { from: [frame.pushed(), frame.led()], ..Moves::default() };
         touches.moves.extend(self.frames.iter().map(from).chain([Moves::default()]));
         // Bodies that move as one hand on no more than what the fastest brings.
-        let longest = self.longest_way();
-        let slack = if self.is_all_whole() { longest + longest } else { slack };
+        let is_all_whole = self.is_all_whole();
+        let slack = if is_all_whole { longest + longest } else { slack };
         let falls = dot(gravity, gravity).sqrt() * h.to_f64() * h.to_f64();
         touches.steady = (STEADY[0] * falls).max(STEADY[1] * longest.to_f64());
         // What is heavy on what is light is stopped by rules that begin with nothing (`bear.rs`).
@@ -246,7 +252,7 @@ impl<S: Real> Cluster<S> {
             touches.list.push(touch);
         }
         self.counts.work += LOOKED * touches.list.len() as u64;
-        touches.is_alone = self.is_all_whole() && self.active.is_empty() && self.on_planes.is_empty();
+        touches.is_alone = is_all_whole && self.active.is_empty() && self.on_planes.is_empty();
         if !touches.is_alone {
             self.shift_frames(&touches.moves);
         }
@@ -266,7 +272,7 @@ impl<S: Real> Cluster<S> {
         }
         let Beside { at, normal, gap } = beside(places.map(|i| self.place(i)), side)?;
         let room = gap - pair.distance.to_f64();
-        if room >= slack.to_f64() && pair.load[0] == S::ZERO {
+        if room >= slack.to_f64() {
             return None;
         }
         let is_free = p.max(a) < self.own();
@@ -293,8 +299,7 @@ impl<S: Real> Cluster<S> {
         let room = plane.gap(self.now[p]).to_f64();
         let depth = on.depth(common, self.start[p]);
         let mended = if depth > S::ZERO { self.led_out([p, p], on.normal, depth).to_f64() } else { 0.0 };
-        let still = Side { body: self.frames.len(), inverse: [0.0; 2], arms: [0.0; 2] };
-        let sides = [self.side(p, self.place(p), normal), still];
+        let sides = [self.side(p, self.place(p), normal), Side::still(self.frames.len())];
         let kind = (Of::Plane(place), plane.friction.to_f64());
         Touch::new(kind, sides, (normal, room), (widen(self.way[p]), widen(self.begun[p])), [depth.to_f64(), mended])
     }
@@ -302,7 +307,7 @@ impl<S: Real> Cluster<S> {
     /// What a point goes with, pressed at `x`.
     fn side(&self, i: usize, x: [f64; 2], normal: [f64; 2]) -> Side {
         let Some(number) = self.frame_number(i) else {
-            return Side { body: self.frames.len(), inverse: [0.0; 2], arms: [0.0; 2] };
+            return Side::still(self.frames.len());
         };
         let frame = &self.frames[number];
         let arm = sub(x, frame.place().middle);
