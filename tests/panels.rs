@@ -64,7 +64,7 @@ fn every_tool_is_chosen_by_its_button_and_says_what_it_does_and_by_which_key() {
     let tools = [
         (Tool::Pin, "pin a point, or let it go", "2"),
         (Tool::Cut, "cut the bonds that a stroke crosses", "3"),
-        (Tool::Erase, "take away a body, a bond or an obstacle", "4"),
+        (Tool::Erase, "take away bodies, bonds and obstacles: click, or drag over them", "4"),
         (Tool::Build, "build: drag a body or an obstacle out", "5"),
         (Tool::Select, "select, move, turn and scale bodies and obstacles; what they are made of", "6"),
         (Tool::Muscle, "make a bond a muscle: it gets longer and shorter", "7"),

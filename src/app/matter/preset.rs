@@ -1,5 +1,7 @@
 //! Matter by name.
 
+use crate::scene::{ColorKey, KindName, Material};
+
 /// A matter that a body can be given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Preset {
@@ -63,11 +65,28 @@ impl Preset {
         self.stuff().color
     }
 
+    /// What a maker makes of it: a body that covers so much `[m^2]` and whose springs are so many times as stiff as those of what is filled.
+    /// The surface and the colour of jelly, which is what is made if nothing else is chosen, are those of the scene.
+    pub(in crate::app) fn material(self, area: f64, times: f64) -> Material {
+        let Stuff { density, springs, breaks, friction, restitution, color } = self.stuff();
+        let mass = density * area;
+        let kind = Some(if springs.is_some() { KindName::Spring } else { KindName::Rigid });
+        let stiffness = springs.map(|[soft, _]| times * soft * mass);
+        let damping = stiffness.zip(springs).map(|(stiffness, [_, damping])| damping * stiffness);
+        let plain =
+            Material { kind, stiffness, damping, mass: Some(mass), break_strain: breaks, ..Material::default() };
+        if self == Preset::Jelly {
+            return plain;
+        }
+        Material { friction: Some(friction), restitution: Some(restitution), color: Some(ColorKey(color)), ..plain }
+    }
+
     pub(super) fn stuff(self) -> Stuff {
         match self {
             Preset::Jelly => Stuff {
                 density: 1.0,
-                springs: Some([150.0, 0.004]),
+                // A tenth of it flows, ten times of it looks hard; a wobble is gone after some swings.
+                springs: Some([250.0, 0.006]),
                 breaks: None,
                 friction: 0.4,
                 restitution: 0.0,

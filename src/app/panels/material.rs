@@ -384,20 +384,26 @@ pub(super) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>,
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
         for preset in Preset::ALL {
-            let [red, green, blue] = preset.color();
-            let edge = if chosen == Some(preset) { colors(ui).accent } else { Color32::TRANSPARENT };
-            let text = RichText::new(preset.name()).color(Color32::from_rgb(18, 22, 30));
-            let button = Button::new(text)
-                .fill(Color32::from_rgb(red, green, blue))
-                .stroke(Stroke::new(2.0, edge))
-                .corner_radius(CornerRadius::same(7));
-            let by = ui.add(button).on_hover_text(preset.words());
+            let by = swatch(ui, preset, (chosen == Some(preset), 0.0)).on_hover_text(preset.words());
             if by.clicked() {
                 clicked = (Some(by), Some(preset));
             }
         }
     });
     clicked
+}
+
+/// A button for a matter, in its colour; so wide at least, and ringed where it is what is chosen.
+pub(super) fn swatch(ui: &mut Ui, preset: Preset, (is_chosen, width): (bool, f32)) -> Response {
+    let [red, green, blue] = preset.color();
+    let edge = if is_chosen { colors(ui).accent } else { Color32::TRANSPARENT };
+    let text = RichText::new(preset.name()).color(Color32::from_rgb(18, 22, 30));
+    let button = Button::selectable(is_chosen, text)
+        .fill(Color32::from_rgb(red, green, blue))
+        .stroke(Stroke::new(2.0, edge))
+        .corner_radius(CornerRadius::same(7))
+        .min_size(egui::vec2(width, 0.0));
+    ui.add(button)
 }
 
 /// A field beside its name, by which what reads aloud calls it: all names are as wide, so that fields stand below each other.

@@ -25,7 +25,7 @@ fn words(tool: Tool) -> (Icon, &'static str) {
         Tool::Hand => (Icon::Hand, "grab and throw; beside bodies, push"),
         Tool::Pin => (Icon::Pin, "pin a point, or let it go"),
         Tool::Cut => (Icon::Cut, "cut the bonds that a stroke crosses"),
-        Tool::Erase => (Icon::Erase, "take away a body, a bond or an obstacle"),
+        Tool::Erase => (Icon::Erase, "take away bodies, bonds and obstacles: click, or drag over them"),
         Tool::Select => (Icon::Select, "select, move, turn and scale bodies and obstacles; what they are made of"),
         Tool::Build => (Icon::Build, "build: drag a body or an obstacle out"),
         Tool::Muscle => (Icon::Muscle, "make a bond a muscle: it gets longer and shorter"),

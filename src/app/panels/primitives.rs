@@ -1,27 +1,29 @@
 //! What the tool for building makes, beside the tools.
 
 use egui::epaint::PathShape;
-use egui::{Area, Id, Painter, Pos2, Rect, RectAlign, Response, Shape, Stroke, Tooltip, Ui};
+use egui::{Area, Id, Painter, Pos2, Rect, RectAlign, Response, RichText, Shape, Stroke, Tooltip, Ui};
 
 use super::folded::untitled;
 use super::icons::{self, Icon};
-use super::theme::floating;
+use super::material::swatch;
+use super::theme::{colors, floating};
 use super::{Facts, Wish, low, ticks};
 use crate::app::action::Primitive;
+use crate::app::matter::Preset;
 use crate::app::tools::{Link, is_of_space};
 
 /// What each makes, and how.
 fn words(primitive: Primitive) -> &'static str {
     match primitive {
-        Primitive::Box => "a soft box: drag from corner to corner (Alt: from its middle)",
-        Primitive::Disc => "a soft disc: drag from corner to corner of the square around it (Alt: from its middle)",
+        Primitive::Box => "a box: drag from corner to corner (Alt: from its middle)",
+        Primitive::Disc => "a disc: drag from corner to corner of the square around it (Alt: from its middle)",
         Primitive::Rope => {
             "a rope: drag from end to end; it hangs where it began (Shift: it does not), and on points that it ends on"
         }
         Primitive::Cloth => {
             "a cloth: drag from corner to corner (Alt: from its middle); it hangs by its upper corners (Shift: it does not)"
         }
-        Primitive::Rim => "a soft rim: drag from corner to corner of the square around it (Alt: from its middle)",
+        Primitive::Rim => "a rim: drag from corner to corner of the square around it (Alt: from its middle)",
         Primitive::Figure => "a figure with joints: drag from its head to its feet, or from its feet up",
         Primitive::Bonds => {
             "points and bonds: click or drag from point to point, also to those that are there; Enter, Esc or a second click \
@@ -45,6 +47,19 @@ const FRAME: f32 = 10.0;
 /// From the edge of the panel to what is said of what stands in it `[points]`.
 const TO_TOOLTIP: f32 = 6.0;
 
+/// Height of the matters below them `[points]`.
+const MATTERS: f32 = 152.0;
+
+/// Whether what is built can be of any matter: ropes, cloths and figures are of their own.
+fn is_of_any(facts: &Facts) -> bool {
+    let is_filled = match facts.primitive {
+        Primitive::Box | Primitive::Disc | Primitive::Rim => true,
+        Primitive::Bonds => facts.links.fills,
+        _ => false,
+    };
+    is_filled && facts.dimensions != 3
+}
+
 /// How many stand in a row, where there is so much height for all `[points]`.
 fn columns(height: f32) -> usize {
     let rows = |columns: &usize| Primitive::ALL.len().div_ceil(*columns) as f32;
@@ -59,7 +74,8 @@ pub(super) fn show(
     wishes: &mut Vec<Wish>,
 ) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
-    let columns = columns(room.bottom() - corner.y);
+    let below = if is_of_any(facts) { MATTERS } else { 0.0 };
+    let columns = columns(room.bottom() - corner.y - below);
     let id = Id::unique("primitives");
     let edge = context.memory(|memory| memory.area_rect(id)).map_or(corner.x, |panel| panel.right());
     Area::new(id).fixed_pos(corner).show(context, |ui| {
@@ -71,6 +87,9 @@ pub(super) fn show(
                     choices(ui, (columns, edge), facts, wishes);
                     if facts.primitive == Primitive::Bonds {
                         links(ui, edge, facts, wishes);
+                    }
+                    if is_of_any(facts) {
+                        matters(ui, edge, facts, wishes);
                     }
                 });
             });
@@ -102,10 +121,25 @@ fn links(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
         };
         say(&ticks::one_of(ui, &mut links.link, link, link.name()), edge, words);
     }
-    let said = "a loop that is closed becomes a soft body between its sides (Shift does the same); off, it has its sides alone";
-    say(&ticks::check(ui, &mut links.fills, "loops become soft"), edge, said);
+    let said =
+        "a loop that is closed becomes a body between its sides (Shift does the same); off, it has its sides alone";
+    say(&ticks::check(ui, &mut links.fills, "fill loops"), edge, said);
     if links != facts.links {
         wishes.push(Wish::Links(links));
+    }
+}
+
+/// What is built is made of.
+fn matters(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
+    ui.separator();
+    ui.label(RichText::new("made of").color(colors(ui).weak));
+    let width = ui.min_rect().width();
+    for preset in Preset::ALL {
+        let button = swatch(ui, preset, (facts.built_of == preset, width));
+        say(&button, edge, preset.words());
+        if button.clicked() {
+            wishes.push(Wish::BuildOf(preset));
+        }
     }
 }
 

@@ -108,10 +108,9 @@ fn way_back(ui: &mut egui::Ui, left: &mut Option<At>, wishes: &mut Vec<Wish>) {
 fn branches(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let list = &facts.figures.branches;
     let Some(present) = list.iter().position(|branch| branch.is_present).filter(|_| list.len() > 1) else { return };
-    let place = format!("{} of {}", present + 1, list.len());
     let (shown, width) = match ui.available_width() < moving::ROOMY {
-        true => (place, 70.0),
-        false => (format!("timeline {place}"), 122.0),
+        true => (format!("timeline {}", present + 1), 92.0),
+        false => (format!("timeline {} of {}", present + 1, list.len()), 122.0),
     };
     let menu = egui::ComboBox::from_id_salt("branches").selected_text(shown).width(width).show_ui(ui, |ui| {
         for (place, branch) in list.iter().enumerate() {

@@ -189,6 +189,7 @@ impl Session {
             }
             Wish::Push(way) => self.hand.set_push_way(way),
             Wish::Links(links) => self.hand.set_links(links),
+            Wish::BuildOf(matter) => self.hand.set_matter(matter),
             Wish::Hold(key) => self.hold_by_mouse(key),
             Wish::Drives(drives) => self.hand.set_drives(drives),
             Wish::Set(setting) => self.set(setting),
@@ -320,7 +321,7 @@ impl Session {
         let words = match tool {
             Tool::Pin => "pin: click a point to hold it where it is, or a pin to let it go",
             Tool::Cut => "cut: drag across bonds",
-            Tool::Erase => "erase: click a body, a bond or an obstacle; Ctrl+Z brings it back",
+            Tool::Erase => "erase: click bodies, bonds and obstacles, or drag over them; Ctrl+Z brings them back",
             _ => return,
         };
         self.say(words.to_owned());

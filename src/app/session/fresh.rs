@@ -4,7 +4,6 @@ use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::{Framing, Session};
-use crate::app::panels::at_end;
 use crate::app::tools::clear_bodies;
 use crate::history::Start;
 use crate::scene::{EMPTY, MakerName, Scene};
@@ -13,16 +12,11 @@ use crate::scene::{EMPTY, MakerName, Scene};
 const SEEDS: u64 = 1_000_000;
 
 impl Session {
-    /// Opens an empty scene; the present one is kept, and undo goes back to it.
+    /// Opens an empty scene, in which time runs: what is built there falls. The present one is kept, and undo goes back to it.
     pub(super) fn open_empty(&mut self) {
         match EMPTY.scene() {
             Ok(scene) => {
-                // What came to its end by itself was not paused by anybody.
-                let plays = self.player.is_playing() || at_end(&self.shown().figures).is_some();
                 self.open(scene.into());
-                if !plays {
-                    self.player.play(false);
-                }
                 self.say("an empty scene: build (5), draw (N), or open a picture; Ctrl+Z goes back".to_owned());
             }
             Err(error) => self.complain(&error.to_string()),

@@ -128,7 +128,8 @@ fn tools_work_in_a_scene_that_ended_and_in_one_that_went_back() {
     stage.obey(Order::GoTo(0.5 * end, None));
     stage.show(&mut seen.0);
     hand.take(Tool::Erase);
-    let deed = hand.press(scope(&seen), at(&seen, -2.0, 0.0));
+    hand.press(scope(&seen), at(&seen, -2.0, 0.0));
+    let deed = hand.release(scope(&seen), at(&seen, -2.0, 0.0));
     assert_eq!(give(&mut stage, deed), Some(Note::Branched), "what came after it can be gone back to");
     frames(&mut stage, &mut seen, 2);
     assert!(seen.0.scenery.gone.len() > 10 && stage.history().world().is_finite());

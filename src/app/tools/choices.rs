@@ -2,6 +2,7 @@
 
 use super::{Brush, Drives, Hand, Links, PushWay};
 use crate::app::action::{Primitive, Tool};
+use crate::app::matter::Preset;
 
 impl Hand {
     /// The tool that the next press uses.
@@ -47,6 +48,16 @@ impl Hand {
     /// They are made of something else from now on.
     pub(in crate::app) fn set_links(&mut self, links: Links) {
         self.maker.links = links;
+    }
+
+    /// What boxes, discs, rims and loops are made of.
+    pub(in crate::app) fn matter(&self) -> Preset {
+        self.maker.matter
+    }
+
+    /// They are made of something else from now on.
+    pub(in crate::app) fn set_matter(&mut self, matter: Preset) {
+        self.maker.matter = matter;
     }
 
     /// Another primitive is to be built: with the tool for that.

@@ -4,6 +4,8 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 
+use super::pick::Scope;
+use super::room::here;
 use crate::scene::Shape;
 use crate::sim::{Polygon, segments_pass};
 
@@ -58,6 +60,19 @@ impl Cover {
     /// Whether it has some of them within itself.
     pub(super) fn has_any(&self, polygons: &[Polygon], by: DVec2) -> bool {
         self.encloses(polygons, by).next().is_some()
+    }
+
+    /// Whether it lies over another body once it is `by` `[m]` further: whether a corner of one lies within a triangle of the other.
+    pub(super) fn lies_over(&self, scope: Scope<'_>, by: DVec2) -> bool {
+        let [low, high] = self.around.map(|end| end + by);
+        scope.shown.scenery.triangles.iter().any(|corners| {
+            let there = corners.map(|corner| here(scope, corner));
+            let [a, b, c] = there;
+            let is_near = meet([a.min(b).min(c), a.max(b).max(c)], [low, high]);
+            let has =
+                |of: &[DVec2; 3], by: DVec2, corners: &[DVec2; 3]| corners.iter().any(|&at| is_within(of, at + by));
+            is_near && self.triangles.iter().any(|own| has(own, -by, &there) || has(&there, by, own))
+        })
     }
 
     /// Whether it would stand on what lies in a box `[m]` as on a needle: its middle is above that, and that is narrow.

@@ -118,6 +118,7 @@ pub(super) fn of(
         // Shift is held.
         (Doing::Hauling(haul), _) => haul.marks(scope, at, maker.is_free),
         (Doing::Leading(lead), _) => led(scope, &[lead.point()], at),
+        (Doing::Erasing(sweep), _) => sweep.marks(scope),
         (Doing::Cutting(slash), _) => at.map_or_else(Vec::new, |at| slash.marks(scope, at)),
         (Doing::Nothing, Tool::Hand) => at.map_or_else(Vec::new, |at| {
             let mut marks = would_grab(scope, at);

@@ -94,6 +94,7 @@ pub(super) use chosen::Chosen;
 use cutting::Slash;
 pub(super) use deed::Deed;
 pub(super) use drives::{Drives, lack_of, no_motors};
+use erase::Sweep;
 pub(super) use erase::clear as clear_bodies;
 use facing::Hold;
 use handles::Grip;
@@ -146,6 +147,8 @@ enum Doing {
     Pushing,
     /// A stroke, to cut what it crosses.
     Cutting(Slash),
+    /// A stroke, to take away what it goes over.
+    Erasing(Sweep),
     /// A primitive is drawn out.
     Building(Drag),
     /// Something is drawn click by click, also while the button is up.

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::build::{self, Drag, Path};
 use super::cutting::Slash;
-use super::erase::erase;
+use super::erase::Sweep;
 use super::ground::GROUND;
 use super::lead::Lead;
 use super::muscles::Swipe;
@@ -51,7 +51,10 @@ impl Hand {
                 self.doing = Doing::Cutting(Slash::new(at));
                 Deed::default()
             }
-            Tool::Erase => erase(scope, at),
+            Tool::Erase => {
+                self.doing = Doing::Erasing(Sweep::begin(scope, at));
+                Deed::default()
+            }
             Tool::Build => self.begin_to_build(scope, at),
             Tool::Muscle => {
                 self.doing = Doing::Driving(Swipe::begin(scope, at));
@@ -90,6 +93,7 @@ impl Hand {
         match &mut self.doing {
             Doing::Marking(region) => region.trace(scope, at),
             Doing::Cutting(slash) => slash.trace(scope, at),
+            Doing::Erasing(sweep) => sweep.trace(scope, at),
             Doing::Driving(swipe) => swipe.trace(scope, at),
             Doing::Painting(stroke) => self.brush.trace(scope, stroke, at),
             Doing::Drawing(path) => path.trace(scope, at),

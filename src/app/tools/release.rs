@@ -33,6 +33,12 @@ impl Hand {
                 Deed::default()
             }
             Doing::Cutting(slash) => slash.release(scope, at),
+            Doing::Erasing(mut sweep) => {
+                if self.is_dragged || is_drag(scope, [self.pressed, at]) {
+                    sweep.trace(scope, at);
+                }
+                sweep.deed(scope)
+            }
             Doing::Driving(swipe) => self.drives.muscle.release(scope, swipe, at),
             Doing::Building(drag) => {
                 self.built_at = Some(at);

@@ -32,6 +32,11 @@ const HELD: &str = "it overlaps something pinned: neither can move";
 const TAUT: &str = "what hangs between two pins cannot go round it: leave it more room, or take a pin away first";
 /// Said of a body with pins that is put into an obstacle, or into walls alone.
 const STAYS: [&str; 2] = ["its pins hold it in the obstacle", "its pins hold it in the wall"];
+/// Said of a body that is put over another one, while time runs and while it stands still.
+const OVER: [&str; 2] = [
+    "over another body: they part (pause with Space to hinge them)",
+    "over another body: they part as time runs, unless they are hinged (8)",
+];
 /// Ways that are shorter are not told of `[logical px]`.
 const LEAST: f64 = 1.0;
 
@@ -133,7 +138,10 @@ pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
     let way = if way.length() > least { way } else { DVec2::ZERO };
     let refused = (is_stuck && shape.pinned.is_empty()).then_some(NO_ROOM[what]);
     let stays = (is_stuck && refused.is_none()).then_some(STAYS[what]);
-    let said = stays.or((way != DVec2::ZERO).then_some(OUT[what]));
+    let meets = scope.shown.settings.contact.flatten().is_some();
+    let is_over = || meets && Cover::of(&shape).is_some_and(|cover| cover.lies_over(scope, way));
+    let over = || is_over().then_some(OVER[usize::from(!scope.shown.figures.playing)]);
+    let said = stays.or((way != DVec2::ZERO).then_some(OUT[what])).or_else(over);
     // What is whole and hangs on nothing is put there by the tool, so that the world has nothing to say of it.
     let is_whole = shape.pinned.is_empty() && keys.bonds.is_empty() && keys.points.is_none();
     let own = if is_whole { way } else { DVec2::ZERO };

@@ -223,7 +223,7 @@ fn a_plane_is_outlined_selected_moved_and_deleted_by_its_front_and_a_drag_over_i
     room.undo();
     assert_eq!(height(&room), -1.0);
     room.hand.take(Tool::Erase);
-    let deed = room.with(|hand, scope| hand.press(scope, beside));
+    let deed = room.drag([beside; 2]);
     room.give(&deed);
     assert_eq!(numbers(&room), [wall]);
     room.undo();

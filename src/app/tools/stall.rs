@@ -16,6 +16,8 @@ use crate::sim::{Angle, AngleDrive, Key, PointId};
 /// A motor stalls that turns less than this share of its speed `[1]` for so long `[s]`.
 const SHARE: f64 = 0.1;
 const PATIENCE: f64 = 1.0;
+/// How far below a hub the words about it stand `[logical px]`.
+const BELOW: f64 = 34.0;
 /// Of more motors none is looked at.
 const MOST: usize = 64;
 
@@ -74,11 +76,12 @@ impl Stalls {
         now.time - seen.time > PATIENCE
     }
 
-    /// What is said beside those that stall.
+    /// What is said beside those that stall; the words of two that stand side by side keep off each other.
     pub(in crate::app) fn marks(&self, scope: Scope<'_>) -> Vec<Mark> {
+        let [width, height] = scope.camera.viewport().map(|side| side as u32);
         let words = |(&hub, &speed): (&PointId, &f64)| {
-            let at = scope.pixel(hub)? + DVec2::new(14.0, 10.0) * scope.scale;
-            Some(Mark::Words(at, words(scope, hub, speed)?))
+            let at = scope.pixel(hub)? + DVec2::new(0.0, BELOW) * scope.scale;
+            Some(Mark::Label(at, words(scope, hub, speed)?, [0, 0, width, height]))
         };
         self.stalled.iter().filter_map(words).collect()
     }

@@ -45,7 +45,7 @@ fn turned(body: &str, drag: &str, at: [f64; 2], torque: Option<f64>) -> (f64, Ve
         angle += last.replace(now).map_or(0.0, |last: DVec2| last.angle_to(now));
     }
     let words = stalls.marks(scope(&seen)).into_iter().filter_map(|mark| match mark {
-        Mark::Words(_, words) => Some(words),
+        Mark::Label(_, words, _) => Some(words),
         _ => None,
     });
     (angle, words.collect())

@@ -208,27 +208,69 @@ fn a_stroke_in_line_with_a_bond_marks_and_cuts_it_where_it_lies_on_it_and_not_be
     }
 }
 
+/// What a click comes to.
+fn clicked(hand: &mut Hand, scope: Scope<'_>, at: DVec2) -> Deed {
+    assert!(hand.press(scope, at).is_empty(), "what is pressed on is shown, and goes as the button goes up");
+    hand.release(scope, at)
+}
+
+#[test]
+fn a_stroke_of_the_eraser_takes_all_that_it_goes_over_but_the_ground_as_one_step() {
+    let text = r#"{"wobble": 1, "obstacles": [{"plane": {"point": [0, -3], "normal": [0, 1]}},
+        {"box": {"min": [3, -0.5], "max": [4, 0.5]}}], "view": {"center": [0, 0], "height": 12}, "bodies": [
+        {"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.3, "origin": [-4, -0.3], "material": {"kind": "spring", "stiffness": 300}},
+        {"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.3, "origin": [-2, -0.3], "material": {"kind": "spring", "stiffness": 300}},
+        {"make": "rope", "count": 5, "to": [0, -2], "origin": [0, 1]},
+        {"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.3, "origin": [1.5, 2], "material": {"kind": "spring", "stiffness": 300}}]}"#;
+    let seen = shown(Scene::parse(text, "x.json").unwrap());
+    let at = |x: f64, y: f64| DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap());
+    let mut hand = Hand::default();
+    hand.take(Tool::Erase);
+    assert!(hand.press(scope(&seen), at(-5.0, 0.0)).is_empty() && hand.is_busy());
+    for k in 1..=8 {
+        hand.trace(scope(&seen), at(-5.0 + f64::from(k), -0.1));
+    }
+    let marks = hand.marks(scope(&seen), Some(at(3.0, -0.1)));
+    assert!(marks.len() > 16, "what goes is shown before: {}", marks.len());
+    // Along the floor, which stays, to the air.
+    hand.trace(scope(&seen), at(3.5, -0.1));
+    hand.trace(scope(&seen), at(3.0, -3.2));
+    let deed = hand.release(scope(&seen), at(5.0, -2.0));
+    let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    assert_eq!(keys.points, (0..18).collect::<Vec<u32>>(), "two of three boxes");
+    assert_eq!((keys.bonds.len(), keys.obstacles.as_slice()), (1, &[1][..]), "a bond of the rope, and the box");
+    // Esc leaves all of it.
+    hand.press(scope(&seen), at(-5.0, 0.0));
+    hand.trace(scope(&seen), at(3.0, 0.0));
+    assert!(hand.cancel().0 && hand.release(scope(&seen), at(3.0, 0.0)).is_empty());
+    // A stroke that begins on the ground means that.
+    hand.press(scope(&seen), at(-5.0, -3.1));
+    let deed = hand.release(scope(&seen), at(-4.0, -3.1));
+    let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    assert_eq!((keys.points.len(), keys.obstacles.as_slice()), (0, &[0][..]));
+}
+
 #[test]
 fn what_is_erased_is_a_body_a_bond_or_an_obstacle() {
     let opened_rims = opened("pebble");
     let mut hand = Hand::default();
     hand.take(Tool::Erase);
-    let deed = hand.press(scope(&opened_rims), pixel(&opened_rims, 0));
+    let deed = clicked(&mut hand, scope(&opened_rims), pixel(&opened_rims, 0));
     let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     let count = opened_rims.0.point_count();
     assert!(keys.points.len() > 50 && keys.points.len() < count, "one of two stones: {} of {count}", keys.points.len());
     let springs = opened("spring-damper");
     let middle = 0.5 * (pixel(&springs, 0) + pixel(&springs, 1));
-    let deed = hand.press(scope(&springs), middle);
+    let deed = clicked(&mut hand, scope(&springs), middle);
     let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     assert_eq!((keys.bonds.as_slice(), keys.points.len()), (&[0][..], 0));
     let text = r#"{"wobble": 1, "points": {"position": [[5, 5]]},
         "obstacles": [{"box": {"min": [-1, -1], "max": [1, 1]}}], "view": {"center": [0, 0], "height": 12}}"#;
     let solid = shown(Scene::parse(text, "x.json").unwrap());
-    let deed = hand.press(scope(&solid), DVec2::new(500.0, 350.0));
+    let deed = clicked(&mut hand, scope(&solid), DVec2::new(500.0, 350.0));
     let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     assert_eq!(keys.obstacles, [0]);
-    assert!(hand.press(scope(&solid), DVec2::new(20.0, 600.0)).is_empty(), "nothing is there");
+    assert!(clicked(&mut hand, scope(&solid), DVec2::new(20.0, 600.0)).is_empty(), "nothing is there");
 }
 
 #[test]
@@ -248,7 +290,7 @@ fn of_a_small_box_the_body_is_erased_wherever_it_is_clicked_and_of_a_large_one_a
             let marks = hand.marks(scope(&seen), Some(at));
             let is_said =
                 marks.iter().any(|mark| matches!(mark, Mark::Words(_, words) if words.contains("this bond alone")));
-            let deed = hand.press(scope(&seen), at);
+            let deed = clicked(&mut hand, scope(&seen), at);
             let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
             let is_bond = !is_small && off == 0.0;
             assert_eq!((keys.bonds.len(), keys.points.len()), if is_bond { (1, 0) } else { (0, 9) }, "{spacing} {off}");
@@ -303,11 +345,11 @@ fn in_space_the_foremost_of_balls_and_boxes_is_erased_and_marked_before() {
     let beside = DVec2::new(500.0, 350.0) + DVec2::new(0.8 * space.1.pixels_per_metre() * 12.0 / 15.0, 0.0);
     for (at, number, marks) in [(DVec2::new(500.0, 350.0), 1, 1), (beside, 0, 12)] {
         assert_eq!(hand.marks(scope(&space), Some(at)).len(), marks);
-        let deed = hand.press(scope(&space), at);
+        let deed = clicked(&mut hand, scope(&space), at);
         let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
         assert_eq!(keys.obstacles, [number]);
     }
-    assert!(hand.press(scope(&space), DVec2::new(20.0, 600.0)).is_empty(), "nothing is there");
+    assert!(clicked(&mut hand, scope(&space), DVec2::new(20.0, 600.0)).is_empty(), "nothing is there");
 }
 
 #[test]

@@ -11,6 +11,7 @@ use super::outline::{label, line, pixel};
 use super::tie::{is_walled_off, nearest_of_skin};
 use super::{CLICK, LEAST, SNAP, Step};
 use crate::app::action::Primitive;
+use crate::app::matter::Preset;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::{Scope, distance_to_segment};
 use crate::app::tools::{Deed, knot};
@@ -43,6 +44,14 @@ pub(super) enum Node {
     Own(usize),
     /// A point of the world.
     World(PointId),
+}
+
+/// What a chain comes to.
+#[derive(Clone, Copy)]
+pub(in crate::app::tools) struct How {
+    pub(super) links: Links,
+    /// What a loop is filled with; `None`: it is not.
+    pub(super) fills: Option<Preset>,
 }
 
 /// Points and bonds that are being drawn.
@@ -81,7 +90,7 @@ impl Chain {
     }
 
     /// The button goes up: a drag goes on to what lies there, a second click ends the chain, and so does its first point.
-    pub(in crate::app::tools) fn release(&mut self, scope: Scope<'_>, at: DVec2, how: (Links, bool)) -> Step {
+    pub(in crate::app::tools) fn release(&mut self, scope: Scope<'_>, at: DVec2, how: How) -> Step {
         let Some((pressed, was_last)) = self.pressed.take() else { return Step::GoesOn(None) };
         let is_click = pressed.distance(at) < CLICK * scope.scale;
         if !is_click && self.is_outside(scope, at) {
@@ -158,19 +167,19 @@ impl Chain {
     }
 
     /// It is as it is: what comes into the world, filled where it is a loop and that is wished.
-    pub(in crate::app::tools) fn end(&self, scope: Scope<'_>, (links, fills): (Links, bool)) -> Deed {
+    pub(in crate::app::tools) fn end(&self, scope: Scope<'_>, How { links, fills }: How) -> Deed {
         let places: Option<Vec<DVec2>> = self.nodes.iter().map(|node| self.place(scope, *node)).collect();
         let Some(places) = places else { return Deed::words(GONE.to_owned()) };
         let give = |keys: AddKeys| Deed::edit(Primitive::Bonds.name(), Do::Add(Box::new(keys)));
         let mut words = None;
-        if fills && self.is_loop() {
+        if let Some(of) = fills.filter(|_| self.is_loop()) {
             let corners = &places[..places.len() - 1];
             let size = area(corners).abs() * scope.camera.pixels_per_metre().powi(2);
             match () {
                 () if is_flat(corners) => words = Some(FLAT.to_owned()),
                 () if crossing(corners, true).contains(&true) => words = Some(CROSSES.to_owned()),
                 () if size < (LEAST * scope.scale).powi(2) => words = Some(SMALL.to_owned()),
-                () => match filled(corners, &self.nodes, scope.shown.point_count() as u32) {
+                () => match filled((corners, &self.nodes), of, scope.shown.point_count() as u32) {
                     Ok(keys) => {
                         let knots = knot::knots(scope, &keys, (DVec2::ZERO, None));
                         let commands = knot::tied(scope, keys, &knots);
@@ -225,12 +234,8 @@ impl Chain {
     }
 
     /// What it is so far, and what a press at the pixel would make of it.
-    pub(in crate::app::tools) fn marks(
-        &self,
-        scope: Scope<'_>,
-        at: Option<DVec2>,
-        (links, fills): (Links, bool),
-    ) -> Vec<Mark> {
+    pub(in crate::app::tools) fn marks(&self, scope: Scope<'_>, at: Option<DVec2>, how: How) -> Vec<Mark> {
+        let How { links, fills } = how;
         let seen = |node: Node| self.place(scope, node).and_then(|place| pixel(scope, place));
         let ends = self.nodes.windows(2).filter_map(|pair| Some([seen(pair[0])?, seen(pair[1])?]));
         let mut marks: Vec<Mark> = ends.map(|ends| line(scope, Role::Come, ends)).collect();
@@ -254,7 +259,7 @@ impl Chain {
         let closes = self.nodes.len() > 2 && node == self.nodes.first().copied();
         let corners: Option<Vec<DVec2>> = self.nodes.iter().map(|node| self.place(scope, *node)).collect();
         let is_outside = node.is_none() && is_walled_off(scope, scope.in_plane(at));
-        let why_not = corners.filter(|_| closes && fills).and_then(|corners| match () {
+        let why_not = corners.filter(|_| closes && fills.is_some()).and_then(|corners| match () {
             () if is_flat(&corners) => Some(FLAT),
             () if crossing(&corners, true).contains(&true) => Some(CROSSES),
             () => None,
@@ -275,8 +280,10 @@ impl Chain {
             _ if why_not.is_some() => why_not.unwrap_or_default().to_owned(),
             None if last.is_none() => "a point: click on, or drag to the next one".to_owned(),
             Some(_) if last.is_none() => "from this point".to_owned(),
-            _ if closes && fills => "closes the loop and fills it: a soft body".to_owned(),
-            _ if closes => format!("closes the loop: {}", links.name()),
+            _ if closes => match fills {
+                Some(of) => format!("closes the loop and fills it: {}", of.name().to_lowercase()),
+                None => format!("closes the loop: {}", links.name()),
+            },
             Some(_) if node == last && self.nodes.len() > 1 => "once more ends it".to_owned(),
             Some(_) if node == last => "the next point".to_owned(),
             _ => format!("{}, {long:.2} m", links.name()),

@@ -23,10 +23,9 @@ fn usual() -> (Body, [f64; 2]) {
 }
 
 impl Figure {
-    /// Its feet are at the lower end of a drag, its crown as high as the other one `[m]`.
+    /// It stands where a drag begins, its feet as high as the lower end of that, its crown as high as the upper one `[m]`.
     pub(super) fn between(from: DVec2, to: DVec2) -> Self {
-        let feet = if to.y < from.y { to } else { from };
-        Figure { feet, tall: (to.y - from.y).abs() }
+        Figure { feet: DVec2::new(from.x, from.y.min(to.y)), tall: (to.y - from.y).abs() }
     }
 
     /// Its size in that of the usual one `[1]`.

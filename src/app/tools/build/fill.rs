@@ -1,4 +1,4 @@
-//! A loop of drawn points, filled with triangles of springs by the mesher of pictures.
+//! A loop of drawn points, filled with triangles by the mesher of pictures.
 
 use std::collections::BTreeSet;
 
@@ -6,20 +6,20 @@ use glam::DVec2;
 
 use super::chain::Node;
 use super::corners::area;
-use super::matter::{AREA_MASS, DAMPING, SOFT};
+use crate::app::matter::Preset;
 use crate::picture::{Boundary, Settings, fill_boundary};
-use crate::scene::{AddKeys, BondKeys, KindName, MassKeys, PointKeys, Row, Vector};
+use crate::scene::{AddKeys, BondKeys, MassKeys, Material, PointKeys, Row, SkinKeys, Vector};
 
 /// Sides of triangles in the side of a square as large as the loop `[1]`.
 const FINE: f64 = 5.0;
 /// A corner of the mesh is a corner of the loop when it is no further from it, in sides of triangles `[1]`.
 const SAME: f64 = 1e-6;
 
-/// What brings the body within `corners` `[m]`, in a world where the next point gets the number `next`: those of its corners that are points
+/// What brings the body of a matter within `corners` `[m]`, in a world where the next point gets the number `next`: those of its corners that are points
 /// of the world stay these.
 ///
 /// Errors: in words, that no triangles can be made.
-pub(super) fn filled(corners: &[DVec2], nodes: &[Node], next: u32) -> Result<AddKeys, String> {
+pub(super) fn filled((corners, nodes): (&[DVec2], &[Node]), of: Preset, next: u32) -> Result<AddKeys, String> {
     let size = area(corners);
     let settings = Settings::default();
     let (spacing, middle) = (size.abs().sqrt() / FINE, corners[0]);
@@ -44,26 +44,26 @@ pub(super) fn filled(corners: &[DVec2], nodes: &[Node], next: u32) -> Result<Add
             next + position.len() as u32 - 1
         })
         .collect();
-    let mass = AREA_MASS * size.abs();
+    let Material { kind, stiffness, damping, mass, break_strain, friction, restitution, color, .. } =
+        of.material(size.abs(), 1.0);
     let triangles: Vec<[u32; 3]> = mesh.triangles.iter().map(|list| list.map(|k| numbers[k as usize])).collect();
     let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let sides: BTreeSet<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    let spring = |[a, b]: [u32; 2]| BondKeys {
-        kind: Some(KindName::Spring),
-        stiffness: Some(SOFT * mass),
-        damping: Some(DAMPING * SOFT * mass),
-        ..BondKeys::new(a, b)
-    };
+    let bond = |[a, b]: [u32; 2]| BondKeys { kind, stiffness, damping, break_strain, ..BondKeys::new(a, b) };
+    let own = (next..).take(position.len()).collect();
+    let skin = SkinKeys { points: own, friction, restitution, color, ..SkinKeys::default() };
+    let is_of_the_scene = [friction, restitution] == [None; 2] && color.is_none();
     let points = PointKeys {
         position,
-        mass: Some(MassKeys::Same(mass / places.len().max(1) as f64)),
+        mass: mass.map(|mass| MassKeys::Same(mass / places.len().max(1) as f64)),
         velocity: None,
         pinned: Vec::new(),
     };
     Ok(AddKeys {
         points: Some(points).filter(|points| !points.position.is_empty()),
-        bonds: sides.into_iter().map(spring).collect(),
+        bonds: sides.into_iter().map(bond).collect(),
         triangles: triangles.into_iter().map(Row).collect(),
+        skins: if is_of_the_scene || skin.points.is_empty() { Vec::new() } else { vec![skin] },
         ..AddKeys::default()
     })
 }

@@ -1,7 +1,7 @@
 //! What drawn bonds are made of.
 
-use super::matter::{DAMPING, SOFT};
-use crate::scene::{BondKeys, KindName, LimitName};
+use crate::app::matter::Preset;
+use crate::scene::{BondKeys, LimitName, Material};
 
 /// How a bond that is drawn resists.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub(in crate::app) enum Link {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::app) struct Links {
     pub(in crate::app) link: Link,
-    /// A loop that is closed becomes a soft body.
+    /// A loop that is closed becomes a body.
     pub(in crate::app) fills: bool,
 }
 
@@ -44,16 +44,13 @@ impl Links {
 
     /// A bond of a chain that brings so many points of 1 kg: springs are as soft for them as those of a soft box for its mass.
     pub(super) fn bond(self, ends: BondKeys, points: usize) -> BondKeys {
-        let stiffness = SOFT * points.max(1) as f64;
         match self.link {
             Link::Rod => ends,
             Link::String => BondKeys { limit: Some(LimitName::Max), ..ends },
-            Link::Spring => BondKeys {
-                kind: Some(KindName::Spring),
-                stiffness: Some(stiffness),
-                damping: Some(DAMPING * stiffness),
-                ..ends
-            },
+            Link::Spring => {
+                let Material { kind, stiffness, damping, .. } = Preset::Jelly.material(points.max(1) as f64, 1.0);
+                BondKeys { kind, stiffness, damping, ..ends }
+            }
         }
     }
 }

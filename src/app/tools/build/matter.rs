@@ -7,24 +7,20 @@ use glam::DVec2;
 use super::figure::Figure;
 use super::form::{End, Form, Hold, Round, chain};
 use super::grid::Grid;
+use crate::app::matter::Preset;
 use crate::scene::{
     AddKeys, BodyKeys, BondKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName, KindName, MakerName, Material,
     ObstacleKeys, Vector,
 };
 
-/// Mass of what has an area `[kg/m^2]`.
-pub(super) const AREA_MASS: f64 = 1.0;
+/// Mass of a figure `[kg/m^2]`.
+const FIGURE_MASS: f64 = 1.0;
 /// Mass of a cloth `[kg/m^2]`: a thin sheet.
 pub(super) const CLOTH_MASS: f64 = 0.3;
 /// Mass of a rope `[kg/m]`.
 pub(super) const ROPE_MASS: f64 = 0.15;
-/// Stiffness of the bonds of boxes and discs over the mass of the body `[1/s^2]`: at any size its own weight squeezes it by some
-/// percent, and it wobbles a few times a second. A tenth of it flows, ten times of it looks hard.
-pub(super) const SOFT: f64 = 250.0;
-/// The same of a rim, which is thin and bends by far more.
-const SOFT_RIM: f64 = 4_000.0;
-/// Damping over stiffness `[s]`: a wobble is gone after some swings.
-pub(super) const DAMPING: f64 = 0.006;
+/// Springs of a rim are so many times as stiff as those of what is filled: it is thin and bends by far more.
+const OF_RIM: f64 = 16.0;
 /// Points on the rim of a disc: an even number without one at the bottom, so that it stands as a mirror image of itself and rolls to no side.
 const ON_RIM: f64 = 18.0;
 /// How a disc is turned `[rad]`: so that a load on its middle squashes it along a row of its points. Across, it would roll until it is so.
@@ -37,19 +33,19 @@ const SECTORS: u64 = 18;
 pub(super) const FRICTION: f64 = 0.5;
 
 impl Form {
-    /// The keys that bring it into a world where the next point gets the number `next`.
-    pub(super) fn keys(&self, next: u32) -> AddKeys {
+    /// The keys that bring it into a world where the next point gets the number `next`; what is filled, and rims, are of this matter.
+    pub(super) fn keys(&self, next: u32, of: Preset) -> AddKeys {
         let body = |body: BodyKeys| AddKeys { bodies: vec![body], ..AddKeys::default() };
         let obstacle = |obstacle: ObstacleKeys| AddKeys {
             obstacles: vec![ObstacleKeys { friction: Some(FRICTION), ..obstacle }],
             ..AddKeys::default()
         };
         match self {
-            Form::Box(grid) => body(block(grid)),
-            Form::Disc(round) => body(disc(round)),
+            Form::Box(grid) => body(block(grid, of)),
+            Form::Disc(round) => body(disc(round, of)),
             Form::Rope { ends, pieces, slack } => rope(ends, (*pieces, *slack), next),
             Form::Cloth { grid, hangs } => body(cloth(grid, *hangs)),
-            Form::Rim(round) => body(rim(round)),
+            Form::Rim(round) => body(rim(round, of)),
             Form::Figure(figure) => body(of_figure(figure)),
             Form::SolidBox([low, high]) => {
                 let keys = BoxKeys { min: vector(*low), max: vector(*high), angle: None, rotation: None };
@@ -75,23 +71,11 @@ fn vector(at: DVec2) -> Vector {
     Vector::Plane(at.to_array())
 }
 
-/// Springs so stiff for each kilogram of the body `[1/s^2]`.
-fn springs(mass: f64, soft: f64) -> Material {
-    let stiffness = soft * mass;
-    Material {
-        kind: Some(KindName::Spring),
-        stiffness: Some(stiffness),
-        damping: Some(DAMPING * stiffness),
-        mass: Some(mass),
-        ..Material::default()
-    }
-}
-
 pub(super) fn rigid(mass: f64) -> Material {
     Material { kind: Some(KindName::Rigid), mass: Some(mass), ..Material::default() }
 }
 
-fn block(grid: &Grid) -> BodyKeys {
+fn block(grid: &Grid, of: Preset) -> BodyKeys {
     let size = grid.size();
     BodyKeys {
         make: MakerName::Lattice,
@@ -99,24 +83,24 @@ fn block(grid: &Grid) -> BodyKeys {
         rows: Some(u64::from(grid.cells[1]) + 1),
         spacing: Some(grid.spacing),
         origin: Some(vector(grid.low)),
-        material: Some(springs(AREA_MASS * size.x * size.y, SOFT)),
+        material: Some(of.material(size.x * size.y, 1.0)),
         ..BodyKeys::default()
     }
 }
 
-fn disc(&Round { center, radius }: &Round) -> BodyKeys {
+fn disc(&Round { center, radius }: &Round, of: Preset) -> BodyKeys {
     BodyKeys {
         make: MakerName::Disc,
         radius: Some(radius),
         spacing: Some(TAU * radius / ON_RIM),
         angle: Some(TURNED),
         origin: Some(vector(center)),
-        material: Some(springs(AREA_MASS * PI * radius * radius, SOFT)),
+        material: Some(of.material(PI * radius * radius, 1.0)),
         ..BodyKeys::default()
     }
 }
 
-fn rim(&Round { center, radius }: &Round) -> BodyKeys {
+fn rim(&Round { center, radius }: &Round, of: Preset) -> BodyKeys {
     let area = PI * radius * radius * (1.0 - INNER * INNER);
     use BraceName::{Falling, Inner, Outer, Rising, Spoke};
     BodyKeys {
@@ -126,7 +110,7 @@ fn rim(&Round { center, radius }: &Round) -> BodyKeys {
         sectors: Some(SECTORS),
         bracing: Some(vec![Outer, Inner, Spoke, Rising, Falling]),
         origin: Some(vector(center)),
-        material: Some(springs(AREA_MASS * area, SOFT_RIM)),
+        material: Some(of.material(area, OF_RIM)),
         ..BodyKeys::default()
     }
 }
@@ -136,7 +120,7 @@ fn of_figure(figure: &Figure) -> BodyKeys {
         make: MakerName::Ragdoll,
         height: Some(figure.height()),
         origin: Some(vector(figure.hip())),
-        material: Some(rigid(AREA_MASS * figure.area())),
+        material: Some(rigid(FIGURE_MASS * figure.area())),
         ..BodyKeys::default()
     }
 }

@@ -12,6 +12,8 @@ mod hung;
 mod laid;
 mod links;
 mod matter;
+#[cfg(test)]
+mod matter_tests;
 mod outline;
 mod path;
 mod polygon;
@@ -27,6 +29,7 @@ use super::knot;
 use super::marks::Mark;
 use super::pick::Scope;
 use crate::app::action::Primitive;
+use crate::app::matter::Preset;
 use crate::app::tools::room::coming;
 use crate::history::{Do, SetKeys};
 use crate::scene::{AddKeys, Meeting};
@@ -64,6 +67,8 @@ pub(super) enum Step {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Maker {
     pub(super) primitive: Primitive,
+    /// What is made of boxes, discs, rims and loops.
+    pub(super) matter: Preset,
     /// What drawn bonds are made of.
     pub(super) links: Links,
     /// What hangs otherwise, ropes and cloths, is pinned nowhere.
@@ -125,7 +130,7 @@ impl Maker {
         }
         match self.form(scope, Some(drag), at) {
             Ok(form) => {
-                let keys = form.keys(scope.shown.point_count() as u32);
+                let keys = form.keys(scope.shown.point_count() as u32, self.matter);
                 let outcome = coming(scope, &keys);
                 if let Some(why) = outcome.refused {
                     return Deed::words(why.to_owned());

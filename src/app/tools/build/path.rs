@@ -2,9 +2,9 @@
 
 use glam::DVec2;
 
-use super::chain::Chain;
+use super::chain::{Chain, How};
 use super::polygon::Outline;
-use super::{Links, Maker, Step};
+use super::{Maker, Step};
 use crate::app::action::Primitive;
 use crate::app::tools::Deed;
 use crate::app::tools::marks::Mark;
@@ -18,9 +18,9 @@ pub(in crate::app::tools) struct Path {
 }
 
 impl Maker {
-    /// What a chain is made of, and whether a loop is filled: by the switch or by Shift.
-    fn how(self) -> (Links, bool) {
-        (self.links, self.links.fills || self.is_free)
+    /// What a chain comes to: a loop is filled by the switch or by Shift.
+    fn how(self) -> How {
+        How { links: self.links, fills: (self.links.fills || self.is_free).then_some(self.matter) }
     }
 
     fn draws_polygon(self) -> bool {

@@ -92,9 +92,9 @@ fn a_drag_becomes_one_edit_that_fills_what_was_drawn() {
 }
 
 #[test]
-fn a_figure_stands_with_its_feet_at_the_lower_end_and_falls_in_one_piece() {
+fn a_figure_stands_where_the_drag_begins_with_its_feet_at_the_lower_end_and_falls_in_one_piece() {
     let seen = room();
-    for (from, to) in [([0.0, 1.5], [0.4, -0.5]), ([0.4, -0.5], [0.0, 1.5])] {
+    for (from, to) in [([0.4, 1.5], [1.4, -0.5]), ([0.4, -0.5], [-0.6, 1.5])] {
         let deed = drag(&seen, &mut hand(Primitive::Figure), from, to);
         let mut stage = Stage::new(seen.2.clone().into()).unwrap();
         assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None, "nor is anything warned of");

@@ -1,0 +1,149 @@
+//! What is built is made of what was chosen, and stands accordingly.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+use glam::DVec2;
+
+use super::links::{Link, Links};
+use super::tests::{Seen, added, at, hand};
+use crate::app::action::Primitive;
+use crate::app::matter::Preset;
+use crate::app::player::{Order, Stage};
+use crate::app::tools::tests::{scope, shown};
+use crate::app::tools::{Deed, Hand, Mark};
+use crate::scene::{ColorKey, KindName, Material, Scene};
+
+/// A floor on which bodies meet.
+const ROOM: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "bounds": {"min": [-6, -4], "max": [6, 4], "friction": 0.5},
+    "contact": {"friction": 0.5}, "view": {"center": [0, 0], "height": 8}}"#;
+
+fn room() -> Seen {
+    shown(Scene::parse(ROOM, "x.json").unwrap())
+}
+
+fn of(primitive: Primitive, matter: Preset) -> Hand {
+    let mut hand = hand(primitive);
+    hand.set_matter(matter);
+    hand
+}
+
+fn drag(seen: &Seen, hand: &mut Hand, [from, to]: [[f64; 2]; 2]) -> Deed {
+    hand.press(scope(seen), at(seen, from[0], from[1]));
+    hand.release(scope(seen), at(seen, to[0], to[1]))
+}
+
+fn material(deed: &Deed) -> Material {
+    added(deed).bodies[0].material.clone().unwrap()
+}
+
+#[test]
+fn boxes_discs_and_rims_are_of_what_was_chosen_and_ropes_cloths_and_figures_of_their_own() {
+    let seen = room();
+    let corners = [[-1.0, 1.0], [1.0, 0.0]];
+    for (primitive, area, times) in [
+        (Primitive::Box, 2.0, 1.0),
+        (Primitive::Disc, std::f64::consts::PI * 5.0, 1.0),
+        (Primitive::Rim, std::f64::consts::PI * 5.0 * (1.0 - 0.75 * 0.75), 16.0),
+    ] {
+        let close = |found: Option<f64>, wanted: f64| (found.unwrap() / wanted - 1.0).abs() < 1e-9;
+        let jelly = material(&drag(&seen, &mut of(primitive, Preset::Jelly), corners));
+        assert_eq!(
+            (jelly.kind, jelly.color, jelly.friction),
+            (Some(KindName::Spring), None, None),
+            "as the scene says"
+        );
+        assert!(close(jelly.mass, area) && close(jelly.stiffness, times * 250.0 * area), "{primitive:?}: {jelly:?}");
+        let rubber = material(&drag(&seen, &mut of(primitive, Preset::Rubber), corners));
+        assert!(close(rubber.mass, 1.1 * area) && close(rubber.stiffness, times * 2500.0 * 1.1 * area), "{rubber:?}");
+        let steel = material(&drag(&seen, &mut of(primitive, Preset::Steel), corners));
+        assert_eq!((steel.kind, steel.stiffness, steel.damping), (Some(KindName::Rigid), None, None));
+        assert!(close(steel.mass, 7.8 * area) && steel.color == Some(ColorKey(Preset::Steel.color())), "{steel:?}");
+        assert_eq!((steel.friction, steel.restitution), (Some(0.2), Some(0.5)));
+        let cloth = material(&drag(&seen, &mut of(primitive, Preset::Cloth), corners));
+        assert_eq!((cloth.kind, cloth.break_strain), (Some(KindName::Spring), Some(0.35)));
+    }
+    for primitive in [Primitive::Rope, Primitive::Cloth, Primitive::Figure] {
+        let [plain, steel] =
+            [Preset::Jelly, Preset::Steel].map(|of_it| drag(&seen, &mut of(primitive, of_it), corners));
+        assert_eq!(plain, steel, "{primitive:?}");
+    }
+}
+
+#[test]
+fn a_loop_is_filled_with_what_was_chosen() {
+    let seen = room();
+    let mut hand = of(Primitive::Bonds, Preset::Wood);
+    hand.set_links(Links { link: Link::Rod, fills: true });
+    let corners = [[-1.0, 0.0], [1.0, 0.0], [0.0, 1.5], [-1.0, 0.0]];
+    let deeds = corners.map(|corner| drag(&seen, &mut hand, [corner; 2]));
+    let deed = deeds.last().unwrap();
+    let keys = added(deed);
+    assert!(keys.triangles.len() > 5 && keys.bonds.iter().all(|bond| bond.kind == Some(KindName::Rigid)));
+    let count = keys.points.as_ref().unwrap().position.len();
+    assert_eq!(keys.skins.len(), 1);
+    let skin = &keys.skins[0];
+    assert_eq!(
+        (skin.points.len(), skin.friction, skin.color),
+        (count, Some(0.5), Some(ColorKey(Preset::Wood.color())))
+    );
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    assert_eq!(stage.obey(Order::Give(deed.commands.clone(), deed.edit)), None);
+    let mass: f64 = stage.history().world().masses().iter().sum();
+    assert!((mass - 0.7 * 1.5).abs() < 1e-9, "{mass} kg");
+}
+
+/// Four boxes are drawn on top of each other, a second after another, while time runs. Returns how high the top is over the floor then, and how
+/// far aside of the lowest the highest box lies `[m]`.
+fn tower(matter: Preset) -> [f64; 2] {
+    let mut seen = room();
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    let mut hand = of(Primitive::Box, matter);
+    for k in 0..4 {
+        let low = -3.95 + 1.05 * f64::from(k);
+        let deed = drag(&seen, &mut hand, [[-0.5, low], [0.5, low + 1.0]]);
+        assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+        for _ in 0..60 {
+            stage.obey(Order::Step(None));
+        }
+        stage.show(&mut seen.0);
+    }
+    for _ in 0..120 {
+        stage.obey(Order::Step(None));
+    }
+    stage.show(&mut seen.0);
+    let places: Vec<DVec2> = (0..seen.0.point_count()).map(|k| DVec2::from_slice(&seen.0.place(k)[..2])).collect();
+    let each = places.len() / 4;
+    let middle = |k: usize| places[k * each..(k + 1) * each].iter().sum::<DVec2>() / each as f64;
+    let top = places.iter().map(|place| place.y).fold(f64::NEG_INFINITY, f64::max);
+    [top + 4.0, (middle(3).x - middle(0).x).abs()]
+}
+
+#[test]
+fn a_tower_of_wood_stands_as_high_as_its_boxes_and_one_of_jelly_sags() {
+    let [high, aside] = tower(Preset::Wood);
+    assert!((high - 4.0).abs() < 0.05 && aside < 0.1, "{high} m, {aside} m aside");
+    let [high, _] = tower(Preset::Jelly);
+    assert!(high < 3.9, "{high} m");
+}
+
+#[test]
+fn what_is_drawn_over_another_body_is_told_that_they_part_unless_bodies_pass_each_other() {
+    let said = |scene: &str, place: [f64; 2], plays: bool| {
+        let seen = shown(Scene::parse(scene, "x.json").unwrap());
+        let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+        let deed = drag(&seen, &mut of(Primitive::Box, Preset::Wood), [[-1.0, -0.5], [1.0, 0.5]]);
+        assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+        let mut seen = seen;
+        stage.show(&mut seen.0);
+        seen.0.figures.playing = plays;
+        let hand = of(Primitive::Disc, Preset::Rubber);
+        let marks = hand.marks(scope(&seen), Some(at(&seen, place[0], place[1])));
+        marks.into_iter().find_map(|mark| if let Mark::Words(_, words) = mark { Some(words) } else { None }).unwrap()
+    };
+    for over in [[-0.8, -0.5], [0.0, 0.0], [1.2, 0.3]] {
+        assert!(said(ROOM, over, true).contains("they part (pause with Space"), "{}", said(ROOM, over, true));
+        assert!(said(ROOM, over, false).contains("unless they are hinged"), "{}", said(ROOM, over, false));
+    }
+    assert!(!said(ROOM, [2.5, 0.0], true).contains("part"), "beside it nothing is said");
+    let passing = ROOM.replace(r#""contact": {"friction": 0.5}, "#, "");
+    assert!(!said(&passing, [0.0, 0.0], true).contains("part"));
+}
