@@ -1,18 +1,18 @@
 //! The angles of a body: what `bending` of its material makes of it, along its chains of bonds and around what it covers, and its joints.
 
 use crate::body::{Body, Joint};
-use crate::sim::triangles;
+use crate::sim::triangles::{self, Edges};
 use crate::sim::vector::{length, sub};
 
-/// An angle of a body, counted within it.
+/// An angle of a body, counted within it, or of a running world by its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Bend {
+pub(crate) struct Bend {
     /// At the second point, from the arm to the first to the arm to the third, anticlockwise.
-    pub(super) points: [u32; 3],
+    pub(crate) points: [u32; 3],
     /// `[N m]`
-    pub(super) stiffness: f64,
+    pub(crate) stiffness: f64,
     /// Where its stops are, if it has any `[rad]`.
-    pub(super) range: Option<[f64; 2]>,
+    pub(crate) range: Option<[f64; 2]>,
 }
 
 /// The joints of a body: angles with stops, free between them.
@@ -20,41 +20,61 @@ pub(super) fn joints(body: &Body) -> impl Iterator<Item = Bend> {
     body.joints.iter().map(|&Joint { points, range }| Bend { points, stiffness: 0.0, range: Some(range) })
 }
 
-/// The angles of a body that resists bending by `bending` = E I `[N m^2]`.
+/// The angles of a body that resists bending by `bending` = E I `[N m^2]`: see [`bends_along`].
+pub(super) fn bends(body: &Body, bending: f64) -> Vec<Bend> {
+    if bending == 0.0 {
+        return Vec::new();
+    }
+    let edges = triangles::skin(&body.triangles, body.links.iter().map(|link| [link.a, link.b]));
+    bends_along(edges, |point| body.positions[point as usize], bending)
+}
+
+/// The angles along the skins and chains of one body that resists bending by `bending` = E I `[N m^2]`.
 ///
 /// Model: a rod that is bent to the curvature c over a length l has the energy E I c^2 l/2, and an angle between two pieces of it turns by
 /// c l: its stiffness is E I/l, with l the mean of both pieces. Where three pieces or more meet, neighbours all around share it; where a
 /// chain begins at what has an area, it is held against both sides of the skin there.
 /// Skins are the sides that one triangle has alone; chains are the bonds of points that are no corner of a triangle. Where a body has
 /// chains, they bend and its skin does not: what it covers holds that.
-pub(super) fn bends(body: &Body, bending: f64) -> Vec<Bend> {
-    if bending == 0.0 {
-        return Vec::new();
-    }
-    let at = arms(body);
+///
+/// Shapes: `place` says where every end of an edge is `[m]`; angles ascend by their middle points.
+/// Valid range: arms without a length have no angle.
+pub(crate) fn bends_along(edges: Edges, place: impl Fn(u32) -> [f64; 3], bending: f64) -> Vec<Bend> {
+    let at = arms(edges);
     let has_chains = at.iter().any(|arm| !arm.is_skin);
-    let place = |point: u32| body.positions[point as usize];
     let distance = |a: u32, b: u32| length(sub(place(a), place(b)));
     let mut list = Vec::new();
-    for middle in 0..body.positions.len() as u32 {
-        let start = at.partition_point(|arm| arm.at < middle);
-        let own: Vec<Arm> = at[start..].iter().take_while(|arm| arm.at == middle).copied().collect();
+    for own in at.chunk_by(|a, b| a.at == b.at) {
+        let middle = own[0].at;
         let (skin, chain): (Vec<Arm>, Vec<Arm>) = own.iter().partition(|arm| arm.is_skin);
         let pairs = match (&skin[..], &chain[..]) {
             ([_, _], []) if has_chains => Vec::new(),
-            ([a, b], []) | ([], [a, b]) => vec![([a.to, b.to], 1.0)],
-            ([a, b], chain) => chain.iter().flat_map(|arm| [([a.to, arm.to], 0.5), ([arm.to, b.to], 0.5)]).collect(),
-            ([], chain) if chain.len() > 2 => around(chain, middle, &body.positions),
+            ([a, b], []) | ([], [a, b]) => vec![[a.to, b.to]],
+            ([a, b], chain) => chain.iter().flat_map(|arm| [[a.to, arm.to], [arm.to, b.to]]).collect(),
+            ([], chain) if chain.len() > 2 => around(chain, middle, &place),
             _ => Vec::new(),
         };
-        for ([from, to], share) in pairs {
-            let mean = 0.5 * (distance(from, middle) + distance(middle, to));
-            if mean > 0.0 && distance(from, middle) > 0.0 && distance(middle, to) > 0.0 {
-                list.push(Bend { points: [from, middle, to], stiffness: share * bending / mean, range: None });
+        let share = share_of(pairs.len());
+        for [from, to] in pairs {
+            let arms = [distance(from, middle), distance(middle, to)];
+            if arms.iter().all(|&arm| arm > 0.0) {
+                let stiffness = stiffness_of(bending, share, arms);
+                list.push(Bend { points: [from, middle, to], stiffness, range: None });
             }
         }
     }
     list
+}
+
+/// The share of E I that each of so many angles at one point has `[1]`: one has all of it, of several each has half, for each arm is
+/// one of two of them.
+pub(crate) fn share_of(angles_there: usize) -> f64 {
+    if angles_there > 1 { 0.5 } else { 1.0 }
+}
+
+/// The stiffness `[N m]` of an angle that has a share of `bending` = E I `[N m^2]` between arms of these lengths `[m]`.
+pub(crate) fn stiffness_of(bending: f64, share: f64, [p, q]: [f64; 2]) -> f64 {
+    share * bending / (0.5 * (p + q))
 }
 
 /// What leads from a point along a skin or a chain.
@@ -66,25 +86,23 @@ struct Arm {
 }
 
 /// All arms, by the points that they begin at.
-fn arms(body: &Body) -> Vec<Arm> {
-    let skin = triangles::skin(&body.triangles, body.links.iter().map(|link| [link.a, link.b]));
-    let closed = skin.closed.into_iter().map(|ends| (ends, true));
-    let edges = closed.chain(skin.open.into_iter().map(|ends| (ends, false)));
+fn arms(Edges { closed, open }: Edges) -> Vec<Arm> {
+    let edges = closed.into_iter().map(|ends| (ends, true)).chain(open.into_iter().map(|ends| (ends, false)));
     let mut list: Vec<Arm> =
         edges.flat_map(|([a, b], is_skin)| [Arm { at: a, to: b, is_skin }, Arm { at: b, to: a, is_skin }]).collect();
     list.sort_unstable();
     list
 }
 
-/// The pairs of neighbours around a point at which chains meet, each with its share.
-fn around(chain: &[Arm], middle: u32, positions: &[[f64; 3]]) -> Vec<([u32; 2], f64)> {
+/// The pairs of neighbours around a point at which chains meet.
+fn around(chain: &[Arm], middle: u32, place: impl Fn(u32) -> [f64; 3]) -> Vec<[u32; 2]> {
     let turn = |arm: &Arm| {
-        let d = sub(positions[arm.to as usize], positions[middle as usize]);
+        let d = sub(place(arm.to), place(middle));
         libm::atan2(d[1], d[0])
     };
     let mut ends: Vec<(f64, u32)> = chain.iter().map(|arm| (turn(arm), arm.to)).collect();
     ends.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    (0..ends.len()).map(|n| ([ends[n].1, ends[(n + 1) % ends.len()].1], 0.5)).collect()
+    (0..ends.len()).map(|n| [ends[n].1, ends[(n + 1) % ends.len()].1]).collect()
 }
 
 #[cfg(test)]
@@ -128,5 +146,10 @@ mod tests {
         let mut pairs: Vec<[u32; 3]> = bends(&star, 1.0).iter().map(|bend| bend.points).collect();
         pairs.sort_unstable();
         assert_eq!(pairs, [[1, 0, 2], [2, 0, 3], [3, 0, 1]]);
+        // Arms of 1 m and 2^(1/2) m: each of the three has half of E I.
+        let other = 2.0_f64.sqrt();
+        let expected = 0.5 / (0.5 * (1.0 + other)) * 2.0 + 0.5 / other;
+        let found: f64 = bends(&star, 1.0).iter().map(|bend| bend.stiffness).sum();
+        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
     }
 }

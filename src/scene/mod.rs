@@ -42,6 +42,7 @@ mod write;
 
 pub(crate) use addition::{Known, Made, Shape};
 pub use anew::Cut;
+pub(crate) use bending::{Bend, bends_along, share_of, stiffness_of};
 pub(crate) use check::MOST_BESIDE;
 pub use error::{SceneError, SceneErrorKind, Source};
 pub use fragment::Fragment;
@@ -58,8 +59,8 @@ pub use keys::{
 pub(crate) use keys::{ObjectOnly, present};
 pub use keywords::{keywords, topic_place};
 pub(crate) use nearest::nearest;
-pub(crate) use of_picture::MOST_MEETING;
 pub use of_picture::Matter;
+pub(crate) use of_picture::{MOST_BENT, MOST_MEETING};
 pub(crate) use one_line::one_line;
 pub use parameter::{BodyPart, OfBody, OfPenalty, Parameter, Target};
 pub(crate) use pictures::picture_as_text;

@@ -45,8 +45,8 @@ const DROPS: u64 = 300;
 /// Bending of strokes of a soft body, over their weight and the square of its height, where none is said: a stroke half as long as the
 /// picture is high, which bears a third of that weight, sags by about a tenth of its length.
 const STROKE_BENDING: f64 = 0.06;
-/// Most bonds of a body that gets it by itself: what bends is none of the large bodies.
-const MOST_BENT: usize = 4_000;
+/// Most bonds of a body that gets it by itself, or of a selection that is given some: what bends is none of the large bodies.
+pub(crate) const MOST_BENT: usize = 4_000;
 
 /// Bonds of a scene up to which bodies meet each other and themselves where nothing is said: of more, meeting would take too long for a
 /// frame.

@@ -1,6 +1,7 @@
 //! What is changed of the matter of bodies, and the commands that do it.
 
 use super::Among;
+use super::bending;
 use super::extent::{areas, rest_length};
 use super::facts::NEVER;
 use super::former::Former;
@@ -42,7 +43,7 @@ pub enum MatterChange {
     Relaxation(f64),
     /// The largest correction of a relaxed bond `[m]`, > 0.
     MaxCorrection(f64),
-    /// Of angles that bend `[N m]`.
+    /// E I of chains and skins `[N m^2]`; where no angle bends yet, some come.
     Bending(f64),
     /// How long bonds are at rest `[m]`, > 0.
     RestLength(f64),
@@ -171,10 +172,7 @@ pub(in crate::app) fn commands(
             vec![set(SetKeys { points, layered: Some(is), ..SetKeys::default() })]
         }
         MatterChange::Velocity(velocity) => vec![set(moving(world, &points, velocity))],
-        MatterChange::Bending(stiffness) => {
-            let angles = Some(among.bends_of(world).iter().map(|angle| angle.number).collect());
-            vec![set(SetKeys { angles, stiffness: one(stiffness), ..SetKeys::default() })]
-        }
+        MatterChange::Bending(rigidity) => vec![bending::bent(world, among, rigidity)?],
         MatterChange::RestLength(length) => {
             let bonds = Some(numbers(&among.bonds_of(world), |_| true));
             vec![set(SetKeys { bonds, rest: one(length), ..SetKeys::default() })]

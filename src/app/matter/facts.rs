@@ -1,6 +1,7 @@
 //! What a selection is made of, in figures.
 
 use super::Among;
+use super::bending;
 use super::called::name_of;
 use super::extent::{areas, place};
 use super::former::Former;
@@ -27,7 +28,7 @@ pub(in crate::app) struct Span {
 
 impl Span {
     /// Of some numbers; `None` of none.
-    fn of(numbers: impl Iterator<Item = f64>) -> Option<Self> {
+    pub(super) fn of(numbers: impl Iterator<Item = f64>) -> Option<Self> {
         numbers.fold(None, |span: Option<Span>, x| {
             Some(
                 span.map_or(Span { least: x, most: x }, |span| Span {
@@ -41,6 +42,11 @@ impl Span {
     /// Whether all of them are this number, as far as 32 bits tell.
     fn is_all(self, x: f64) -> bool {
         [self.least, self.most].into_iter().all(|own| (own - x).abs() <= ALIKE * x.abs())
+    }
+
+    /// The same, where they are one number as far as 32 bits tell.
+    pub(super) fn evened(self) -> Self {
+        if self.is_all(self.most) { Span { least: self.most, ..self } } else { self }
     }
 
     /// The one number that they all are.
@@ -96,7 +102,7 @@ pub struct Matter {
     pub(in crate::app) max_correction: Option<Span>,
     /// Strain at which bonds break `[1]`; [`NEVER`] or more: they do not.
     pub(in crate::app) breaks: Option<Span>,
-    /// Of angles that bend `[N m]`.
+    /// E I of chains and skins `[N m^2]`; 0 also where no angle bends yet and some could.
     pub(in crate::app) bending: Option<Span>,
     /// How long bonds are at rest `[m]`.
     pub(in crate::app) rest_length: Option<Span>,
@@ -208,7 +214,7 @@ impl Matter {
             stiffness: Span::of(springs.iter().map(|spring| spring[0])),
             damping: Span::of(springs.iter().map(|spring| spring[1])),
             breaks: Span::of(bonds.iter().map(|(_, bond)| bond.break_strain.min(NEVER))),
-            bending: Span::of(among.bends_of(world).iter().map(|angle| angle.stiffness)),
+            bending: bending::shown(world, among),
             rest_length: Span::of(bonds.iter().map(|(_, bond)| bond.rest_length)),
             rest_angle: Span::of(held(&angles).map(|angle| angle.rest)),
             joints: [ranges().count(), angles.len() + usize::from(is_knee)],

@@ -1,5 +1,6 @@
 //! What bodies are made of, as it is shown and changed: of what is selected, or of what a brush went over.
 
+mod bending;
 mod borne;
 mod called;
 mod change;
@@ -26,7 +27,7 @@ pub(super) use painted::{Painted, Switched};
 pub(super) use preset::Preset;
 pub(super) use wear::{but_for_pictures, worn};
 
-use crate::sim::{Angle, Bond, Dynamics, PointId};
+use crate::sim::{Bond, Dynamics, PointId};
 
 /// Points, bonds and obstacles whose matter is meant.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -62,12 +63,5 @@ impl Among {
             None => has[bond.a.index()] && has[bond.b.index()],
         };
         world.bonds().iter().enumerate().map(|(place, bond)| (number(place), bond)).filter(is_meant).collect()
-    }
-
-    /// The angles among the points that bend: no joints and no motors.
-    fn bends_of(&self, world: &dyn Dynamics) -> Vec<Angle> {
-        let has = |point: &PointId| self.points.binary_search(point).is_ok();
-        let bends = |angle: &&Angle| angle.range.is_none() && angle.drive.is_none() && angle.points.iter().all(has);
-        world.angles().iter().filter(bends).copied().collect()
     }
 }

@@ -252,7 +252,7 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     // What is set most often first.
     group(ui, "Angles and stops", has_angles, |ui| {
         angles::show(ui, matter, sink);
-        number(ui, ("bending", " N m"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
+        number(ui, ("bending", " N m²"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
     });
     group(ui, "Look", matter.points > 0, |ui| looks(ui, matter, facts, sink));
     group(ui, "Surface", has_surface, |ui| surface(ui, matter, facts, sink));

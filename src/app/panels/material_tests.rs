@@ -278,3 +278,25 @@ fn stops_of_joints_are_ticked_and_typed_in_degrees() {
     let rest = type_in(90.0, "100");
     assert!(matches!(rest, MatterChange::RestAngle(x) if near(x, 100.0)), "{rest:?}");
 }
+
+#[test]
+fn bending_is_typed_for_a_rope_without_angles_and_not_offered_in_space() {
+    let of = |text: &str| {
+        let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        stage.obey(Order::Inspect(Among { points: (0..5).map(PointId).collect(), ..Among::default() }));
+        let mut shown = Shown::default();
+        stage.show(&mut shown);
+        Screen::new(shown.matter.clone())
+    };
+    let mut screen = of(r#"{"wobble": 1, "bodies": [{"make": "rope", "count": 5, "to": [1, 0]}]}"#);
+    let field = screen.place("bending") + vec2(75.0, 0.0);
+    click(field).into_iter().for_each(|events| _ = screen.frame(events));
+    screen.frame(vec![Event::Text("2.5".to_owned())]);
+    let beside = Pos2::new(300.0, 700.0);
+    let wishes: Vec<Wish> =
+        click(beside).into_iter().chain([Vec::new()]).flat_map(|events| screen.frame(events).0).collect();
+    assert_eq!(wishes, [Wish::Matter(MatterChange::Bending(2.5), false)]);
+    let mut space = of(r#"{"wobble": 1, "dimensions": 3, "bodies": [{"make": "rope", "count": 5, "to": [1, 0, 0]}]}"#);
+    space.place("mass");
+    assert!(!space.frame(Vec::new()).1.iter().any(|(text, _)| text == "bending"));
+}
