@@ -1,24 +1,21 @@
-//! Every tool on every kind of scene, paused and running: it changes something, which undo takes back to the bit, or it says why not.
+//! Every tool on every kind of scene, paused and running, in a past that was gone back to and at the end: it changes something, which undo takes
+//! back to the bit, or it says why not.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+
+mod trying;
 
 use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::handles::{Frame, Handle};
+use super::Chosen;
 use super::tests::{SIZE, scope};
-use super::{Chosen, Deed, Hand, Mark, PushWay, Ring, Role, clear_bodies};
-use crate::app::action::{Primitive, Tool};
-use crate::app::clip::Clip;
-use crate::app::import::Import;
-use crate::app::matter::{Among, MatterChange, Preset};
 use crate::app::opening;
-use crate::app::player::Coming;
 use crate::app::player::{Note, Order, Shown, Stage};
-use crate::history::{Do, Group, SetKeys, Weather, hash_now};
+use crate::history::{Do, Group, hash_now};
 use crate::picture::Tint;
 use crate::render::Camera;
-use crate::scene::{Scene, Vector, WindKeys, gallery};
+use crate::scene::{Scene, gallery};
 use crate::sim::{Angle, Bond, ForceView, Obstacle, PointId, SceneChange};
 
 /// What is tried.
@@ -61,6 +58,17 @@ enum Act {
     Clear,
     Drawn,
     Hover,
+}
+
+/// When it is tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum When {
+    Paused,
+    Running,
+    /// Paused at a time that was gone back to: what is done there begins a branch.
+    Back,
+    /// Where the scene has ended by itself: nothing moves there either.
+    Ended,
 }
 
 /// What comes of it: an edit, words, a grab or a push of the cursor, which are no edits, or nothing: no body is there to be pushed.
@@ -156,6 +164,27 @@ const TABLE: [(Act, [Comes; 7]); 37] = [
     (Act::Hover, [P, P, P, P, P, N, P]),
 ];
 
+/// The columns that are gone back in too. The others cost most: ten thousand points, and a pile that takes four seconds to fall asleep.
+const BACK: [&str; 5] = ["soft", "rope", "rigid", "solid", "space"];
+/// Those that come to an end: of these that without bodies rests from its start on, so that no time passes in it.
+const ENDING: [&str; 4] = ["soft", "rope", "rigid", "space"];
+/// Where they end `[s]`: about as far from the start as all others are tried.
+const END: f64 = 0.066;
+/// So many frames from the start it is tried.
+const FRAMES: usize = 4;
+
+/// What comes of it then, where `usual` does while time runs.
+fn wanted(act: Act, when: When, usual: Comes) -> Comes {
+    match act {
+        _ if when == When::Running => usual,
+        // Nothing can be led: what is pressed on is moved.
+        Act::Grab => Comes::Edit,
+        // The cursor pushes while time runs.
+        Act::Hover => Comes::Nothing,
+        _ => usual,
+    }
+}
+
 /// The scene of a column.
 pub(in crate::app) fn scene_of(name: &str, keys: &str) -> Scene {
     if name == "space" {
@@ -167,32 +196,6 @@ pub(in crate::app) fn scene_of(name: &str, keys: &str) -> Scene {
         "bounds": {{"min": [-5, -3], "max": [5, 5], "friction": 0.5}}, {keys}}}"#
     );
     Scene::parse(&text, "x.json").unwrap()
-}
-
-/// A canvas that somebody has painted a thick stroke on.
-fn painted() -> Import {
-    let mut import = Import::of_canvas(|| ()).unwrap();
-    let context = egui::Context::default();
-    let button = |pos, pressed| {
-        let (button, modifiers) = (egui::PointerButton::Primary, egui::Modifiers::NONE);
-        egui::Event::PointerButton { pos, button, pressed, modifiers }
-    };
-    let [from, to] = [[330.0, 300.0], [470.0, 380.0]].map(egui::Pos2::from);
-    let stroke = [
-        vec![egui::Event::PointerMoved(from)],
-        vec![button(from, true)],
-        vec![egui::Event::PointerMoved(to)],
-        vec![button(to, false)],
-    ];
-    // A window is measured first, then placed.
-    for events in [vec![], vec![], vec![]].into_iter().chain(stroke) {
-        let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 720.0)));
-        let input = egui::RawInput { screen_rect, events, ..Default::default() };
-        let mut output = context.run_ui(input, |ui| _ = import.show(ui.ctx(), true));
-        output.textures_delta.clear();
-    }
-    assert!(import.has_work(), "the stroke is on the canvas");
-    import
 }
 
 /// All that an edit may change.
@@ -216,21 +219,62 @@ struct Bench {
     point: Option<usize>,
     /// What was marked before the last press said that something would come.
     promises: bool,
+    /// What was marked while the button was down said that something goes.
+    shows: bool,
 }
 
 impl Bench {
     fn new(name: &str, keys: &str, point: Option<usize>) -> Self {
-        let scene = scene_of(name, keys);
+        let mut bench = Bench::at_start(scene_of(name, keys), point);
+        // What is to sleep does, what is to move does.
+        let frames = if name == "pile" { 240 } else { FRAMES };
+        (0..frames).for_each(|_| bench.frame());
+        assert!(name != "pile" || bench.seen.0.figures.asleep, "it sleeps");
+        bench
+    }
+
+    /// One that has gone on a little beyond a time `[s]`, that time.
+    fn gone_on(name: &str, keys: &str, point: Option<usize>) -> (Self, f64) {
+        let mut bench = Bench::at_start(scene_of(name, keys), point);
+        let mut step = |times: usize| {
+            (0..times).for_each(|_| _ = bench.stage.obey(Order::Step(None)));
+            bench.stage.history().world().time()
+        };
+        let time = step(FRAMES);
+        assert!(step(2) > time, "{name}");
+        (bench, time)
+    }
+
+    /// One that has come to its end.
+    fn ended(name: &str, keys: &str, point: Option<usize>) -> Self {
+        let mut scene = scene_of(name, keys);
+        (scene.duration, scene.samples) = (Some(END), Vec::new());
+        let mut bench = Bench::at_start(scene, point);
+        // On a busy machine a frame has time for a few substeps only.
+        for _ in 0..10_000 {
+            if bench.seen.0.figures.ended {
+                return bench;
+            }
+            bench.frame();
+        }
+        panic!("{name} does not end");
+    }
+
+    fn at_start(scene: Scene, point: Option<usize>) -> Self {
         let mut stage = Stage::new(scene.clone().into()).unwrap();
         let mut shown = Shown::default();
         stage.show(&mut shown);
         let camera = opening::camera(&scene, &shown.view(), SIZE);
-        let mut bench = Bench { stage, seen: (shown, camera, scene), point, promises: false };
-        // What is to sleep does, what is to move does.
-        let frames = if name == "pile" { 240 } else { 4 };
-        (0..frames).for_each(|_| bench.frame());
-        assert!(name != "pile" || bench.seen.0.figures.asleep, "it sleeps");
-        bench
+        Bench { stage, seen: (shown, camera, scene), point, promises: false, shows: false }
+    }
+
+    /// Back to a time `[s]` of the timeline that it began with, which goes on from there.
+    fn go_back(&mut self, time: f64) {
+        self.stage.obey(Order::ToBranch(0, None));
+        self.stage.obey(Order::GoTo(time, None));
+        self.stage.show(&mut self.seen.0);
+        let history = self.stage.history();
+        assert!(history.branch() == 0 && history.has_future(), "there is something to come at {time} s");
     }
 
     fn frame(&mut self) {
@@ -266,193 +310,6 @@ impl Bench {
         Chosen::at(scope(&self.seen), self.target()).unwrap()
     }
 
-    /// A press and a release of the left button; while it is down a frame passes.
-    fn drag(&mut self, hand: &mut Hand, [from, to]: [DVec2; 2], runs: bool) -> Deed {
-        let marks = hand.marks(scope(&self.seen), Some(from));
-        let comes = |mark: &Mark| matches!(mark, Mark::Line(Role::Come, ..) | Mark::Ring(Role::Come, ..));
-        self.promises = marks.iter().any(comes);
-        let deed = hand.press(scope(&self.seen), from);
-        if !deed.is_empty() || deed.words.is_some() {
-            return deed;
-        }
-        hand.trace(scope(&self.seen), to);
-        if runs {
-            self.frame();
-        }
-        hand.release(scope(&self.seen), to)
-    }
-
-    /// Does it as the window would. Returns what the hand says, and the order that it comes to.
-    fn try_out(&mut self, act: Act, runs: bool) -> (Option<String>, Option<Order>) {
-        let mut hand = Hand::default();
-        let at = self.target();
-        let [aside, far] = [at + DVec2::new(4.0, 3.0), at + DVec2::new(60.0, -45.0)];
-        let tool = match act {
-            Act::Grab => Tool::Hand,
-            Act::Pin => Tool::Pin,
-            Act::Cut => Tool::Cut,
-            Act::Erase => Tool::Erase,
-            Act::Build | Act::Block | Act::Cloth | Act::Rim | Act::Rope | Act::Figure => Tool::Build,
-            Act::Solid | Act::SolidBox | Act::Slope | Act::Polygon | Act::Bonds => Tool::Build,
-            Act::Push | Act::PushBody | Act::Turned | Act::Throw => Tool::Push,
-            Act::Muscle => Tool::Muscle,
-            Act::Motor => Tool::Motor,
-            Act::Paint | Act::Numbers => Tool::Paint,
-            _ => Tool::Select,
-        };
-        hand.take(tool);
-        let chosen = self.chosen();
-        let among = Among { points: chosen.points.clone(), obstacles: chosen.obstacles.clone(), bonds: None };
-        let deed = match act {
-            Act::Build | Act::Block | Act::Cloth | Act::Rim | Act::Rope | Act::Figure => {
-                hand.choose(match act {
-                    Act::Block => Primitive::Box,
-                    Act::Cloth => Primitive::Cloth,
-                    Act::Rim => Primitive::Rim,
-                    Act::Rope => Primitive::Rope,
-                    Act::Figure => Primitive::Figure,
-                    _ => Primitive::Disc,
-                });
-                hand.hold([false, true]);
-                self.drag(&mut hand, [at, far], runs)
-            }
-            Act::Solid | Act::SolidBox | Act::Slope => {
-                hand.choose(match act {
-                    Act::SolidBox => Primitive::SolidBox,
-                    Act::Slope => Primitive::Slope,
-                    _ => Primitive::SolidCircle,
-                });
-                hand.hold([false, true]);
-                // An obstacle takes in no body, and cuts no rope that is held at both ends.
-                let beside = DVec2::new(0.0, 150.0);
-                self.drag(&mut hand, [at + beside, far + beside], runs)
-            }
-            Act::Polygon | Act::Bonds => {
-                hand.choose(if act == Act::Polygon { Primitive::Polygon } else { Primitive::Bonds });
-                // Off what is rigid: between its own points a bond does nothing.
-                let off = if act == Act::Bonds { 3.0 } else { 1.0 };
-                // Up from the floor, beyond which no bond is drawn.
-                let aside = if act == Act::Bonds { -60.0 } else { 60.0 };
-                let up = if act == Act::Bonds { -45.0 } else { 45.0 };
-                let corners = [at, at + off * DVec2::new(60.0, -45.0), at + off * DVec2::new(aside, up)];
-                let deeds = corners.map(|corner| self.drag(&mut hand, [corner; 2], runs));
-                let said = deeds.into_iter().find(|deed| *deed != Deed::default());
-                said.unwrap_or_else(|| hand.finish(scope(&self.seen)))
-            }
-            Act::Grab | Act::Push => self.drag(&mut hand, [at, far], runs),
-            Act::Turned => {
-                hand.set_push_way(PushWay::Turn);
-                self.drag(&mut hand, [at, far], runs)
-            }
-            Act::Throw => {
-                hand.set_push_way(PushWay::Speed);
-                self.drag(&mut hand, [at, far], runs)
-            }
-            Act::PushBody => {
-                hand.set_push_way(PushWay::Body);
-                self.drag(&mut hand, [at, far], runs)
-            }
-            Act::Numbers => {
-                let mut brush = hand.brush();
-                brush.numbers.density = crate::app::matter::Switched { is_on: true, value: 2.0 };
-                brush.numbers.color.is_on = true;
-                hand.set_brush(brush);
-                self.drag(&mut hand, [aside, far], runs)
-            }
-            Act::Hide => {
-                let change = MatterChange::Visible(false);
-                return (None, Some(Order::Change { among, change, goes_on: false }));
-            }
-            Act::Cut => self.drag(&mut hand, [at - DVec2::new(31.0, 42.0), at + DVec2::new(33.0, 44.0)], runs),
-            Act::Muscle => {
-                let ends = self
-                    .seen
-                    .0
-                    .scenery
-                    .bonds
-                    .ends()
-                    .iter()
-                    .find(|ends| ends.map(|end| Some(end.index())).contains(&self.point));
-                let middle = ends.map(|ends| ends.map(|end| scope(&self.seen).pixel(end).unwrap()));
-                let middle = middle.map_or(at, |[a, b]| 0.5 * (a + b));
-                self.drag(&mut hand, [middle; 2], runs)
-            }
-            Act::Turn | Act::Scale if self.seen.0.dimensions == 3 => {
-                hand.select(chosen);
-                let meant = if act == Act::Turn { Ring::About(2) } else { Ring::Size };
-                let marks = hand.marks(scope(&self.seen), None);
-                let on = |at: &DVec2| hand.ring(scope(&self.seen), *at) == Some(meant);
-                let places = marks.iter().filter_map(|mark| match mark {
-                    Mark::Line(_, at, ..) | Mark::Square(_, at, _) => Some(*at),
-                    _ => None,
-                });
-                let from = places.into_iter().find(on).unwrap();
-                self.drag(&mut hand, [from, from + DVec2::new(25.0, -20.0)], runs)
-            }
-            Act::Turn | Act::Scale => {
-                hand.select(chosen.clone());
-                let handle = if act == Act::Turn { Handle::Turn } else { Handle::Corner(2) };
-                let from = Frame::of(scope(&self.seen), &chosen).map_or(at, |frame| {
-                    frame.handles(scope(&self.seen)).into_iter().find(|(other, _)| *other == handle).unwrap().1
-                });
-                self.drag(&mut hand, [from, from + DVec2::new(25.0, -20.0)], runs)
-            }
-            Act::Preset => {
-                let change = MatterChange::Preset(Preset::Rubber);
-                return (None, Some(Order::Change { among, change, goes_on: false }));
-            }
-            Act::Soften => {
-                return (None, Some(Order::Change { among, change: MatterChange::Stiffness(123.0), goes_on: false }));
-            }
-            Act::Copy => {
-                let by = chosen.beside(scope(&self.seen));
-                let add = move |history: &crate::history::History| {
-                    Ok(Coming::of(Clip::of(history, &chosen).placed(history.world(), by)))
-                };
-                return (None, Some(Order::Add(Box::new(add))));
-            }
-            Act::Group if chosen.points.len() < 2 => return (Some("the session says so".to_owned()), None),
-            Act::Group => {
-                let act = Do::Group { points: chosen.points, name: "group 1".to_owned() };
-                return (None, Some(Order::Give(vec![act], Some("group"))));
-            }
-            Act::Wind => {
-                let velocity = Vector::new([3.0, 0.0, 0.0], self.seen.0.dimensions);
-                let wind = Weather::This(WindKeys { velocity, turbulence: None, seed: None });
-                let set = Do::Set(Box::new(SetKeys { wind: Some(wind), ..SetKeys::default() }));
-                return (None, Some(Order::Give(vec![set], Some("wind"))));
-            }
-            Act::Lasso => {
-                hand.draw_lasso(true);
-                // Around all that is in view, from one corner on.
-                let [right, low] = SIZE.map(|side| f64::from(side) - 5.0);
-                let corners = [[5.0, 5.0], [right, 5.0], [right, low], [5.0, low]].map(DVec2::from);
-                hand.press(scope(&self.seen), corners[0]);
-                corners[1..].iter().for_each(|&corner| hand.trace(scope(&self.seen), corner));
-                hand.release(scope(&self.seen), corners[3]);
-                hand.delete(scope(&self.seen), None)
-            }
-            Act::Clear => clear_bodies(scope(&self.seen)),
-            Act::Drawn => {
-                let import = painted();
-                let seen = [[-5.0, -3.0], [5.0, 5.0]];
-                return (None, Some(Order::Add(Box::new(import.adder(seen)))));
-            }
-            Act::Delete => {
-                hand.select(chosen);
-                hand.delete(scope(&self.seen), None)
-            }
-            Act::Move => self.drag(&mut hand, [at, far], runs),
-            _ => self.drag(&mut hand, [aside; 2], runs),
-        };
-        let order = match deed.painted {
-            Some(among) => Some(Order::Change { among, change: hand.brush().change(), goes_on: false }),
-            None if deed.commands.is_empty() => None,
-            None => Some(Order::Give(deed.commands, deed.edit)),
-        };
-        (deed.words, order)
-    }
-
     /// The cursor comes to the pixel that is meant, and some frames pass.
     fn hover(&mut self, runs: bool) -> Result<Comes, String> {
         let at = self.seen.1.cursor(self.target().to_array());
@@ -471,11 +328,12 @@ impl Bench {
     }
 
     /// What comes of it; an edit is undone.
-    fn comes(&mut self, act: Act, runs: bool) -> Result<Comes, String> {
+    fn comes(&mut self, act: Act, when: When) -> Result<Comes, String> {
+        let runs = when == When::Running;
         if act == Act::Hover {
             return self.hover(runs);
         }
-        let (words, order) = self.try_out(act, runs);
+        let (words, order) = self.try_out(act, when);
         let Some(order) = order else {
             let words = words.filter(|words| !words.is_empty());
             return words.map(|_| Comes::Words).ok_or("it does nothing and says nothing".to_owned());
@@ -484,12 +342,22 @@ impl Bench {
             let grabs = commands.iter().any(|act| matches!(act, Do::Grab(_)));
             return if grabs { Ok(Comes::Grab) } else { Err(format!("{commands:?}")) };
         }
-        let before = self.state();
+        if let (Act::Grab, Order::Give(commands, name)) = (act, &order)
+            && *name != Some("move")
+        {
+            return Err(format!("{name:?} of {commands:?}"));
+        }
+        let (before, is_back) = (self.state(), self.stage.history().has_future());
         match self.stage.obey(order) {
             Some(Note::Refused(words)) if !words.is_empty() => return Ok(Comes::Words),
             Some(Note::Held) => return Ok(Comes::Words),
-            None | Some(Note::Added(None)) => {}
-            Some(other) => return Err(format!("{other:?}")),
+            Some(Note::Branched) if is_back => {}
+            Some(Note::Added(None)) => {}
+            None if !is_back => {}
+            other => return Err(format!("{other:?}")),
+        }
+        if is_back && self.stage.history().branch() == 0 {
+            return Err("what was to come is lost".to_owned());
         }
         if self.state() == before {
             return Err("nothing has changed".to_owned());
@@ -510,26 +378,66 @@ impl Bench {
     }
 }
 
+impl Bench {
+    /// All that is tried in a column, gone back to a time before `[s]` if there is one. Returns what comes otherwise than it is to.
+    fn try_all(&mut self, column: usize, when: When, back: Option<f64>) -> Vec<String> {
+        let name = SCENES[column].0;
+        let mut wrong = Vec::new();
+        for (act, row) in TABLE {
+            back.into_iter().for_each(|time| self.go_back(time));
+            (self.promises, self.shows) = (false, false);
+            let comes = self.comes(act, when);
+            if comes == Ok(Comes::Words) && self.promises {
+                wrong.push(format!("{act:?} in {name}, {when:?}: it promises what is refused"));
+            }
+            if comes == Ok(Comes::Edit) && matches!(act, Act::Cut | Act::Erase) && !self.shows {
+                wrong.push(format!("{act:?} in {name}, {when:?}: what goes is not seen before"));
+            }
+            if when == When::Ended && !self.seen.0.figures.ended {
+                wrong.push(format!("{act:?} in {name}: undone it has not ended any more"));
+            }
+            if comes != Ok(wanted(act, when, row[column])) {
+                wrong.push(format!("{act:?} in {name}, {when:?}: {comes:?}"));
+            }
+        }
+        wrong
+    }
+}
+
+/// The columns of these names, each with its place.
+fn columns(names: &[&str]) -> impl Iterator<Item = (usize, (&'static str, &'static str, Option<usize>))> {
+    SCENES.into_iter().enumerate().filter(move |(_, (name, ..))| names.contains(name))
+}
+
 #[test]
 fn every_tool_does_something_that_is_undone_or_says_why_not() {
     let mut wrong = Vec::new();
     for (column, (name, keys, point)) in SCENES.into_iter().enumerate() {
         let mut bench = Bench::new(name, keys, point);
-        for runs in [false, true] {
-            bench.stage.obey(Order::Play(runs));
-            for (act, row) in TABLE {
-                bench.promises = false;
-                let comes = bench.comes(act, runs);
-                if comes == Ok(Comes::Words) && bench.promises {
-                    wrong.push(format!("{act:?} in {name}: it promises what is refused"));
-                }
-                // The cursor pushes while time runs.
-                let wanted = if act == Act::Hover && !runs { Comes::Nothing } else { row[column] };
-                if comes != Ok(wanted) {
-                    wrong.push(format!("{act:?} in {name}, {}: {comes:?}", if runs { "running" } else { "paused" }));
-                }
-            }
+        for when in [When::Paused, When::Running] {
+            bench.stage.obey(Order::Play(when == When::Running));
+            wrong.extend(bench.try_all(column, when, None));
         }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn in_the_past_every_tool_begins_a_branch_that_is_undone_or_says_why_not() {
+    let mut wrong = Vec::new();
+    for (column, (name, keys, point)) in columns(&BACK) {
+        let (mut bench, time) = Bench::gone_on(name, keys, point);
+        wrong.extend(bench.try_all(column, When::Back, Some(time)));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn at_the_end_every_tool_does_something_that_is_undone_or_says_why_not() {
+    let mut wrong = Vec::new();
+    for (column, (name, keys, point)) in columns(&ENDING) {
+        let mut bench = Bench::ended(name, keys, point);
+        wrong.extend(bench.try_all(column, When::Ended, None));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
