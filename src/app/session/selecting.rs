@@ -10,7 +10,7 @@ use crate::app::action::Tool;
 use crate::app::matter::{Among, Bearings, MatterChange, overload};
 use crate::app::panels::MatterAt;
 use crate::app::player::Order;
-use crate::app::tools::{Chosen, Handle, Held, Ring, Scope, hidden_bodies, is_of_space};
+use crate::app::tools::{Chosen, Handle, Held, PushWay, Ring, Scope, hidden_bodies, is_of_space};
 use crate::history::{Do, Group};
 use crate::sim::PointId;
 
@@ -188,6 +188,7 @@ impl Session {
         }
         let can_look = self.shown().point_count() <= MOST_HOVERED;
         let is_plane = self.scene.dimensions() == 2;
+        let push = self.hand.push_way();
         let mut on = |what: fn(Scope<'_>, DVec2) -> bool| can_look && self.with_scope(|_, scope| what(scope, at));
         match tool {
             Tool::Hand if on(|scope, at| scope.starts_at(at)) => CursorIcon::Crosshair,
@@ -196,7 +197,7 @@ impl Session {
             Tool::Motor if !is_plane => CursorIcon::NotAllowed,
             Tool::Build if !is_plane && !is_of_space(self.hand.primitive()) => CursorIcon::NotAllowed,
             Tool::Select if can_look && self.with_scope(|hand, scope| hand.would_move(scope, at)) => CursorIcon::Move,
-            other => idle_icon(other),
+            other => idle_icon(other, push),
         }
     }
 
@@ -221,13 +222,16 @@ impl Session {
     }
 }
 
-/// How the pointer looks over the world with a tool, wherever it has nothing else to say: each tool has an icon of its own, but the brush,
-/// which has its ring.
-fn idle_icon(tool: Tool) -> CursorIcon {
+/// How the pointer looks over the world with a tool, wherever it has nothing else to say: each tool has an icon of its own, and so has the wind.
+fn idle_icon(tool: Tool, push: PushWay) -> CursorIcon {
     match tool {
         Tool::Hand => CursorIcon::Default,
         Tool::Pin => CursorIcon::Pointer,
-        Tool::Cut | Tool::Paint => CursorIcon::Crosshair,
+        Tool::Cut => CursorIcon::Crosshair,
+        // A short bar in the middle of its ring: what has arms would be taken for a part of that.
+        Tool::Paint => CursorIcon::VerticalText,
+        // An arrow to somewhere, as forces are drawn; that of the wind is askew.
+        Tool::Push if push == PushWay::Wind => CursorIcon::NeResize,
         Tool::Push => CursorIcon::EResize,
         Tool::Erase => CursorIcon::NoDrop,
         Tool::Build => CursorIcon::Copy,
@@ -243,14 +247,17 @@ mod tests {
 
     #[test]
     fn every_tool_has_a_pointer_of_its_own() {
-        let tools: Vec<Tool> = Tool::ALL.into_iter().filter(|&tool| tool != Tool::Paint).collect();
-        for (place, &tool) in tools.iter().enumerate() {
-            for &other in &tools[place + 1..] {
-                assert_ne!(idle_icon(tool), idle_icon(other), "{tool:?} and {other:?}");
+        let tools = Tool::ALL.into_iter().map(|tool| (tool, PushWay::default()));
+        let tools: Vec<(Tool, PushWay)> = tools.chain([(Tool::Push, PushWay::Wind)]).collect();
+        for (place, &(tool, push)) in tools.iter().enumerate() {
+            let icon = idle_icon(tool, push);
+            for &(other, way) in &tools[place + 1..] {
+                assert_ne!(icon, idle_icon(other, way), "{tool:?} and {other:?}, {way:?}");
             }
-            // Those say what is going on, or that nothing can be done.
-            let taken = [CursorIcon::Grab, CursorIcon::Grabbing, CursorIcon::Move, CursorIcon::NotAllowed];
-            assert!(!taken.contains(&idle_icon(tool)), "{tool:?}");
+            // Those say what is going on, which handle is held, or that nothing can be done.
+            let going_on = [CursorIcon::Grab, CursorIcon::Grabbing, CursorIcon::Move, CursorIcon::NotAllowed];
+            let handles = [CursorIcon::NeswResize, CursorIcon::NwseResize];
+            assert!(!going_on.contains(&icon) && !handles.contains(&icon), "{tool:?}, {push:?}");
         }
     }
 }
