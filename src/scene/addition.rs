@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::check;
 use super::error::{Fault, SceneError, Source, Within};
-use super::keys::{AddKeys, BondKeys, BondList, DrawnKeys, LookKeys, ObstacleKeys, PointKeys, Scene};
+use super::keys::{AddKeys, BodyKeys, BondKeys, BondList, DrawnKeys, LookKeys, ObstacleKeys, PointKeys, Scene};
 use super::model::{angle, anticlockwise, force, material, of_length, rest_length, skin};
 use super::one_line;
 use super::support;
@@ -79,6 +79,14 @@ impl AddKeys {
         let triangles = explicit.filter(|corners| corners.iter().all(|corner| *corner < count)).chain(of_bodies);
         let triangles = triangles.collect();
         Some(Shape { places: model.position, bonds, triangles, pinned, planes, polygons: model.polygons })
+    }
+
+    /// How many points the keys bring into a world of `scene`, as their makers count them: bodies that are not in order bring none. Nothing is
+    /// made but the meshes of pictures, which are kept for what makes the bodies.
+    pub(crate) fn point_count(&self, scene: &Scene) -> usize {
+        let listed = self.points.as_ref().map_or(0, |points| points.position.len());
+        let of_body = |keys: &BodyKeys| check::count_checked(keys, scene).map_or(0, |count| count as usize);
+        listed + self.bodies.iter().map(of_body).sum::<usize>()
     }
 
     /// The balls and boxes that the keys bring into a world of space; none where they are not in order.

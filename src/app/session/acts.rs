@@ -55,7 +55,7 @@ impl Session {
             // What is drawn click by click is not done yet.
             Action::Undo if self.hand.is_drawing() => self.hand.step_back(),
             Action::StepBack => self.hand.step_back(),
-            Action::Finish if self.asked.is_some() => self.answered(0),
+            Action::Finish if self.asked.is_some() => self.answer_by(action),
             Action::Finish if self.import.is_some() => {
                 if let Some(import) = &mut self.import {
                     import.enter();
@@ -250,7 +250,7 @@ impl Session {
             return self.close_sheet();
         }
         if self.asked.is_some() {
-            return self.unanswered();
+            return self.answer_by(Action::Cancel);
         }
         if self.player.going().is_some_and(|going| is_said(&going)) {
             return self.player.stay();
@@ -408,7 +408,8 @@ impl Session {
             self.dirty = true;
         }
         if !deed.is_empty() {
-            self.ask_if_full(points_of(&deed.commands), move |session| session.player.give(deed.commands, deed.edit));
+            let coming = points_of(&deed.commands, &self.scene);
+            self.ask_if_full(coming, move |session| session.player.give(deed.commands, deed.edit));
         }
     }
 

@@ -3,10 +3,11 @@
 use std::time::Instant;
 
 use super::Session;
+use crate::app::action::Action;
 use crate::app::count::grouped;
 use crate::app::panels::{Question, short, speed};
 use crate::history::Do;
-use crate::scene::BodyKeys;
+use crate::scene::Scene;
 
 /// What takes less of a frame comes without a question, however slow the scene is already `[s]`.
 const NOTICED: f64 = 0.004;
@@ -20,16 +21,53 @@ const LEAST: f64 = 1e-7;
 /// A frame `[s]`.
 const FRAME: f64 = 1.0 / 60.0;
 
-/// What an answer does, by its place.
-pub(super) type Act = Box<dyn FnOnce(&mut Session, usize)>;
+/// What an answer does to `T`, by its place.
+type Act<T> = Box<dyn FnOnce(&mut T, usize)>;
 
 /// Something that waits for an answer.
-pub(super) struct Asked {
+pub(super) struct Asked<T = Session> {
     pub(super) question: Question,
     /// Since when it is asked whether the program is left; `None`: something else is asked.
     pub(super) leaving_since: Option<Instant>,
     /// What is done then.
-    pub(super) act: Act,
+    pub(super) act: Act<T>,
+}
+
+impl<T: 'static> Asked<T> {
+    /// What is done by the first answer alone.
+    fn adding(words: String, act: impl FnOnce(&mut T) + 'static) -> Self {
+        let answered = |to: &mut T, answer: usize| {
+            if answer == 0 {
+                act(to);
+            }
+        };
+        let question = Question { words, answers: ANSWERS };
+        Asked { question, leaving_since: None, act: Box::new(answered) }
+    }
+
+    /// The place of the answer that a key gives: Enter the first, Esc the last, which does nothing.
+    fn place(&self, action: Action) -> Option<usize> {
+        match action {
+            Action::Finish => Some(0),
+            Action::Cancel => self.question.answers.len().checked_sub(1),
+            _ => None,
+        }
+    }
+
+    fn answer(self, to: &mut T, place: usize) {
+        (self.act)(to, place);
+    }
+}
+
+/// Something comes by `act`: at once, or where `words` ask about it once that is answered.
+fn come<T: 'static>(to: &mut T, words: Option<String>, act: impl FnOnce(&mut T) + 'static) -> Option<Asked<T>> {
+    match words {
+        None => {
+            act(to);
+            None
+        }
+        Some(words) => Some(Asked::adding(words, act)),
+    }
 }
 
 /// The answers to something large that would come.
@@ -56,16 +94,9 @@ fn question(coming: usize, (there, meets): (usize, bool), (work, pace): (f64, f6
     Some(format!("{more} points more, {all} in all: about {pace}, {} of work a frame.", short(later)))
 }
 
-/// How many points commands bring, about.
-pub(super) fn points_of(commands: &[Do]) -> usize {
-    let of_body = |body: &BodyKeys| body.columns.unwrap_or(0) as usize * body.rows.unwrap_or(1) as usize;
-    let of = |act: &Do| match act {
-        Do::Add(keys) => {
-            let alone = keys.points.as_ref().map_or(0, |points| points.position.len());
-            alone + keys.bodies.iter().map(of_body).sum::<usize>()
-        }
-        _ => 0,
-    };
+/// How many points commands bring into a world of a scene.
+pub(super) fn points_of(commands: &[Do], scene: &Scene) -> usize {
+    let of = |act: &Do| if let Do::Add(keys) = act { keys.point_count(scene) } else { 0 };
     commands.iter().map(of).sum()
 }
 
@@ -76,18 +107,10 @@ impl Session {
         // Not the work of late: what else runs on the machine is a part of that, and would be told as if points cost it.
         let work = figures.cost * figures.points as f64;
         let meets = self.shown().settings.contact.flatten().is_some();
-        match question(coming, (figures.points, meets), (work, figures.pace)) {
-            None => act(self),
-            Some(words) => {
-                let answered = |session: &mut Session, answer: usize| {
-                    if answer == 0 {
-                        act(session);
-                    }
-                };
-                let question = Question { words, answers: ANSWERS };
-                self.asked = Some(Asked { question, leaving_since: None, act: Box::new(answered) });
-                self.panels_dirty = true;
-            }
+        let words = question(coming, (figures.points, meets), (work, figures.pace));
+        if let Some(asked) = come(self, words, act) {
+            self.asked = Some(asked);
+            self.panels_dirty = true;
         }
         self.dirty = true;
     }
@@ -95,20 +118,102 @@ impl Session {
     /// The question was answered, by the place of the answer.
     pub(super) fn answered(&mut self, answer: usize) {
         let Some(asked) = self.asked.take() else { return };
-        (asked.act)(self, answer);
+        asked.answer(self, answer);
         self.touch();
     }
 
-    /// By the last answer, which does nothing.
-    pub(super) fn unanswered(&mut self) {
-        let last = self.asked.as_ref().map(|asked| asked.question.answers.len() - 1);
-        last.into_iter().for_each(|last| self.answered(last));
+    /// By a key.
+    pub(super) fn answer_by(&mut self, action: Action) {
+        let place = self.asked.as_ref().and_then(|asked| asked.place(action));
+        place.into_iter().for_each(|place| self.answered(place));
     }
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
-    use super::question;
+    use winit::keyboard::{Key, NamedKey};
+
+    use super::{come, points_of, question};
+    use crate::app::keys::{Held, action};
+    use crate::history::{Do, History};
+    use crate::scene::Scene;
+
+    /// A body of each maker, and bodies in rows.
+    const BODIES: [&str; 11] = [
+        r#"{"make": "points", "count": 7, "min": [0, 0], "max": [1, 1]}"#,
+        r#"{"make": "random-graph", "count": 9, "bonds": 12, "min": [0, 0], "max": [1, 1]}"#,
+        r#"{"make": "rim", "radius": 1, "inner_radius": 0.8, "sectors": 10}"#,
+        r#"{"make": "box", "width": 1, "height": 2}"#,
+        r#"{"make": "rope", "count": 20, "to": [4, 0]}"#,
+        r#"{"make": "cloth", "columns": 6, "rows": 4, "spacing": 0.2}"#,
+        r#"{"make": "lattice", "columns": 5, "rows": 3, "spacing": 0.2}"#,
+        r#"{"make": "disc", "radius": 1, "spacing": 0.2}"#,
+        r#"{"make": "picture", "file": "pictures/gear.png", "height": 2, "spacing": 0.25}"#,
+        r#"{"make": "ragdoll"}"#,
+        r#"{"make": "disc", "radius": 1, "spacing": 0.3, "repeat": {"count": [2, 3], "step": [3, 3]}}"#,
+    ];
+
+    fn empty() -> Scene {
+        Scene::parse(r#"{"wobble": 1, "gravity": [0, 0], "points": {"position": [[9, 9]]}}"#, "x.json").unwrap()
+    }
+
+    fn add(keys: &str) -> Vec<Do> {
+        vec![Do::Add(Box::new(serde_json::from_str(keys).unwrap()))]
+    }
+
+    #[test]
+    fn as_many_points_are_told_of_before_as_each_maker_makes() {
+        let scene = empty();
+        for body in BODIES {
+            let commands = add(&format!(r#"{{"bodies": [{body}]}}"#));
+            let told = points_of(&commands, &scene);
+            let mut history = History::new(scene.clone().into()).unwrap();
+            let before = history.world().point_count();
+            history.give(commands, Some("build")).unwrap();
+            assert_eq!(told, history.world().point_count() - before, "{body}");
+            assert!(told > 3, "{body}");
+        }
+    }
+
+    #[test]
+    fn points_that_are_listed_count_too_and_bodies_that_cannot_be_do_not() {
+        let scene = empty();
+        let listed =
+            r#"{"points": {"position": [[0, 0], [1, 0]]}, "bodies": [{"make": "rope", "count": 20, "spacing": 0.1}]}"#;
+        assert_eq!(points_of(&add(listed), &scene), 22);
+        for wrong in [
+            r#"{"bodies": [{"make": "cloth", "columns": 6}]}"#,
+            r#"{"bodies": [{"make": "box", "width": 1, "height": 1, "repeat": {"count": [4000000000, 4000000000], "step": [2, 2]}}]}"#,
+        ] {
+            assert_eq!(points_of(&add(wrong), &scene), 0, "the world says what is wrong with it: {wrong}");
+        }
+        assert_eq!(points_of(&[Do::Release], &scene), 0);
+    }
+
+    #[test]
+    fn what_is_asked_about_comes_by_enter_and_is_left_by_esc() {
+        // What has come.
+        type World = Vec<usize>;
+        let build = |world: &mut World, coming: usize| {
+            let words = question(coming, (0, false), (0.0, 0.0));
+            come(world, words, move |world: &mut World| world.push(coming))
+        };
+        let mut world = World::new();
+        assert!(build(&mut world, 40).is_none());
+        assert_eq!(world, [40], "what is few comes at once");
+        for (key, comes) in [(NamedKey::Enter, true), (NamedKey::Escape, false)] {
+            let mut world = World::new();
+            let asked = build(&mut world, 16_000).unwrap();
+            assert!(world.is_empty(), "nothing comes before it is answered");
+            assert!(asked.question.words.starts_with("16,000 points more"));
+            let place = |key: NamedKey| asked.place(action(&Key::Named(key), Held::default())?);
+            assert_eq!((place(NamedKey::Space), place(NamedKey::Backspace)), (None, None), "other keys say nothing");
+            let place = place(key).unwrap();
+            asked.answer(&mut world, place);
+            assert_eq!(world, if comes { vec![16_000] } else { vec![] }, "{key:?}");
+        }
+    }
 
     #[test]
     fn what_is_few_or_fast_comes_at_once_and_what_makes_a_scene_slow_is_asked_about() {

@@ -118,6 +118,13 @@ pub(super) fn count(keys: &BodyKeys, scene: &Scene) -> Result<u32, Fault> {
     Ok(body::point_count(keys, scene.dimensions(), &scene.source)? * copies(keys))
 }
 
+/// How many points a body has that was not checked, with all its copies.
+///
+/// Errors: those of a scene with it.
+pub(super) fn count_checked(keys: &BodyKeys, scene: &Scene) -> Result<u32, Fault> {
+    body::check(keys, scene.dimensions(), &scene.source)
+}
+
 /// Whether a point of the scene is pinned, by its own list or by that of its body. The scene is checked that far.
 fn is_pinned(scene: &Scene, explicit: u32, point: u32) -> bool {
     if point < explicit {
