@@ -10,6 +10,11 @@ use wobble::scene::{Scene, schema};
 
 /// Most lines of the README, and most characters of each.
 const README: [usize; 2] = [120, 120];
+/// What the README shows: so many commands to begin with, calls of the command line, and scenes; and so many limitations at most.
+const COMMANDS: usize = 2;
+const CALLS: usize = 10;
+const SCENES: usize = 1;
+const LIMITATIONS: usize = 8;
 /// Most characters of a line of the page on tools, but in tables, and most lines of what stands in it without a gap.
 const TOOLS: [usize; 2] = [130, 6];
 /// Most bytes of a picture that the README shows.
@@ -104,6 +109,45 @@ fn the_readme_stays_an_invitation() {
         let bytes = std::fs::metadata(root().join(picture)).unwrap().len();
         assert!(bytes < PICTURE, "{picture} has {bytes} bytes");
     }
+}
+
+/// What stands under a heading, up to the next one of its kind.
+fn under<'a>(text: &'a str, heading: &str) -> &'a str {
+    let start = text.find(&format!("\n## {heading}\n")).unwrap_or_else(|| panic!("there is no part {heading:?}"));
+    let part = &text[start + 1..];
+    part.find("\n## ").map_or(part, |end| &part[..end])
+}
+
+/// The lines of blocks of code, without their languages and what is empty.
+fn code<'a>(blocks: &[&'a str]) -> Vec<&'a str> {
+    blocks.iter().flat_map(|block| block.lines().skip(1)).filter(|line| !line.trim().is_empty()).collect()
+}
+
+/// Whether an item of a list begins with a line: a point or a number.
+fn is_item(line: &str) -> bool {
+    let is_number = |number: &str| !number.is_empty() && number.chars().all(|c| c.is_ascii_digit());
+    line.starts_with("- ") || line.starts_with("* ") || line.split_once(". ").is_some_and(|(start, _)| is_number(start))
+}
+
+#[test]
+fn the_readme_has_two_commands_ten_calls_a_scene_and_few_limitations() {
+    let text = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let blocks = parted(&text).1;
+    // Each with what it does, after two spaces or more.
+    let first = |line: &&str| line.split_once("  ").map_or("", |(call, _)| call).to_owned();
+    let commands: Vec<String> = code(&blocks[..1]).iter().map(first).collect();
+    assert_eq!(commands.len(), COMMANDS, "{commands:?}");
+    assert_eq!(code(&blocks[..1]), code(&parted(under(&text, "Two commands")).1), "they come first");
+    assert!(commands.iter().all(|command| root().join(command).is_file()), "{commands:?}");
+    let calls: Vec<String> = code(&parted(under(&text, "The command line")).1).iter().map(first).collect();
+    assert_eq!(calls.len(), CALLS, "{calls:?}");
+    assert!(calls.iter().all(|call| call.split(' ').next() == Some("wobble")), "{calls:?}");
+    assert_eq!(calls.iter().collect::<BTreeSet<_>>().len(), CALLS, "none is there twice: {calls:?}");
+    let scenes = blocks.iter().filter(|block| block.starts_with("json"));
+    assert_eq!(scenes.count(), SCENES);
+    assert_eq!(blocks.len(), 2 + SCENES, "there is no other code");
+    let limitations = under(&text, "Limitations").lines().filter(|line| is_item(line)).count();
+    assert!((1..=LIMITATIONS).contains(&limitations), "{limitations} limitations");
 }
 
 #[test]
