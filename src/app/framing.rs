@@ -5,6 +5,8 @@ use std::time::{Duration, Instant};
 use egui::Rect;
 
 use super::action::Tool;
+use super::opening::{Free, Over};
+use super::panels::Laid;
 use crate::render::Camera;
 
 /// How the camera came to be where it is: it is put there again when the window gets another size.
@@ -16,6 +18,37 @@ pub(super) enum Framing {
     Fit,
     /// By hand.
     Free,
+}
+
+/// What panels leave of a window, in its pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Left {
+    /// Width and height of the part that the world is drawn in `[px]`.
+    pub(super) area: [u32; 2],
+    /// Where nothing lies over it; `None`: a sheet lies over all of it for now.
+    pub(super) free: Option<Free>,
+    /// What lies over that part where it may.
+    pub(super) over: Over,
+    /// Height of what stands above each of several worlds `[px]`.
+    pub(super) titles: f64,
+}
+
+impl Left {
+    /// Of a window of this size `[px]`, with so many of them a point.
+    pub(super) fn of(laid: &Laid, scale: f32, window: [u32; 2]) -> Self {
+        let pixels = laid.size.map(|side| (side * scale).round() as u32);
+        let corners = |free: Rect| [free.min, free.max].map(|at| [at.x, at.y].map(|x| f64::from((x * scale).round())));
+        Left {
+            area: [pixels[0].min(window[0]), pixels[1].min(window[1])],
+            free: laid.free.map(corners),
+            over: Over {
+                corner: laid.corner.map(|at| [at.x, at.y].map(|x| f64::from(x * scale))),
+                column: laid.column.map(|ends| ends.map(|x| f64::from((x * scale).round()))),
+                low: laid.column_low.map(|low| f64::from((low * scale).round())),
+            },
+            titles: f64::from(laid.titles * scale),
+        }
+    }
 }
 
 /// What is open, by which panels leave more room or less.

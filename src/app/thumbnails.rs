@@ -159,7 +159,7 @@ fn framed(scene: &Scene, view: &View<'_>, size: [u32; 2]) -> Camera {
 }
 
 /// The same scene with fewer threads in its cloths: as large, and hung as before.
-fn coarser(mut scene: Scene) -> Scene {
+pub(super) fn coarser(mut scene: Scene) -> Scene {
     for body in &mut scene.bodies {
         if body.make == MakerName::Cloth {
             thin_out(body);

@@ -76,6 +76,11 @@ pub enum Measure {
         /// `[s]`
         time: f64,
     },
+    /// The height of the lowest point `[m]`.
+    Lowest {
+        /// `[s]`
+        time: f64,
+    },
     /// The largest |length/rest - 1| of a bond `[1]`.
     Strain {
         /// `[s]`
@@ -141,6 +146,10 @@ impl Measure {
                 let [_, last] = ends(scene, time)?;
                 place(&last, point)?;
                 Ok(distance(last.velocity[point], [0.0; 3]))
+            }
+            Measure::Lowest { time } => {
+                let [_, last] = ends(scene, time)?;
+                Ok(last.position.iter().map(|place| place[1]).fold(f64::INFINITY, f64::min))
             }
             Measure::Strain { time } => Ok(ends(scene, time)?[1].max_strain),
             Measure::PeakStrain { time } => frames(scene, time, |sample| Ok(sample.max_strain), (0.0, f64::max)),

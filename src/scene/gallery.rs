@@ -326,7 +326,7 @@ static GALLERY: [Entry; 53] = [
         "image-mesh",
         195,
         "Image mesh",
-        "A letter cut out of a bitmap, its triangles' sides swept four times a step, in one order: a jelly that the mouse dents, and that comes to rest.",
+        "A letter cut out of a bitmap, its triangles' sides swept four times a step, in one order: a jelly that the mouse dents, and whose sides get their lengths back.",
         "cut it in two as it falls: it lands 4.1 m wide in two halves; dent the letter with the mouse."
     ),
     entry!(

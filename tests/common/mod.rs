@@ -5,6 +5,7 @@
 pub mod commands;
 pub mod damage;
 pub mod golden;
+pub mod inside;
 pub mod panels;
 pub mod physics;
 pub mod picture;

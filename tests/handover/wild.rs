@@ -1,13 +1,15 @@
 //! The gallery under a mouse that is somewhere else in every frame, and in the second half of the time grabs what it finds and flings it: a
-//! frame has its bounds, most frames are cheap, and nothing is left broken or inside out.
+//! frame has its bounds, most frames are cheap, nothing is left broken or inside out, no point is left deep in something, and energy does not
+//! come from nowhere.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use wobble::scene::{Entry, gallery};
+use wobble::scene::{Entry, Scene, SolverName, gallery};
 use wobble::sim::{Command, Counters, Cursor, Dynamics, PointId, Reach, frame_of};
 
 use super::FRAME;
+use crate::common::inside::deepest;
 use crate::common::{asked, is_asked};
 
 /// What is too large for it: a frame takes a third of a second.
@@ -20,6 +22,14 @@ const MEDIAN: f64 = 4.0;
 const GRABS: [u64; 2] = [15, 12];
 /// A triangle is inside out for less than this [s].
 const INVERTED: f64 = 1.0;
+/// Every so many frames it is looked at how deep points are in what is solid: in the last of them, when no hand holds any.
+const LOOKS: u64 = 60;
+/// They are less deep in it than this share of the scene's size [1].
+const DEPTH: f64 = 0.05;
+/// A ledger is kept of so many points at most: of more it takes long.
+const BOOKED: usize = 200;
+/// What is more of energy than there was and was brought is less than this share of what was brought, or of the most that moved [1].
+const GAIN: f64 = 0.25;
 
 /// Numbers in [0, 1) that are the same every time.
 fn draw(state: &mut u64) -> f64 {
@@ -37,6 +47,28 @@ fn extent(world: &dyn Dynamics) -> [[f64; 2]; 2] {
     [low, high]
 }
 
+/// The size of a scene [m]: the lesser side of its walls, or the larger one of its points where it has none.
+fn size(world: &dyn Dynamics) -> f64 {
+    let [low, high] = extent(world);
+    match world.bounds() {
+        Some([low, high]) => (high[0] - low[0]).min(high[1] - low[1]),
+        None => (high[0] - low[0]).max(high[1] - low[1]),
+    }
+}
+
+/// Whether no point of a scene may get into what is solid: loops as they are printed let them, and a penalty is a force by depth.
+fn keeps_out(scene: &Scene) -> bool {
+    let is_printed = scene.method.solver == Some(SolverName::AsPrinted);
+    !is_printed && scene.obstacles.iter().all(|obstacle| obstacle.penalty.is_none())
+}
+
+/// How much more of energy there is than there was and was brought, what the method made by the ledger's own count, and what both are measured
+/// by: what was brought, or the most that moved [J]. Nothing where no ledger is kept, or it cannot tell.
+fn gained(world: &dyn Dynamics) -> Option<[f64; 3]> {
+    let ledger = world.sample(world.time()).ledger.filter(|ledger| ledger.book.untold == 0)?;
+    Some([ledger.excess(), ledger.left_over(), ledger.most_kinetic.max(ledger.book.brought().abs())])
+}
+
 /// What the frames of a run were like.
 #[derive(Default)]
 struct Frames {
@@ -48,6 +80,8 @@ struct Frames {
     works: Vec<f64>,
     /// How long the triangle was inside out that was so longest [s].
     inverted: f64,
+    /// How deep the deepest point was in what is solid, and when [m, s].
+    depth: [f64; 2],
 }
 
 impl Frames {
@@ -136,6 +170,12 @@ fn run(world: &mut dyn Dynamics) -> Frames {
             }
             frames.works.push(own);
             before = counters;
+            if frame % LOOKS == LOOKS - 1 {
+                let depth = deepest(&*world, &world.sample(world.time()));
+                if depth > frames.depth[0] {
+                    frames.depth = [depth, world.time()];
+                }
+            }
             let now = areas(world);
             if counters.bonds_torn != torn || now.len() != start.len() {
                 // Triangles went with bonds that broke: which is which is not known any more.
@@ -154,14 +194,26 @@ fn run(world: &mut dyn Dynamics) -> Frames {
 /// What is wrong with a scene under the mouse.
 fn fault(entry: &Entry) -> Option<String> {
     let clock = std::time::Instant::now();
-    let mut world = entry.scene().unwrap().world(None).unwrap();
+    let mut scene = entry.scene().unwrap();
+    // What is asked for by name may make energy.
+    scene.method.ledger = Some(scene.method.solver.is_none() && entry.point_count <= BOOKED);
+    let mut world = scene.world(None).unwrap();
+    let size = size(&*world);
     let frames = run(&mut *world);
-    let Frames { dearest, inverted, ref did, .. } = frames;
+    let Frames { dearest, inverted, depth: [depth, when], ref did, .. } = frames;
     let did = did.clone();
     let median = frames.median();
     let is_untouched = world.counters().mouse_points == 0 && entry.json.contains("\"mouse\"");
-    let is_beyond = dearest > FRAME || median > MEDIAN || inverted > INVERTED;
-    let figures = format!("at most {dearest:.2} ms, half below {median:.2} ms, inside out for {inverted:.2} s");
+    let gained = gained(&*world);
+    let is_in = keeps_out(&scene) && depth > DEPTH * size;
+    let is_made = gained.is_some_and(|[excess, _, most]| excess > GAIN * most);
+    let is_beyond = dearest > FRAME || median > MEDIAN || inverted > INVERTED || is_in || is_made;
+    let energies = gained.map_or_else(String::new, |[excess, made, most]| {
+        format!(", {excess:.3e} J more than was brought, {made:.3e} J made, of {most:.3e} J")
+    });
+    let figures = format!(
+        "at most {dearest:.2} ms, half below {median:.2} ms, inside out for {inverted:.2} s, {depth:.2e} m of {size:.2} m deep at {when:.1} s{energies}"
+    );
     eprintln!("{}: {figures}, {:.1} s; the dearest: {did}", entry.name, clock.elapsed().as_secs_f64());
     (is_beyond || !world.is_finite() || is_untouched)
         .then(|| format!("{}: {figures}, {:?}", entry.name, world.counters()))

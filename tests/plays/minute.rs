@@ -95,7 +95,7 @@ struct Outcome {
 }
 
 impl Play {
-    fn until(&self) -> f64 {
+    pub(super) fn until(&self) -> f64 {
         self.until.unwrap_or(MINUTE)
     }
 

@@ -17,6 +17,13 @@ pub struct Over {
     pub low: Option<f64>,
 }
 
+impl Over {
+    /// Whether that is something else than before for a view: what grows once it is there, as figures do, moves nothing.
+    pub(in crate::app) fn is_wider_than(&self, before: &Over) -> bool {
+        self.corner.is_some() && before.corner.is_none() || self.column != before.column
+    }
+}
+
 /// What a panel leaves below it is large enough from this share of the height on `[1]`.
 const LEAST_BELOW: f64 = 0.4;
 

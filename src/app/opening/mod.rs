@@ -1,6 +1,8 @@
 //! How a scene opens: its camera.
 
 mod beside;
+#[cfg(test)]
+mod gallery_tests;
 mod roaming;
 
 use glam::{DVec2, DVec3};
@@ -57,6 +59,14 @@ pub fn opened(scene: &Scene, seen: &View<'_>, size: [u32; 2], (free, over): (Fre
             beside_all(|free| drawn_back(opened, free, about), seen, (free, over))
         }
     }
+}
+
+/// The same in the first of the panes of a window, of which panels leave `area` `[px]`: only one that is alone makes way for what lies in the
+/// upper right corner, for others have titles there.
+pub fn opened_in(scene: &Scene, seen: &View<'_>, tiles: &Tiles, (area, free, over): ([u32; 2], Free, Over)) -> Camera {
+    let pane = tiles.pane(area);
+    let over = if tiles.count() == 1 { over } else { Over::default() };
+    opened(scene, seen, pane, (free_of_pane(pane, (area, free)), over))
 }
 
 /// The camera of a scene in a picture of usual shape: what is measured by it does not depend on the window.

@@ -2,11 +2,9 @@
 
 use std::time::Instant;
 
-use egui::Rect;
-
 use super::Session;
 use crate::app::action::Tool;
-use crate::app::framing::{Beside, Framing, Open, Turn, Undocked};
+use crate::app::framing::{Beside, Framing, Left, Open, Turn, Undocked};
 use crate::app::opening::{self, Followed, Over};
 use crate::app::panels::{Laid, Opened, matter_lies};
 use crate::render::Overlay;
@@ -32,7 +30,7 @@ impl Session {
         let own = match self.framing {
             Framing::Opening => match &self.player.start().recording().view {
                 Some(saved) => opening::saved(saved, &view, pane),
-                None => opening::opened(&self.scene, &view, pane, (free, over)),
+                None => opening::opened_in(&self.scene, &view, &self.tiles, (self.area, self.free, self.over)),
             },
             Framing::Fit => opening::beside_all(|free| opening::fit_in(&view, free, pane), &view, (free, over)),
             Framing::Free => {
@@ -53,17 +51,10 @@ impl Session {
     /// The world is drawn above the bar below, and bodies are shown where no panel is.
     pub(super) fn give_world(&mut self, laid: &Laid, scale: f32, read: Vec<[f64; 4]>) {
         let whole = self.canvas.size();
-        let pixels = laid.size.map(|side| (side * scale).round() as u32);
-        let area = [pixels[0].min(whole[0]), pixels[1].min(whole[1])];
-        let corner = laid.corner.map(|at| [at.x, at.y].map(|x| f64::from(x * scale)));
-        let corners = |free: Rect| [free.min, free.max].map(|at| [at.x, at.y].map(|x| f64::from((x * scale).round())));
-        let free = laid.free.map_or(self.free, corners);
-        let column = laid.column.map(|ends| ends.map(|x| f64::from((x * scale).round())));
-        // What grows once it is there, as figures do, moves nothing.
-        let is_wider = corner.is_some() && self.over.corner.is_none() || column != self.over.column;
-        let low = laid.column_low.map(|low| f64::from((low * scale).round()));
-        self.over = Over { corner, column, low };
-        self.titles = f64::from(laid.titles * scale);
+        let Left { area, free, over, titles } = Left::of(laid, scale, whole);
+        let free = free.unwrap_or(self.free);
+        let is_wider = over.is_wider_than(&self.over);
+        (self.over, self.titles) = (over, titles);
         let (before, is_resized) = (self.area, area != self.area);
         let is_other = free != self.free || is_wider;
         (self.area, self.free) = (area, free);
