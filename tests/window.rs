@@ -649,6 +649,92 @@ fn every_tool_does_its_work_by_a_key_and_a_drag() {
     assert_eq!(names, ["pin", "force", "muscles", "motor", "Rubber", "Box", "move", "cut", "delete", "move"]);
 }
 
+impl App<'_> {
+    /// A drag with the left button by a few places on the way, from one place to another.
+    fn drag(&self, from: [u32; 2], to: [u32; 2]) {
+        self.move_mouse(from[0], from[1]);
+        std::thread::sleep(Duration::from_millis(200));
+        self.press(from);
+        for share in [1, 2, 3] {
+            let at = [0, 1].map(|axis| (from[axis] * (3 - share) + to[axis] * share) / 3);
+            self.move_mouse(at[0], at[1]);
+            std::thread::sleep(Duration::from_millis(120));
+        }
+        self.let_go();
+        std::thread::sleep(Duration::from_millis(400));
+    }
+
+    /// Saves to a file, by the sheet, and opens what lies there.
+    fn saved(&self, path: &Path) -> wobble::history::History {
+        self.key("ctrl+s");
+        // The caret of the name blinks: nothing comes to rest there.
+        std::thread::sleep(Duration::from_secs(2));
+        self.key("ctrl+a");
+        self.display.xdotool(&["type", path.to_str().unwrap()]);
+        std::thread::sleep(Duration::from_millis(500));
+        self.key("Return");
+        let start = Instant::now();
+        while !path.exists() {
+            assert!(start.elapsed() < Duration::from_secs(20), "{} is not written", path.display());
+            std::thread::sleep(Duration::from_millis(100));
+        }
+        let start = wobble::history::Start::load(path.to_str().unwrap()).unwrap();
+        wobble::history::History::new(start).unwrap()
+    }
+}
+
+/// Throws a body, opens another scene, cuts a cloth, builds a swing in an empty one, takes a part back and brings it again, and saves: one after
+/// another, as who has just come does.
+#[test]
+fn the_first_minute_goes_from_a_throw_to_a_swing_that_is_saved() {
+    let Some(display) = Display::start() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let app = display.open(&common::file("rim-still.json"));
+    app.move_mouse(1090, 300);
+    let before = app.wait_until_still();
+    app.drag([719, 324], [880, 240]);
+    assert!(changed(&before, &display.screenshot()) > 800, "it is thrown");
+    app.key("ctrl+k");
+    std::thread::sleep(Duration::from_secs(4));
+    display.xdotool(&["type", "tearable"]);
+    std::thread::sleep(Duration::from_secs(1));
+    app.key("Return");
+    app.wait_for_title("wobble · Net that tears");
+    let whole = wobble::scene::Scene::of_gallery("tearable-net", "test").unwrap().world(None).unwrap().bonds().len();
+    app.key("3");
+    app.drag([480, 300], [700, 320]);
+    let cut = app.saved(&folder.path().join("cut.json"));
+    assert!(cut.world().bonds().len() < whole, "{} of {whole} bonds are left", cut.world().bonds().len());
+    app.key("ctrl+n");
+    app.wait_for_title("wobble · Untitled");
+    // A rope from above, and a seat under its end. The signs of what is built stand beside the tools.
+    app.key("5");
+    std::thread::sleep(Duration::from_secs(1));
+    app.drag([102, 167], [102, 167]);
+    app.drag([600, 160], [600, 330]);
+    app.drag([102, 129], [102, 129]);
+    app.drag([540, 335], [660, 385]);
+    let pieces = |path: &str| {
+        let history = app.saved(&folder.path().join(path));
+        let x = history.world().positions();
+        let lowest = (0..history.world().point_count()).map(|k| x.get(2 * k + 1)).fold(f64::INFINITY, f64::min);
+        (history.world().point_count(), lowest)
+    };
+    let (count, lowest) = pieces("swing.json");
+    assert!(
+        count > 12 && lowest > 1.0,
+        "a rope and a seat that hangs on it: {count} points, {lowest} m over the floor"
+    );
+    app.key("ctrl+z");
+    std::thread::sleep(Duration::from_secs(1));
+    let (rope, _) = pieces("rope.json");
+    assert!(rope < count && rope > 3, "the rope alone: {rope} of {count} points");
+    app.key("ctrl+y");
+    std::thread::sleep(Duration::from_secs(1));
+    assert_eq!(pieces("again.json").0, count);
+    app.quit();
+}
+
 #[test]
 fn a_window_that_plays_asks_once_a_frame() {
     let Some(display) = Display::start() else { return };
