@@ -700,7 +700,8 @@ fn the_first_minute_goes_from_a_throw_to_a_swing_that_is_saved() {
     std::thread::sleep(Duration::from_secs(1));
     app.key("Return");
     app.wait_for_title("wobble · Net that tears");
-    let whole = wobble::scene::Scene::of_gallery("tearable-net", "test").unwrap().world(None).unwrap().bonds().len();
+    let net = wobble::scene::gallery().iter().find(|entry| entry.name == "tearable-net").unwrap();
+    let whole = net.scene().unwrap().world(None).unwrap().bonds().len();
     app.key("3");
     app.drag([480, 300], [700, 320]);
     let cut = app.saved(&folder.path().join("cut.json"));

@@ -72,13 +72,15 @@ impl Rig {
 
     /// `None` where rigid bonds make no body and are more than `most_alone`, contradict each other, or leave too much loose.
     pub(super) fn of(held: &Held<'_>, most_alone: usize, is_led: impl Fn(u32) -> bool) -> Option<Self> {
-        let plan = Blueprint::of(held, &[], most_alone, is_led)?;
+        let mut plan = Blueprint::of(held, &[], most_alone, is_led)?;
+        let is_fastened = |seat: &End| plan.links.iter().any(|link| link.ends.contains(seat));
+        let fastened = (0..).zip(&plan.seats).filter(|(_, seat)| is_fastened(seat)).map(|(point, _)| point).collect();
+        leave_loose(&mut plan);
         let member = |body: &BodyPlan| match body.points[..] {
             [point] => Member::Point(point),
             _ => Member::Frame(body.shape.clone(), body.points.clone()),
         };
         let inertia = |body: &BodyPlan| Inertia { inverse: [1.0 / body.shape.mass, 1.0 / body.shape.inertia] };
-        let is_fastened = |seat: End| plan.links.iter().any(|link| link.ends.contains(&seat));
         let (least, most) = plan.bodies.iter().fold((f64::INFINITY, 0.0_f64), |(least, most), body| {
             (least.min(body.shape.mass), most.max(body.shape.mass))
         });
@@ -86,7 +88,7 @@ impl Rig {
             keeps_rows: most <= MOST_UNEQUAL * least,
             members: plan.bodies.iter().map(member).collect(),
             inertias: plan.bodies.iter().map(inertia).collect(),
-            fastened: (0..plan.seats.len() as u32).filter(|&point| is_fastened(plan.seats[point as usize])).collect(),
+            fastened,
             joints: Joints::new(plan.links),
             fixed: plan.fixed,
             still: plan.still,
@@ -109,6 +111,25 @@ impl Rig {
             Member::Point(_) => None,
         })
     }
+}
+
+/// Points alone that nothing joins, as those of a soft wheel on its axle, are no members: joints do nothing to them.
+fn leave_loose(plan: &mut Blueprint) {
+    let mut is_joined: Vec<bool> = plan.bodies.iter().map(|body| body.points.len() > 1).collect();
+    for end in plan.links.iter().flat_map(|link| link.ends) {
+        if let End::On { body, .. } = end {
+            is_joined[body as usize] = true;
+        }
+    }
+    let before = |left: &mut u32, is: &bool| Some(std::mem::replace(left, *left + u32::from(*is)));
+    let numbers: Vec<u32> = is_joined.iter().scan(0, before).collect();
+    for end in plan.links.iter_mut().flat_map(|link| &mut link.ends) {
+        if let End::On { body, .. } = end {
+            *body = numbers[*body as usize];
+        }
+    }
+    let mut is_member = is_joined.into_iter();
+    plan.bodies.retain(|_| is_member.next().unwrap_or(true));
 }
 
 /// A rig in a cluster: where its points and its frames begin.
@@ -398,8 +419,13 @@ impl<S: Real> Cluster<S> {
         let base = self.bases[self.body_of[points[1]] as usize] as usize;
         let rigged = self.rigs.iter().find(|rigged| rigged.base == base)?;
         let rig = &rigged.rig;
+        // What no joint holds answers by itself.
+        let mut alone = S::ZERO;
         let pushes = points.iter().zip(slopes).filter_map(|(&i, slope)| {
-            let member = self.member_of(rigged, i)?;
+            let Some(member) = self.member_of(rigged, i) else {
+                alone += self.w[i] * dot(slope, slope);
+                return None;
+            };
             Some((member, widen(self.now[i]), widen(slope)))
         });
         let pushes: Vec<(usize, [f64; 2], [f64; 2])> = pushes.collect();
@@ -421,10 +447,10 @@ impl<S: Real> Cluster<S> {
         let along = |&(member, at, push): &(usize, [f64; 2], [f64; 2])| {
             dot(push, twists[member].at(sub(at, motions[member].place.middle)))
         };
-        Some(S::from_f64(pushes.iter().map(along).sum()))
+        Some(alone + S::from_f64(pushes.iter().map(along).sum()))
     }
 
-    /// Which member of a rig a point goes with; `None`: it is held.
+    /// Which member of a rig a point goes with; `None`: it is held, or no joint holds it.
     fn member_of(&self, rigged: &Rigged, i: usize) -> Option<usize> {
         let frame = self.frame_of.get(i).map(|home| home[0] as usize).filter(|&number| number >= rigged.first);
         let mut members = rigged.rig.members.iter().enumerate();
@@ -450,5 +476,29 @@ impl<S: Real> Cluster<S> {
             Member::Point(point) => Twist { velocity: widen(self.velocity[rigged.base + *point as usize]), spin: 0.0 },
         };
         rigged.rig.members.iter().map(of).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_alone_that_nothing_joins_are_no_members() {
+        let body = |points: &[u32]| BodyPlan {
+            shape: Arc::new(Shape::free(vec![[0.0; 2]; points.len()], vec![1.0; points.len()])),
+            points: points.to_vec(),
+            deaf: Vec::new(),
+        };
+        let on = |body: u32| End::On { body, place: [0.0; 2] };
+        let mut plan = Blueprint {
+            bodies: vec![body(&[0, 1, 2]), body(&[3]), body(&[4]), body(&[5])],
+            links: vec![Link { ends: [on(0), on(2)], rest: None, drive: None }],
+            ..Blueprint::default()
+        };
+        leave_loose(&mut plan);
+        let members: Vec<Vec<u32>> = plan.bodies.into_iter().map(|body| body.points).collect();
+        assert_eq!(members, [vec![0, 1, 2], vec![4]]);
+        assert_eq!(plan.links[0].ends, [on(0), on(1)], "a link goes to where its end is now");
     }
 }
