@@ -48,7 +48,7 @@ const FRAME: f32 = 10.0;
 const TO_TOOLTIP: f32 = 6.0;
 
 /// Height of the matters below them `[points]`.
-const MATTERS: f32 = 152.0;
+const MATTERS: f32 = 120.0;
 
 /// Whether what is built can be of any matter: ropes, cloths and figures are of their own.
 fn is_of_any(facts: &Facts) -> bool {
@@ -134,7 +134,8 @@ fn matters(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
     ui.separator();
     ui.label(RichText::new("made of").color(colors(ui).weak));
     let width = ui.min_rect().width();
-    for preset in Preset::ALL {
+    // A cloth is something else that is built.
+    for preset in Preset::ALL.into_iter().filter(|preset| *preset != Preset::Cloth) {
         let button = swatch(ui, preset, (facts.built_of == preset, width));
         say(&button, edge, preset.words());
         if button.clicked() {

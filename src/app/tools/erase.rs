@@ -7,6 +7,7 @@ use glam::DVec2;
 use super::Deed;
 use super::marks::{self, Mark, Role};
 use super::pick::{Scope, distance_to_segment};
+use super::selecting::is_drag;
 use crate::history::{DeleteKeys, Do};
 use crate::sim::PointId;
 
@@ -27,21 +28,39 @@ const ONE_BOND: &str = "this bond alone; a click beside it takes the body";
 
 /// A point is meant before a bond, what is filled before its bonds, and what lies on top before an obstacle.
 pub(super) fn target(scope: Scope<'_>, at: DVec2) -> Option<Target> {
-    // Of a point with a skin about it the body is meant, wherever it is clicked.
-    let hit = scope.nearest(at);
-    let is_bare = |point: PointId| {
-        let has = |skin: &crate::picture::Skin| skin.triangles.iter().any(|corners| corners.contains(&point.0));
-        !scope.shown.scenery.skins.iter().any(has)
-    };
-    match hit {
-        Some(hit) if hit.distance > 8.0 * scope.scale && is_bare(hit.point) => {
-            let bond = scope.bond(at).filter(|(_, ends)| !is_filled(scope, *ends) || is_meant(scope, (*ends, at)));
-            let bond = bond.map(|(place, ends)| Target::Bond(scope.shown.scenery.bond_number(place), ends));
-            bond.or_else(|| Some(Target::Body(scope.body(hit.point))))
+    match scope.nearest(at) {
+        Some(hit) if hit.distance > 8.0 * scope.scale && is_bare(scope, hit.point) => {
+            bond(scope, at).or_else(|| Some(Target::Body(scope.body(hit.point))))
         }
         Some(hit) => Some(Target::Body(scope.body(hit.point))),
         None => scope.obstacle(at).map(Target::Obstacle),
     }
+}
+
+/// What a stroke takes at a pixel: of ropes and nets bonds alone, or it would take all of a net at the first of its points.
+fn along(scope: Scope<'_>, at: DVec2) -> Option<Target> {
+    match target(scope, at) {
+        Some(Target::Body(points)) if points.len() > 1 && is_net(scope, &points) => bond(scope, at),
+        other => other,
+    }
+}
+
+/// The bond that lies at a pixel, if it is meant there.
+fn bond(scope: Scope<'_>, at: DVec2) -> Option<Target> {
+    let bond = scope.bond(at).filter(|(_, ends)| !is_filled(scope, *ends) || is_meant(scope, (*ends, at)));
+    bond.map(|(place, ends)| Target::Bond(scope.shown.scenery.bond_number(place), ends))
+}
+
+/// Of a point with a skin about it the body is meant, wherever it is clicked.
+fn is_bare(scope: Scope<'_>, point: PointId) -> bool {
+    let has = |skin: &crate::picture::Skin| skin.triangles.iter().any(|corners| corners.contains(&point.0));
+    !scope.shown.scenery.skins.iter().any(has)
+}
+
+/// Whether points, which are ascending, are corners of nothing that is filled.
+fn is_net(scope: Scope<'_>, points: &[PointId]) -> bool {
+    let is_its = |corner: &PointId| points.binary_search(corner).is_ok();
+    is_bare(scope, points[0]) && !scope.shown.scenery.triangles.iter().flatten().any(is_its)
 }
 
 /// Whether both ends of a bond are of what is filled.
@@ -56,9 +75,20 @@ fn is_meant(scope: Scope<'_>, (ends, at): ([PointId; 2], DVec2)) -> bool {
     from.distance(to) > LONG * scope.scale && distance_to_segment(at, from, to) <= ON_IT * scope.scale
 }
 
-/// What is said of what goes, before the click.
-pub(super) fn words(scope: Scope<'_>, target: &Target) -> Option<&'static str> {
-    matches!(target, Target::Bond(_, ends) if is_filled(scope, *ends)).then_some(ONE_BOND)
+/// What goes, and what is said of it, before the click.
+pub(super) fn marks(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
+    let Some(target) = target(scope, at) else { return Vec::new() };
+    let is_one_of_many = matches!(target, Target::Bond(_, ends) if is_filled(scope, ends));
+    let said = is_one_of_many.then(|| marks::beside(scope, at, ONE_BOND));
+    would_go(scope, &target).into_iter().chain(said).collect()
+}
+
+fn would_go(scope: Scope<'_>, target: &Target) -> Vec<Mark> {
+    match target {
+        Target::Body(points) => marks::bonds(Role::Away, scope, points),
+        Target::Bond(_, ends) => marks::line(Role::Away, scope, *ends).into_iter().collect(),
+        Target::Obstacle(number) => marks::obstacle(Role::Away, scope, *number),
+    }
 }
 
 /// Takes away what is meant by a pixel.
@@ -72,6 +102,10 @@ const STEP: f64 = 6.0;
 /// What a stroke went over so far: all of it goes when the stroke ends.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Sweep {
+    /// Where it began `[px]`, and what a click means there, until it is a stroke.
+    from: DVec2,
+    first: Option<Target>,
+    is_stroke: bool,
     points: BTreeSet<PointId>,
     bonds: BTreeMap<u32, [PointId; 2]>,
     obstacles: BTreeSet<u32>,
@@ -82,15 +116,22 @@ pub(super) struct Sweep {
 impl Sweep {
     /// A stroke begins at a pixel, with what is meant there.
     pub(super) fn begin(scope: Scope<'_>, at: DVec2) -> Self {
-        let mut sweep = Sweep { last: at, ..Sweep::default() };
-        if let Some(target) = target(scope, at) {
-            sweep.take(target);
-        }
-        sweep
+        Sweep { from: at, last: at, first: target(scope, at), ..Sweep::default() }
     }
 
     /// It goes on to a pixel. Ground stays, unless the stroke began on it: a stroke along a floor means what lies there.
     pub(super) fn trace(&mut self, scope: Scope<'_>, at: DVec2) {
+        if !self.is_stroke {
+            self.is_stroke = is_drag(scope, [self.from, at]);
+            if !self.is_stroke {
+                return;
+            }
+            let first = match self.first.take() {
+                Some(Target::Body(_)) => along(scope, self.from),
+                other => other,
+            };
+            first.into_iter().for_each(|target| self.take(target));
+        }
         let steps = (self.last.distance(at) / (STEP * scope.scale)).ceil().max(1.0) as u32;
         let from = std::mem::replace(&mut self.last, at);
         for k in 1..=steps {
@@ -98,7 +139,7 @@ impl Sweep {
             if scope.nearest(at).is_some_and(|hit| self.points.contains(&hit.point)) {
                 continue;
             }
-            match target(scope, at) {
+            match along(scope, at) {
                 Some(Target::Obstacle(number)) if scope.block(at) != Some(number) => {}
                 Some(target) => self.take(target),
                 None => {}
@@ -121,7 +162,8 @@ impl Sweep {
     }
 
     /// What it went over goes, as far as it is there yet.
-    pub(super) fn deed(&self, scope: Scope<'_>) -> Deed {
+    pub(super) fn deed(mut self, scope: Scope<'_>) -> Deed {
+        self.first.take().into_iter().for_each(|target| self.take(target));
         let is_there = |(number, ends): &(u32, [PointId; 2])| scope.shown.scenery.bond_ends(*number) == Some(*ends);
         let keys = DeleteKeys {
             points: self.points.iter().filter(|point| scope.is_there(**point)).map(|point| point.0).collect(),
@@ -140,11 +182,12 @@ impl Sweep {
 
     /// What will go.
     pub(super) fn marks(&self, scope: Scope<'_>) -> Vec<Mark> {
+        let first = self.first.clone().map_or_else(Vec::new, |target| would_go(scope, &target));
         let points: Vec<PointId> = self.points.iter().copied().filter(|&point| scope.is_there(point)).collect();
         let bodies = if points.is_empty() { Vec::new() } else { marks::body(Role::Away, scope, &points) };
         let bonds = self.bonds().filter_map(|(_, ends)| marks::line(Role::Away, scope, ends));
         let solids = self.obstacles.iter().flat_map(|&number| marks::obstacle(Role::Away, scope, number));
-        bodies.into_iter().chain(bonds).chain(solids).collect()
+        first.into_iter().chain(bodies).chain(bonds).chain(solids).collect()
     }
 }
 

@@ -4,10 +4,9 @@ use glam::{DVec2, DVec3};
 
 use super::build::Maker;
 use super::chosen::Chosen;
-use super::erase::{Target, target, words};
 use super::pick::{self, Scope};
 use super::selecting::{dragged, pins};
-use super::{Doing, boxes, hub, knot, skin};
+use super::{Doing, boxes, erase, hub, knot, skin};
 use crate::app::action::Tool;
 use crate::app::player::Probe;
 use crate::sim::{BOX_EDGES, Figure, PointId};
@@ -134,7 +133,7 @@ pub(super) fn of(
             under.map_or_else(Vec::new, |chosen| chosen.outline(scope, Role::Lead))
         }
         (Doing::Marking(region), _) => at.map_or_else(Vec::new, |at| region.marks(scope, at)),
-        (_, Tool::Erase) => at.map_or_else(Vec::new, |at| would_go(scope, at)),
+        (_, Tool::Erase) => at.map_or_else(Vec::new, |at| erase::marks(scope, at)),
         _ => Vec::new(),
     }
 }
@@ -204,7 +203,7 @@ fn would_grab(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
 }
 
 /// Words beside the pointer.
-fn beside(scope: Scope<'_>, at: DVec2, words: &str) -> Mark {
+pub(super) fn beside(scope: Scope<'_>, at: DVec2, words: &str) -> Mark {
     Mark::Words(at + DVec2::new(16.0, -14.0) * scope.scale, words.to_owned())
 }
 
@@ -230,23 +229,12 @@ fn would_pin(scope: Scope<'_>, at: DVec2) -> Option<Mark> {
     Some(Mark::Ring(role, scope.pixel(point)?, 8.0 * scope.scale))
 }
 
-fn would_go(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
-    let target = target(scope, at);
-    let said = target.as_ref().and_then(|target| words(scope, target)).map(|words| beside(scope, at, words));
-    match target {
-        Some(Target::Body(points)) => bonds(Role::Away, scope, &points),
-        Some(Target::Bond(_, ends)) => line(Role::Away, scope, ends).into_iter().chain(said).collect(),
-        Some(Target::Obstacle(number)) => obstacle(Role::Away, scope, number),
-        None => Vec::new(),
-    }
-}
-
 pub(super) fn line(role: Role, scope: Scope<'_>, [a, b]: [PointId; 2]) -> Option<Mark> {
     Some(Mark::Line(role, scope.pixel(a)?, scope.pixel(b)?, 1.5 * scope.scale))
 }
 
 /// The bonds among points, which are ascending, and a ring about each that has none.
-fn bonds(role: Role, scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
+pub(super) fn bonds(role: Role, scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
     let is_its = |ends: &&[PointId; 2]| ends.iter().all(|end| points.binary_search(end).is_ok());
     let bonds: Vec<[PointId; 2]> = scope.shown.scenery.bonds.ends().iter().filter(is_its).take(MOST).copied().collect();
     let mut bonded: Vec<PointId> = bonds.iter().flatten().copied().collect();

@@ -34,9 +34,7 @@ impl Hand {
             }
             Doing::Cutting(slash) => slash.release(scope, at),
             Doing::Erasing(mut sweep) => {
-                if self.is_dragged || is_drag(scope, [self.pressed, at]) {
-                    sweep.trace(scope, at);
-                }
+                sweep.trace(scope, at);
                 sweep.deed(scope)
             }
             Doing::Driving(swipe) => self.drives.muscle.release(scope, swipe, at),

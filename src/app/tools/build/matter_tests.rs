@@ -120,7 +120,7 @@ fn tower(matter: Preset) -> [f64; 2] {
 #[test]
 fn a_tower_of_wood_stands_as_high_as_its_boxes_and_one_of_jelly_sags() {
     let [high, aside] = tower(Preset::Wood);
-    assert!((high - 4.0).abs() < 0.05 && aside < 0.1, "{high} m, {aside} m aside");
+    assert!((high - 4.0).abs() < 0.1 && aside < 0.1, "{high} m, {aside} m aside");
     let [high, _] = tower(Preset::Jelly);
     assert!(high < 3.9, "{high} m");
 }
@@ -144,6 +144,8 @@ fn what_is_drawn_over_another_body_is_told_that_they_part_unless_bodies_pass_eac
         assert!(said(ROOM, over, false).contains("unless they are hinged"), "{}", said(ROOM, over, false));
     }
     assert!(!said(ROOM, [2.5, 0.0], true).contains("part"), "beside it nothing is said");
-    let passing = ROOM.replace(r#""contact": {"friction": 0.5}, "#, "");
-    assert!(!said(&passing, [0.0, 0.0], true).contains("part"));
+    let unsaid = ROOM.replace(r#""contact": {"friction": 0.5}, "#, "");
+    assert!(said(&unsaid, [0.0, 0.0], true).contains("they part"), "they meet from the first on that is built");
+    let passing = ROOM.replace(r#"{"friction": 0.5}, "view""#, r#"{"bodies": false}, "view""#);
+    assert!(!said(&passing, [0.0, 0.0], true).contains("part"), "{}", said(&passing, [0.0, 0.0], true));
 }
