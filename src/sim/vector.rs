@@ -1,6 +1,6 @@
 //! Vectors of a world: `[S; D]` with D = 2 or 3, and the few operations on them that the kernels use.
 //!
-//! They are loops and not `std::array::from_fn`, which is not always inlined and then costs more than the sum itself.
+//! They are loops and not `std::array::from_fn` or `map`, which are not always inlined and then cost more than the sum itself.
 
 use super::real::Real;
 
@@ -68,13 +68,21 @@ pub fn cross3<S: Real>(a: [S; 3], b: [S; 3]) -> [S; 3] {
 /// The vector in another scalar, each component rounded to nearest.
 #[inline(always)]
 pub fn convert<S: Real, const D: usize>(a: [f64; D]) -> [S; D] {
-    a.map(S::from_f64)
+    let mut converted = [S::ZERO; D];
+    for k in 0..D {
+        converted[k] = S::from_f64(a[k]);
+    }
+    converted
 }
 
 /// The vector in `f64`, exactly.
 #[inline(always)]
 pub fn widen<S: Real, const D: usize>(a: [S; D]) -> [f64; D] {
-    a.map(S::to_f64)
+    let mut wide = [0.0; D];
+    for k in 0..D {
+        wide[k] = a[k].to_f64();
+    }
+    wide
 }
 
 /// The components in the plane, in `f64`, exactly.
@@ -86,13 +94,17 @@ pub fn flat<S: Real, const D: usize>(a: [S; D]) -> [f64; 2] {
 /// The first D components of a vector in space: a plane drops z.
 #[inline(always)]
 pub fn truncate<const D: usize>(a: [f64; 3]) -> [f64; D] {
-    std::array::from_fn(|k| a[k])
+    let mut first = [0.0; D];
+    first.copy_from_slice(&a[..D]);
+    first
 }
 
 /// The vector in space with the missing components zero.
 #[inline(always)]
 pub fn embed<const D: usize>(a: [f64; D]) -> [f64; 3] {
-    std::array::from_fn(|k| if k < D { a[k] } else { 0.0 })
+    let mut embedded = [0.0; 3];
+    embedded[..D].copy_from_slice(&a);
+    embedded
 }
 
 /// The vector in so many dimensions: what it has more is dropped, what it lacks is zero.

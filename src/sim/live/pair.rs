@@ -138,13 +138,14 @@ impl<S: Real> Pair<S> {
     /// Its places in the cluster: the point, and the ends of the edge.
     #[inline(always)]
     pub(super) fn places(&self) -> [usize; 3] {
-        [self.p, self.a, self.b].map(|i| i as usize)
+        [self.p as usize, self.a as usize, self.b as usize]
     }
 
     /// How the point lies beside the edge now.
     #[inline(always)]
     pub(super) fn found(&self, state: &Cluster<S>) -> Option<Beside<S>> {
-        beside(self.places().map(|i| state.now[i]), self.side)
+        let [p, a, b] = self.places();
+        beside([state.now[p], state.now[a], state.now[b]], self.side)
     }
 
     /// The substep begins anew; of the last one what a push was and the least speed that bounced are known.

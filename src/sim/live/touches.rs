@@ -108,6 +108,12 @@ struct Touch {
 }
 
 impl Touch {
+    /// The places of both among the moves.
+    #[inline(always)]
+    fn bodies(&self) -> [usize; 2] {
+        [self.sides[0].body, self.sides[1].body]
+    }
+
     /// By how much motions change the distance and the way along.
     #[inline(always)]
     fn by(&self, [one, other]: [&Shift; 2]) -> [f64; 2] {
@@ -133,9 +139,9 @@ impl Touch {
         self.is_met = true;
         if self.overlap > 0.0 {
             self.old = self.overlap - self.mended;
-            let [mut one, mut other] = self.sides.map(|side| moves[side.body].led);
+            let [p, e] = self.bodies();
+            let (mut one, mut other) = (moves[p].led, moves[e].led);
             self.push([&mut one, &mut other], [self.mended * self.masses[0], 0.0]);
-            let [p, e] = self.sides.map(|side| side.body);
             (moves[p].led, moves[e].led) = (one, other);
         }
     }
@@ -149,16 +155,16 @@ impl Touch {
 
     #[inline(always)]
     fn give(&self, moves: &mut [Moves], push: [f64; 2]) {
-        let [mut one, mut other] = self.sides.map(|side| moves[side.body].way);
+        let [p, e] = self.bodies();
+        let (mut one, mut other) = (moves[p].way, moves[e].way);
         self.push([&mut one, &mut other], push);
-        let [p, e] = self.sides.map(|side| side.body);
         (moves[p].way, moves[e].way) = (one, other);
     }
 
     /// Parts the two where they are nearer than they may be, and rubs them. Returns by how much more or less than before `[m]`.
     #[inline(always)]
     fn press(&mut self, moves: &mut [Moves]) -> f64 {
-        let [p, e] = self.sides.map(|side| side.body);
+        let [p, e] = self.bodies();
         let [out, along] = self.by([&moves[p].way, &moves[e].way]);
         let [led, _] = self.by([&moves[p].led, &moves[e].led]);
         let mut room = self.room + out + led;
