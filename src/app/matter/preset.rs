@@ -66,19 +66,23 @@ impl Preset {
     }
 
     /// What a maker makes of it: a body that covers so much `[m^2]` and whose springs are so many times as stiff as those of what is filled.
-    /// The surface and the colour of jelly, which is what is made if nothing else is chosen, are those of the scene.
     pub(in crate::app) fn material(self, area: f64, times: f64) -> Material {
         let Stuff { density, springs, breaks, friction, restitution, color } = self.stuff();
         let mass = density * area;
         let kind = Some(if springs.is_some() { KindName::Spring } else { KindName::Rigid });
         let stiffness = springs.map(|[soft, _]| times * soft * mass);
         let damping = stiffness.zip(springs).map(|(stiffness, [_, damping])| damping * stiffness);
-        let plain =
-            Material { kind, stiffness, damping, mass: Some(mass), break_strain: breaks, ..Material::default() };
-        if self == Preset::Jelly {
-            return plain;
+        Material {
+            kind,
+            stiffness,
+            damping,
+            mass: Some(mass),
+            break_strain: breaks,
+            friction: Some(friction),
+            restitution: Some(restitution),
+            color: Some(ColorKey(color)),
+            ..Material::default()
         }
-        Material { friction: Some(friction), restitution: Some(restitution), color: Some(ColorKey(color)), ..plain }
     }
 
     pub(super) fn stuff(self) -> Stuff {

@@ -78,14 +78,14 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
 
 fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     let motor = &mut drives.motor;
-    let said = "a click hinges the body under it: to the other one where two overlap, else to the background";
+    let said = "a click hinges the body under it: to the other one where two overlap, else to the background. A hinge that is there gets what is set here";
     ui.add(Label::new(RichText::new(said).color(colors(ui).weak)).wrap());
     let mut is_on = motor.is_on.unwrap_or(false);
     if ticks::check(ui, &mut is_on, "motor").changed() {
         motor.is_on = Some(is_on);
     }
     if motor.is_on.is_none() {
-        let said = "unless you say: a wheel alone gets one, all else is just hinged";
+        let said = "if this is left alone, a wheel on the background gets one, and two bodies are only hinged";
         ui.add(Label::new(RichText::new(said).color(colors(ui).weak)).wrap());
     }
     if motor.is_on != Some(false) {

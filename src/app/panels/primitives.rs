@@ -47,8 +47,9 @@ const FRAME: f32 = 10.0;
 /// From the edge of the panel to what is said of what stands in it `[points]`.
 const TO_TOOLTIP: f32 = 6.0;
 
-/// Height of the matters below them `[points]`.
-const MATTERS: f32 = 120.0;
+/// Height of the matters below them, and of what drawn bonds are `[points]`.
+const MATTERS: f32 = 150.0;
+const LINKS: f32 = 110.0;
 
 /// Whether what is built can be of any matter: ropes, cloths and figures are of their own.
 fn is_of_any(facts: &Facts) -> bool {
@@ -74,7 +75,8 @@ pub(super) fn show(
     wishes: &mut Vec<Wish>,
 ) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
-    let below = if is_of_any(facts) { MATTERS } else { 0.0 };
+    let of_links = if facts.primitive == Primitive::Bonds { LINKS } else { 0.0 };
+    let below = if facts.dimensions == 3 { 0.0 } else { MATTERS + of_links };
     let columns = columns(room.bottom() - corner.y - below);
     let id = Id::unique("primitives");
     let edge = context.memory(|memory| memory.area_rect(id)).map_or(corner.x, |panel| panel.right());
@@ -88,7 +90,7 @@ pub(super) fn show(
                     if facts.primitive == Primitive::Bonds {
                         links(ui, edge, facts, wishes);
                     }
-                    if is_of_any(facts) {
+                    if facts.dimensions != 3 {
                         matters(ui, edge, facts, wishes);
                     }
                 });
@@ -129,15 +131,20 @@ fn links(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
     }
 }
 
-/// What is built is made of.
+/// Said of matters where what is built is of its own.
+const OF_ITS_OWN: &str = "for boxes, discs, rims and filled loops: what else is built is changed once it is there (6)";
+
+/// What is built is made of. They stay where they are whatever is built: nothing that was about to be clicked goes away.
 fn matters(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
     ui.separator();
     ui.label(RichText::new("made of").color(colors(ui).weak));
     let width = ui.min_rect().width();
     // A cloth is something else that is built.
     for preset in Preset::ALL.into_iter().filter(|preset| *preset != Preset::Cloth) {
-        let button = swatch(ui, preset, (facts.built_of == preset, width));
+        let is_chosen = is_of_any(facts) && facts.built_of == preset;
+        let button = ui.add_enabled_ui(is_of_any(facts), |ui| swatch(ui, preset, (is_chosen, width))).inner;
         say(&button, edge, preset.words());
+        let button = button.on_disabled_hover_text(OF_ITS_OWN);
         if button.clicked() {
             wishes.push(Wish::BuildOf(preset));
         }

@@ -125,7 +125,7 @@ impl Session {
                 self.panels.bring(Opened::Settings);
             }
             Action::Plots => self.toggle_plots(),
-            Action::Lessons => self.panels.toggle_lessons(),
+            Action::Lessons => self.toggle_lessons(),
             Action::TogglePanels => self.toggle_panels(),
             Action::ToggleHud => self.panels.hides_hud = !self.panels.hides_hud,
             Action::FullScreen => self.toggle_full_screen(),
@@ -284,7 +284,7 @@ impl Session {
             Some(Opened::Settings) => self.close_settings(),
             Some(Opened::Selection) => self.hand.deselect(),
             Some(Opened::Plots) => self.toggle_plots(),
-            Some(Opened::Lessons) => self.panels.toggle_lessons(),
+            Some(Opened::Lessons) => self.toggle_lessons(),
             Some(Opened::Tool) | None => {}
         }
     }

@@ -19,6 +19,16 @@ impl Session {
         }
     }
 
+    /// Opens the lessons, or closes them with the plots that a step opened.
+    pub(super) fn toggle_lessons(&mut self) {
+        self.panels.toggle_lessons();
+        if self.panels.lessons.is_open {
+            self.panels.lessons.open_at().into_iter().for_each(|at| self.lay_out(at));
+        } else if std::mem::take(&mut self.panels.lessons.plots) && self.panels.plots.is_some() {
+            self.forget_plots();
+        }
+    }
+
     /// A scene is there that no step asked for: a lesson whose scene it is not closes, and one that was left comes back with its own.
     pub(super) fn leave_lesson(&mut self) {
         let met = self.panels.lessons.meet(&self.scene);

@@ -26,6 +26,13 @@ const READ: Duration = Duration::from_secs(1);
 
 /// The answers, the first by Enter, the last by Esc.
 const ANSWERS: &[(&str, &str)] = &[("Save", "Enter"), ("Don't save", "Ctrl+Q once more"), ("Cancel", "Esc")];
+/// The same where there is work in other scenes too.
+const HERE_AND_ELSEWHERE: &[(&str, &str)] = &[
+    ("Save", "Enter"),
+    ("Don't save", "Ctrl+Q once more"),
+    ("Go to the next", "to another scene that is not saved, and stay"),
+    ("Cancel", "Esc"),
+];
 /// The same where the scene that is open has nothing to save.
 const ELSEWHERE: &[(&str, &str)] = &[("Go there", "Enter"), ("Don't save", "Ctrl+Q once more"), ("Cancel", "Esc")];
 
@@ -74,7 +81,9 @@ impl Session {
             return insists && since.elapsed() >= READ;
         }
         let has_work = self.player.is_unsaved();
-        let Some(words) = question(&self.title(), has_work, &self.shelf.unsaved()) else { return true };
+        let others = self.shelf.unsaved();
+        let Some(words) = question(&self.title(), has_work, &others) else { return true };
+        let has_others = !others.is_empty();
         // A sheet would lie over the question.
         self.close_sheet();
         let answered = move |session: &mut Session, answer: usize| match answer {
@@ -84,9 +93,15 @@ impl Session {
                 session.save();
             }
             1 => session.leaving = Leaving::Now,
+            2 if has_work && has_others => session.go_to_unsaved(),
             _ => {}
         };
-        let question = Question { words, answers: if has_work { ANSWERS } else { ELSEWHERE } };
+        let answers = match (has_work, has_others) {
+            (true, true) => HERE_AND_ELSEWHERE,
+            (true, false) => ANSWERS,
+            (false, _) => ELSEWHERE,
+        };
+        let question = Question { words, answers };
         self.asked = Some(Asked { question, leaving_since: Some(Instant::now()), act: Box::new(answered) });
         self.touch();
         false

@@ -5,11 +5,13 @@ use glam::DVec2;
 use super::lead::Lead;
 use super::{Hand, Scope};
 
-/// Said over a body while time runs and while it stands still, over an obstacle, and over nothing.
+/// Said over a body while time runs and while it stands still, over an obstacle, and over nothing in the plane.
 const GRAB: &str = "press and drag: grab it, throw it";
 const PUT: &str = "paused: press and drag to move it";
 const MOVE: &str = "press and drag: move it";
 const POINT: &str = "point at a body, then press and drag it";
+/// The same in space.
+const TURN: &str = "point at a body, then press and drag it; a drag with the right button turns the view";
 
 impl Hand {
     /// What a press at a pixel would do; `None`: there is nothing to try.
@@ -24,6 +26,7 @@ impl Hand {
             (false, true) => GRAB,
             _ if scope.block(at).is_some() => MOVE,
             (false, false) if is_pushed() => GRAB,
+            _ if scope.shown.dimensions == 3 => TURN,
             _ => POINT,
         })
     }

@@ -53,6 +53,8 @@ pub(super) struct Outcome {
     pub(super) refused: Option<&'static str>,
     /// What is to be said of it.
     pub(super) said: Option<&'static str>,
+    /// The same where it lies over another body.
+    pub(super) over: Option<&'static str>,
 }
 
 /// Obstacles without the world, in the plane or in space.
@@ -142,12 +144,12 @@ pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
     let contact = scope.shown.settings.contact.flatten();
     let meets = contact.map_or(scope.shown.scenery.bonds.len() <= MOST_MEETING, |contact| contact.with_others);
     let is_over = || meets && Cover::of(&shape).is_some_and(|cover| cover.lies_over(scope, way));
-    let over = || is_over().then_some(OVER[usize::from(!scope.shown.figures.playing)]);
-    let said = stays.or((way != DVec2::ZERO).then_some(OUT[what])).or_else(over);
+    let over = is_over().then_some(OVER[usize::from(!scope.shown.figures.playing)]);
+    let said = stays.or((way != DVec2::ZERO).then_some(OUT[what]));
     // What is whole and hangs on nothing is put there by the tool, so that the world has nothing to say of it.
     let is_whole = shape.pinned.is_empty() && keys.bonds.is_empty() && keys.points.is_none();
     let own = if is_whole { way } else { DVec2::ZERO };
-    Outcome { way, own, refused, said, ..Outcome::default() }
+    Outcome { way, own, refused, said, over, ..Outcome::default() }
 }
 
 /// Against gravity; nowhere where nothing falls.
@@ -251,7 +253,11 @@ impl Outcome {
 
     /// What is to be known of it once it is done: of bodies that the world puts aside it tells itself.
     pub(super) fn told(&self) -> Option<String> {
-        self.refused.or(self.said).map(str::to_owned)
+        let all: Vec<&str> = match self.refused {
+            Some(why) => vec![why],
+            None => self.said.into_iter().chain(self.over).collect(),
+        };
+        (!all.is_empty()).then(|| all.join("; "))
     }
 
     /// What is to be known of it before, beside its size.
@@ -261,6 +267,6 @@ impl Outcome {
             1 => Some("it pushes a body aside".to_owned()),
             many => Some(format!("it pushes {many} bodies aside")),
         };
-        self.refused.or(self.said).map(str::to_owned).or(aside)
+        self.told().or(aside)
     }
 }

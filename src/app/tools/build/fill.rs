@@ -52,7 +52,6 @@ pub(super) fn filled((corners, nodes): (&[DVec2], &[Node]), of: Preset, next: u3
     let bond = |[a, b]: [u32; 2]| BondKeys { kind, stiffness, damping, break_strain, ..BondKeys::new(a, b) };
     let own = (next..).take(position.len()).collect();
     let skin = SkinKeys { points: own, friction, restitution, color, ..SkinKeys::default() };
-    let is_of_the_scene = [friction, restitution] == [None; 2] && color.is_none();
     let points = PointKeys {
         position,
         mass: mass.map(|mass| MassKeys::Same(mass / places.len().max(1) as f64)),
@@ -63,7 +62,7 @@ pub(super) fn filled((corners, nodes): (&[DVec2], &[Node]), of: Preset, next: u3
         points: Some(points).filter(|points| !points.position.is_empty()),
         bonds: sides.into_iter().map(bond).collect(),
         triangles: triangles.into_iter().map(Row).collect(),
-        skins: if is_of_the_scene || skin.points.is_empty() { Vec::new() } else { vec![skin] },
+        skins: Some(skin).filter(|skin| !skin.points.is_empty()).into_iter().collect(),
         ..AddKeys::default()
     })
 }

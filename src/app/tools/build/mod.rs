@@ -175,7 +175,8 @@ impl Maker {
         let usual = usual_size(scope.camera.height());
         let begun = drag.copied().unwrap_or_else(|| Drag::new(scope, at));
         if begun.pressed.distance(at) < CLICK * scope.scale {
-            let form = Form::usual(self, self.end(scope, begun.point, begun.from), usual);
+            let from = self.inside(scope, (begun.pressed, begun.from));
+            let form = Form::usual(self, self.end(scope, begun.point, from), usual);
             return form.map(|form| self.hung(scope, form)).ok_or_else(String::new);
         }
         let (there, point) = (place(scope, at), tie::point_at(scope, at));

@@ -739,10 +739,12 @@ fn a_rope_does_not_begin_or_end_beyond_the_walls() {
     for is_free in [false, true] {
         let mut hand = hand(Primitive::Rope);
         hand.hold([is_free, false]);
-        let deed = drag(&seen, &mut hand, [-7.0, 2.0], [0.0, 5.5]);
-        let world = history(&seen, &[deed]);
-        let [low, high] = extent(world.world(), 0);
-        assert!(low.x >= -6.001 && high.y <= 4.001, "{low} {high}");
+        for to in [[0.0, 5.5], [-7.0, 2.0]] {
+            let deed = drag(&seen, &mut hand, [-7.0, 2.0], to);
+            let world = history(&seen, &[deed]);
+            let [low, high] = extent(world.world(), 0);
+            assert!(low.x >= -6.001 && high.y <= 4.001, "also by a click: {low} {high}");
+        }
     }
 }
 
