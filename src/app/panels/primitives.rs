@@ -47,9 +47,8 @@ const FRAME: f32 = 10.0;
 /// From the edge of the panel to what is said of what stands in it `[points]`.
 const TO_TOOLTIP: f32 = 6.0;
 
-/// Height of the matters below them, and of what drawn bonds are `[points]`.
-const MATTERS: f32 = 150.0;
-const LINKS: f32 = 110.0;
+/// Height of all that may stand below them: what drawn bonds are, and the matters `[points]`.
+const BELOW: f32 = 260.0;
 
 /// Whether what is built can be of any matter: ropes, cloths and figures are of their own.
 fn is_of_any(facts: &Facts) -> bool {
@@ -75,8 +74,8 @@ pub(super) fn show(
     wishes: &mut Vec<Wish>,
 ) {
     let corner = tools.right_top() + egui::vec2(8.0, 0.0);
-    let of_links = if facts.primitive == Primitive::Bonds { LINKS } else { 0.0 };
-    let below = if facts.dimensions == 3 { 0.0 } else { MATTERS + of_links };
+    // As many stand in a row whatever is chosen: none moves away under the pointer.
+    let below = if facts.dimensions == 3 { 0.0 } else { BELOW };
     let columns = columns(room.bottom() - corner.y - below);
     let id = Id::unique("primitives");
     let edge = context.memory(|memory| memory.area_rect(id)).map_or(corner.x, |panel| panel.right());
@@ -144,7 +143,7 @@ fn matters(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
         let is_chosen = is_of_any(facts) && facts.built_of == preset;
         let button = ui.add_enabled_ui(is_of_any(facts), |ui| swatch(ui, preset, (is_chosen, width))).inner;
         say(&button, edge, preset.words());
-        let button = button.on_disabled_hover_text(OF_ITS_OWN);
+        beside(Tooltip::for_disabled(&button), (button.rect, edge), OF_ITS_OWN);
         if button.clicked() {
             wishes.push(Wish::BuildOf(preset));
         }
@@ -153,9 +152,12 @@ fn matters(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
 
 /// Says something of a button beside the panel, whose right edge is there: nothing that can be pressed lies below it.
 fn say(button: &Response, edge: f32, words: &str) {
-    let mut tooltip = Tooltip::for_enabled(button);
-    let beside = button.rect.with_max_x(edge.max(button.rect.right()));
-    tooltip.popup = tooltip.popup.anchor(beside).align(RectAlign::RIGHT).gap(TO_TOOLTIP);
+    beside(Tooltip::for_enabled(button), (button.rect, edge), words);
+}
+
+fn beside(mut tooltip: Tooltip<'_>, (button, edge): (Rect, f32), words: &str) {
+    let anchor = button.with_max_x(edge.max(button.right()));
+    tooltip.popup = tooltip.popup.anchor(anchor).align(RectAlign::RIGHT).gap(TO_TOOLTIP);
     tooltip.show(|ui| ui.label(words));
 }
 
