@@ -41,31 +41,36 @@ fn is_bend(angle: &Angle) -> bool {
 pub(super) fn shown(world: &dyn Dynamics, among: &Among) -> Option<Span> {
     let list = among.bends_of(world);
     let of_one = |(angle, share): (&Angle, f64)| angle.stiffness / stiffness_of(1.0, share, angle.arms);
-    match Span::of(list.iter().zip(shares(world, &list)).map(of_one)) {
-        Some(span) => Some(span.evened()),
-        None => coming(world, among, 1.0).is_ok().then_some(Span { least: 0.0, most: 0.0 }),
-    }
+    let none_yet = coming(world, among, 1.0).is_ok().then_some(0.0);
+    Span::of(list.iter().zip(shares(world, &list)).map(of_one).chain(none_yet)).map(Span::evened)
 }
 
-/// The command by which chains and skins among some points resist bending by `bending` = E I `[N m^2]`, >= 0.
+/// The commands by which chains and skins among some points resist bending by `bending` = E I `[N m^2]`, >= 0.
 ///
 /// Model: that of the key `bending` of a material, [`bends_along`]. Angles that bend there already get as stiff, by the lengths of their
-/// arms as they came; at 0 they stay, and resist nothing. Where none bends, angles come, of chains and of skins alike at rest in the
+/// arms as they came; at 0 they stay, and resist nothing. Where none bends yet, angles come, of chains and of skins alike at rest in the
 /// shape in which these stand now, and without damping, as those of a material.
 ///
 /// Errors: in words, why nothing of it bends.
-pub(super) fn bent(world: &dyn Dynamics, among: &Among, bending: f64) -> Result<Do, &'static str> {
+pub(super) fn bent(world: &dyn Dynamics, among: &Among, bending: f64) -> Result<Vec<Do>, &'static str> {
     let list = among.bends_of(world);
+    let add = match coming(world, among, bending) {
+        Ok(_) if list.is_empty() && bending == 0.0 => return Err(NOT_YET),
+        Ok(coming) if bending > 0.0 => {
+            let angles = coming.iter().map(keys).collect();
+            Some(Do::Add(Box::new(AddKeys { angles, ..AddKeys::default() })))
+        }
+        Err(why) if list.is_empty() => return Err(why),
+        Ok(_) | Err(_) => None,
+    };
     if list.is_empty() {
-        let coming = coming(world, among, bending)?;
-        let angles = coming.iter().map(keys).collect();
-        let add = Do::Add(Box::new(AddKeys { angles, ..AddKeys::default() }));
-        return if bending == 0.0 { Err(NOT_YET) } else { Ok(add) };
+        return Ok(add.into_iter().collect());
     }
     let angles = Some(list.iter().map(|angle| angle.number).collect());
     let each = list.iter().zip(shares(world, &list));
     let each = each.map(|(angle, share)| stiffness_of(bending, share, angle.arms)).collect();
-    Ok(Do::Set(Box::new(SetKeys { angles, stiffness: Some(OneOrEach::Each(each)), ..SetKeys::default() })))
+    let set = Do::Set(Box::new(SetKeys { angles, stiffness: Some(OneOrEach::Each(each)), ..SetKeys::default() }));
+    Ok(add.into_iter().chain([set]).collect())
 }
 
 /// An angle that comes, at rest where it stands.

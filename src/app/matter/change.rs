@@ -172,7 +172,7 @@ pub(in crate::app) fn commands(
             vec![set(SetKeys { points, layered: Some(is), ..SetKeys::default() })]
         }
         MatterChange::Velocity(velocity) => vec![set(moving(world, &points, velocity))],
-        MatterChange::Bending(rigidity) => vec![bending::bent(world, among, rigidity)?],
+        MatterChange::Bending(rigidity) => bending::bent(world, among, rigidity)?,
         MatterChange::RestLength(length) => {
             let bonds = Some(numbers(&among.bonds_of(world), |_| true));
             vec![set(SetKeys { bonds, rest: one(length), ..SetKeys::default() })]

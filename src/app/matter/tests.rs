@@ -641,6 +641,14 @@ fn bending_comes_by_the_law_of_files_along_skins_and_chains_and_is_set_and_taken
     change(&mut stage, &among(3..18), MatterChange::Bending(2.0));
     assert_eq!(angles(&stage).len(), 8 + 4);
     assert_eq!(shown(&mut stage, &among(3..18)), Some(Some(2.0)), "however far apart their points are");
+    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(..))));
+    // Where some of it bends, the rest gets as much.
+    change(&mut stage, &soft, MatterChange::Bending(2.0));
+    assert_eq!(shown(&mut stage, &among(3..18)), Some(None), "mixed");
+    change(&mut stage, &among(3..18), MatterChange::Bending(5.0));
+    assert_eq!((angles(&stage).len(), shown(&mut stage, &among(3..18))), (8 + 4, Some(Some(5.0))));
+    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(..))));
+    assert_eq!((angles(&stage).len(), shown(&mut stage, &soft)), (8, Some(Some(2.0))), "one step of undo");
 }
 
 #[test]

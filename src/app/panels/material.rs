@@ -251,8 +251,9 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     let moves = facts.figures.velocity.is_some() || !matter.pins.is_empty();
     // What is set most often first.
     group(ui, "Angles and stops", has_angles, |ui| {
-        angles::show(ui, matter, sink);
+        // Angles come with it, and their rows below it.
         number(ui, ("bending", " N m²"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
+        angles::show(ui, matter, sink);
     });
     group(ui, "Look", matter.points > 0, |ui| looks(ui, matter, facts, sink));
     group(ui, "Surface", has_surface, |ui| surface(ui, matter, facts, sink));

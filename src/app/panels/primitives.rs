@@ -53,8 +53,8 @@ const BELOW: f32 = 260.0;
 /// Whether what is built can be of any matter: ropes, cloths and figures are of their own.
 fn is_of_any(facts: &Facts) -> bool {
     let is_filled = match facts.primitive {
-        Primitive::Box | Primitive::Disc | Primitive::Rim => true,
-        Primitive::Bonds => facts.links.fills,
+        // A loop is filled with Shift too.
+        Primitive::Box | Primitive::Disc | Primitive::Rim | Primitive::Bonds => true,
         _ => false,
     };
     is_filled && facts.dimensions != 3

@@ -22,9 +22,12 @@ impl Session {
     /// Opens the lessons, or closes them with the plots that a step opened.
     pub(super) fn toggle_lessons(&mut self) {
         self.panels.toggle_lessons();
-        if self.panels.lessons.is_open {
+        if self.panels.lessons.is_open && self.panels.plots.is_none() {
             self.panels.lessons.open_at().into_iter().for_each(|at| self.lay_out(at));
-        } else if std::mem::take(&mut self.panels.lessons.plots) && self.panels.plots.is_some() {
+        } else if !self.panels.lessons.is_open
+            && std::mem::take(&mut self.panels.lessons.plots)
+            && self.panels.plots.is_some()
+        {
             self.forget_plots();
         }
     }

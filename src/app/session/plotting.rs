@@ -15,6 +15,8 @@ impl Session {
     pub(super) fn toggle_plots(&mut self) {
         self.panels.plots_at.begin();
         self.panels.toggle_plots(self.scene.rate());
+        // What somebody opens or closes is no lesson's.
+        self.panels.lessons.plots = false;
         self.watch();
     }
 

@@ -95,11 +95,12 @@ impl Shelf {
         list.extend(between);
     }
 
-    /// Which way the nearest history with work lies that was not saved, and how far: one before the present one, else one after it.
-    fn nearest_unsaved(&self) -> Option<(Way, usize)> {
-        let far = |list: &[Left]| list.iter().rev().position(|left| left.player.is_unsaved()).map(|place| place + 1);
-        let back = far(&self.before).map(|far| (Way::Back, far));
-        back.or_else(|| far(&self.after).map(|far| (Way::On, far)))
+    /// Which way the next history with work lies that was not saved, and how far: the nearest one after the present one, else the first of all,
+    /// so that whoever goes on comes to each of them.
+    fn next_unsaved(&self) -> Option<(Way, usize)> {
+        let is_unsaved = |left: &Left| left.player.is_unsaved();
+        let on = self.after.iter().rev().position(is_unsaved).map(|place| (Way::On, place + 1));
+        on.or_else(|| self.before.iter().position(is_unsaved).map(|place| (Way::Back, self.before.len() - place)))
     }
 
     /// All that are kept.
@@ -198,9 +199,9 @@ impl Session {
         }
     }
 
-    /// The nearest history with work that was not saved is there again: one before the present one, else one after it.
+    /// The next history with work that was not saved is there again.
     pub(super) fn go_to_unsaved(&mut self) {
-        if let Some((way, far)) = self.shelf.nearest_unsaved() {
+        if let Some((way, far)) = self.shelf.next_unsaved() {
             self.go_along(way, far);
         }
     }
@@ -325,7 +326,7 @@ mod tests {
         }
         let folded = shelf.players().filter(|player| !player.is_open()).count();
         assert_eq!(folded, 5, "their worlds are gone");
-        assert_eq!(shelf.nearest_unsaved(), Some((Way::Back, 8)));
+        assert_eq!(shelf.next_unsaved(), Some((Way::Back, 8)));
         let (left, between) = shelf.take(Way::Back, 8).unwrap();
         assert!(between.len() == 7 && !shelf.has_before() && shelf.take(Way::Back, 1).is_none());
         shelf.pass(Way::Back, Left::now(open(), camera), between);
@@ -338,7 +339,7 @@ mod tests {
         let (present, between) = shelf.take(Way::On, 8).unwrap();
         assert!(between.len() == 7 && present.player.is_open() && between.iter().all(|left| !left.player.is_unsaved()));
         shelf.pass(Way::On, left, between);
-        assert_eq!(shelf.nearest_unsaved(), Some((Way::Back, 8)), "all of it lies as before");
+        assert_eq!(shelf.next_unsaved(), Some((Way::Back, 8)), "all of it lies as before");
         let (mut player, _) = shelf.take(Way::Back, 8).unwrap().0.again(false);
         wait_for(&mut player, |player, _| player.is_open());
         assert_eq!((player.shown().figures.time, place(&player)), (time, seen));

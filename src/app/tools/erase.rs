@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::Deed;
 use super::marks::{self, Mark, Role};
-use super::pick::{Scope, distance_to_segment};
+use super::pick::{Scope, cross, distance_to_segment};
 use super::selecting::is_drag;
 use crate::history::{DeleteKeys, Do};
 use crate::sim::PointId;
@@ -37,14 +37,6 @@ pub(super) fn target(scope: Scope<'_>, at: DVec2) -> Option<Target> {
     }
 }
 
-/// What a stroke takes at a pixel: of ropes and nets bonds alone, or it would take all of a net at the first of its points.
-fn along(scope: Scope<'_>, at: DVec2) -> Option<Target> {
-    match target(scope, at) {
-        Some(Target::Body(points)) if points.len() > 1 && is_net(scope, &points) => bond(scope, at),
-        other => other,
-    }
-}
-
 /// The bond that lies at a pixel, if it is meant there.
 fn bond(scope: Scope<'_>, at: DVec2) -> Option<Target> {
     let bond = scope.bond(at).filter(|(_, ends)| !is_filled(scope, *ends) || is_meant(scope, (*ends, at)));
@@ -57,10 +49,20 @@ fn is_bare(scope: Scope<'_>, point: PointId) -> bool {
     !scope.shown.scenery.skins.iter().any(has)
 }
 
-/// Whether points, which are ascending, are corners of nothing that is filled.
-fn is_net(scope: Scope<'_>, points: &[PointId]) -> bool {
-    let is_its = |corner: &PointId| points.binary_search(corner).is_ok();
-    is_bare(scope, points[0]) && !scope.shown.scenery.triangles.iter().flatten().any(is_its)
+/// Whether a point is a corner of something filled.
+fn has_fill(scope: Scope<'_>, point: PointId) -> bool {
+    !is_bare(scope, point) || scope.shown.scenery.triangles.iter().any(|corners| corners.contains(&point))
+}
+
+/// Whether two stretches cross, or come so near to each other.
+fn touches([from, to]: [DVec2; 2], [a, b]: [DVec2; 2], near: f64) -> bool {
+    let is_far = |low: DVec2, high: DVec2| (low - high).cmpgt(DVec2::splat(near)).any();
+    if is_far(from.min(to), a.max(b)) || is_far(a.min(b), from.max(to)) {
+        return false;
+    }
+    let is_near = |at: DVec2, from: DVec2, to: DVec2| distance_to_segment(at, from, to) <= near;
+    let is_end_near = is_near(from, a, b) || is_near(to, a, b) || is_near(a, from, to) || is_near(b, from, to);
+    is_end_near || cross([from, to], [a, b])
 }
 
 /// Whether both ends of a bond are of what is filled.
@@ -96,15 +98,17 @@ pub(super) fn erase(scope: Scope<'_>, at: DVec2) -> Deed {
     Sweep::begin(scope, at).deed(scope)
 }
 
-/// A stroke looks so often what is under it `[logical px]`.
+/// A stroke looks so often what is filled under it, and takes bonds and points alone that are so near `[logical px]`.
 const STEP: f64 = 6.0;
+const NEAR: f64 = 4.0;
 
 /// What a stroke went over so far: all of it goes when the stroke ends.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Sweep {
-    /// Where it began `[px]`, and what a click means there, until it is a stroke.
+    /// Where it began `[px]`, and what a click means there, until it is a stroke; whether that is filled there, or a point alone.
     from: DVec2,
     first: Option<Target>,
+    is_whole: bool,
     is_stroke: bool,
     points: BTreeSet<PointId>,
     bonds: BTreeMap<u32, [PointId; 2]>,
@@ -116,35 +120,63 @@ pub(super) struct Sweep {
 impl Sweep {
     /// A stroke begins at a pixel, with what is meant there.
     pub(super) fn begin(scope: Scope<'_>, at: DVec2) -> Self {
-        Sweep { from: at, last: at, first: target(scope, at), ..Sweep::default() }
+        let first = target(scope, at);
+        let hit = scope.nearest(at).map(|hit| hit.point);
+        let is_whole = match &first {
+            Some(Target::Body(points)) => points.len() == 1 || hit.is_some_and(|point| has_fill(scope, point)),
+            _ => true,
+        };
+        Sweep { from: at, last: at, first, is_whole, ..Sweep::default() }
     }
 
-    /// It goes on to a pixel. Ground stays, unless the stroke began on it: a stroke along a floor means what lies there.
+    /// It goes on to a pixel: what is filled under it goes as a whole, of ropes and nets the bonds that it crosses or touches. Ground stays,
+    /// unless the stroke began on it: a stroke along a floor means what lies there.
     pub(super) fn trace(&mut self, scope: Scope<'_>, at: DVec2) {
         if !self.is_stroke {
             self.is_stroke = is_drag(scope, [self.from, at]);
             if !self.is_stroke {
                 return;
             }
-            let first = match self.first.take() {
-                Some(Target::Body(_)) => along(scope, self.from),
-                other => other,
-            };
-            first.into_iter().for_each(|target| self.take(target));
+            self.first.take().filter(|_| self.is_whole).into_iter().for_each(|target| self.take(target));
         }
-        let steps = (self.last.distance(at) / (STEP * scope.scale)).ceil().max(1.0) as u32;
         let from = std::mem::replace(&mut self.last, at);
-        for k in 1..=steps {
-            let at = from.lerp(at, f64::from(k) / f64::from(steps));
-            if scope.nearest(at).is_some_and(|hit| self.points.contains(&hit.point)) {
-                continue;
+        self.take_bonds(scope, [from, at]);
+        let steps = (from.distance(at) / (STEP * scope.scale)).ceil().max(1.0) as u32;
+        (1..=steps).for_each(|k| self.take_filled(scope, from.lerp(at, f64::from(k) / f64::from(steps))));
+    }
+
+    /// What is filled at a pixel; else an obstacle, in front of which nothing lies.
+    fn take_filled(&mut self, scope: Scope<'_>, at: DVec2) {
+        if let Some([corner, ..]) = scope.triangle(at) {
+            if !self.points.contains(&corner) {
+                self.points.extend(scope.body(corner));
             }
-            match along(scope, at) {
-                Some(Target::Obstacle(number)) if scope.block(at) != Some(number) => {}
-                Some(target) => self.take(target),
-                None => {}
+        } else if let Some(number) = scope.block(at).filter(|_| scope.bond(at).is_none()) {
+            self.obstacles.insert(number);
+        }
+    }
+
+    /// Bonds of what is not filled, and points alone, along a piece of the stroke.
+    fn take_bonds(&mut self, scope: Scope<'_>, stroke: [DVec2; 2]) {
+        let scenery = &scope.shown.scenery;
+        let (mut is_corner, mut is_bonded) = (vec![false; scope.shown.point_count()], Vec::new());
+        scenery.triangles.iter().flatten().for_each(|corner| is_corner[corner.index()] = true);
+        is_bonded.clone_from(&is_corner);
+        for (place, &ends) in scenery.bonds.ends().iter().enumerate() {
+            ends.iter().for_each(|end| is_bonded[end.index()] = true);
+            let is_filled = ends.iter().all(|end| is_corner[end.index()]);
+            if let ([Some(a), Some(b)], false) = (ends.map(|end| scope.pixel(end)), is_filled)
+                && touches(stroke, [a, b], NEAR * scope.scale)
+            {
+                self.bonds.insert(scenery.bond_number(place), ends);
             }
         }
+        let alone = (0..).map(PointId).zip(is_bonded).filter(|(_, is_bonded)| !is_bonded).map(|(point, _)| point);
+        let is_near = |point: &PointId| {
+            let at = scope.pixel(*point).filter(|_| scope.is_there(*point));
+            at.is_some_and(|at| distance_to_segment(at, stroke[0], stroke[1]) <= 2.0 * NEAR * scope.scale)
+        };
+        self.points.extend(alone.filter(is_near));
     }
 
     fn take(&mut self, target: Target) {

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 use super::enclosed::Cover;
 use super::marks::{self, Mark, Role};
 use super::pick::{Scope, is_inside};
-use crate::scene::{AddKeys, MOST_MEETING, Vector};
+use crate::scene::{AddKeys, Vector};
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::contact::surface::Plane;
 use crate::sim::measure;
@@ -140,9 +140,7 @@ pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
     let way = if way.length() > least { way } else { DVec2::ZERO };
     let refused = (is_stuck && shape.pinned.is_empty()).then_some(NO_ROOM[what]);
     let stays = (is_stuck && refused.is_none()).then_some(STAYS[what]);
-    // Where nothing is said of it bodies meet from the first on that is built, unless there are too many.
-    let contact = scope.shown.settings.contact.flatten();
-    let meets = contact.map_or(scope.shown.scenery.bonds.len() <= MOST_MEETING, |contact| contact.with_others);
+    let meets = scope.shown.settings.contact.flatten().is_some_and(|contact| contact.with_others);
     let is_over = || meets && Cover::of(&shape).is_some_and(|cover| cover.lies_over(scope, way));
     let over = is_over().then_some(OVER[usize::from(!scope.shown.figures.playing)]);
     let said = stays.or((way != DVec2::ZERO).then_some(OUT[what]));

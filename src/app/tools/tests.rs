@@ -243,11 +243,53 @@ fn a_stroke_of_the_eraser_takes_all_that_it_goes_over_but_the_ground_as_one_step
     hand.press(scope(&seen), at(-5.0, 0.0));
     hand.trace(scope(&seen), at(3.0, 0.0));
     assert!(hand.cancel().0 && hand.release(scope(&seen), at(3.0, 0.0)).is_empty());
+    // What was pressed on goes, wherever it is by the time that the press is a stroke.
+    hand.press(scope(&seen), at(-3.7, 0.0));
+    hand.trace(scope(&seen), at(-3.7, 3.0));
+    let deed = hand.release(scope(&seen), at(-3.7, 3.0));
+    let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+    assert_eq!((keys.points.len(), keys.bonds.len()), (9, 0));
     // A stroke that begins on the ground means that.
     hand.press(scope(&seen), at(-5.0, -3.1));
     let deed = hand.release(scope(&seen), at(-4.0, -3.1));
     let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     assert_eq!((keys.points.len(), keys.obstacles.as_slice()), (0, &[0][..]));
+}
+
+#[test]
+fn of_a_rope_that_a_body_hangs_on_and_of_a_fine_net_a_stroke_takes_the_bonds_that_it_goes_over() {
+    let text = r#"{"wobble": 1, "view": {"center": [0, 0], "height": 12}, "bonds": [{"a": 4, "b": 13}], "bodies": [
+        {"make": "rope", "count": 5, "to": [0, -2], "origin": [0, 3], "pinned": [0]},
+        {"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.3, "origin": [-0.6, -0.5], "material": {"kind": "spring", "stiffness": 300}},
+        {"make": "cloth", "columns": 30, "rows": 30, "spacing": 0.05, "origin": [2, 3]}]}"#;
+    let seen = shown(Scene::parse(text, "x.json").unwrap());
+    let at = |x: f64, y: f64| DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap());
+    let mut hand = Hand::default();
+    hand.take(Tool::Erase);
+    let mut stroke = |from: DVec2, to: DVec2| {
+        hand.press(scope(&seen), from);
+        hand.trace(scope(&seen), from.lerp(to, 0.4));
+        let deed = hand.release(scope(&seen), to);
+        let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
+        keys.clone()
+    };
+    let keys = stroke(at(-0.6, 2.24), at(0.6, 2.26));
+    assert_eq!((keys.points.len(), keys.bonds.len()), (0, 1), "{keys:?}");
+    // Pressed on a point of it, too; what is filled goes with what hangs on it.
+    let keys = stroke(at(0.0, 2.5), at(0.9, 2.5));
+    assert!(keys.points.is_empty() && (1..=2).contains(&keys.bonds.len()), "{keys:?}");
+    let keys = stroke(at(-1.2, -0.35), at(0.6, -0.35));
+    assert_eq!(keys.points.len(), 5 + 9);
+    // Threads of 3 pixels: none is left along the stroke.
+    let keys = stroke(at(1.8, 2.3), at(3.7, 2.3));
+    let cut: Vec<u32> = keys.bonds.clone();
+    let lies_across = |[a, b]: [PointId; 2]| {
+        let [p, q] = [a, b].map(|point| seen.0.place(point.index()));
+        p[0] > 1.9 && (p[1] - 2.3) * (q[1] - 2.3) < 0.0
+    };
+    let across = seen.0.scenery.bonds.ends().iter().enumerate().filter(|(_, ends)| lies_across(**ends));
+    let across: Vec<u32> = across.map(|(place, _)| seen.0.scenery.bond_number(place)).collect();
+    assert!(across.len() == 30 && across.iter().all(|number| cut.contains(number)), "{} of 30", across.len());
 }
 
 #[test]

@@ -113,7 +113,8 @@ impl Rig {
     }
 }
 
-/// Points alone that nothing joins, as those of a soft wheel on its axle, are no members: joints do nothing to them.
+/// Points alone that nothing joins, as those of a soft wheel on its axle, are no members: joints do nothing to them, and how heavy they are says
+/// nothing of the rows.
 fn leave_loose(plan: &mut Blueprint) {
     let mut is_joined: Vec<bool> = plan.bodies.iter().map(|body| body.points.len() > 1).collect();
     for end in plan.links.iter().flat_map(|link| link.ends) {

@@ -170,6 +170,8 @@ impl Chain {
     pub(in crate::app::tools) fn end(&self, scope: Scope<'_>, How { links, fills }: How) -> Deed {
         let places: Option<Vec<DVec2>> = self.nodes.iter().map(|node| self.place(scope, *node)).collect();
         let Some(places) = places else { return Deed::words(GONE.to_owned()) };
+        let triangles = &scope.shown.scenery.triangles;
+        let is_covered = |point: u32| triangles.iter().flatten().any(|corner| corner.0 == point);
         let give = |keys: AddKeys| Deed::edit(Primitive::Bonds.name(), Do::Add(Box::new(keys)));
         let mut words = None;
         if let Some(of) = fills.filter(|_| self.is_loop()) {
@@ -179,7 +181,7 @@ impl Chain {
                 () if is_flat(corners) => words = Some(FLAT.to_owned()),
                 () if crossing(corners, true).contains(&true) => words = Some(CROSSES.to_owned()),
                 () if size < (LEAST * scope.scale).powi(2) => words = Some(SMALL.to_owned()),
-                () => match filled((corners, &self.nodes), of, scope.shown.point_count() as u32) {
+                () => match filled((corners, &self.nodes), of, (scope.shown.point_count() as u32, is_covered)) {
                     Ok(keys) => {
                         let knots = knot::knots(scope, &keys, (DVec2::ZERO, None));
                         let commands = knot::tied(scope, keys, &knots);

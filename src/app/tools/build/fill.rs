@@ -16,10 +16,14 @@ const FINE: f64 = 5.0;
 const SAME: f64 = 1e-6;
 
 /// What brings the body of a matter within `corners` `[m]`, in a world where the next point gets the number `next`: those of its corners that are points
-/// of the world stay these.
+/// of the world stay these. `is_covered` says which of these are of a body that is filled already.
 ///
 /// Errors: in words, that no triangles can be made.
-pub(super) fn filled((corners, nodes): (&[DVec2], &[Node]), of: Preset, next: u32) -> Result<AddKeys, String> {
+pub(super) fn filled(
+    (corners, nodes): (&[DVec2], &[Node]),
+    of: Preset,
+    (next, is_covered): (u32, impl Fn(u32) -> bool),
+) -> Result<AddKeys, String> {
     let size = area(corners);
     let settings = Settings::default();
     let (spacing, middle) = (size.abs().sqrt() / FINE, corners[0]);
@@ -50,8 +54,10 @@ pub(super) fn filled((corners, nodes): (&[DVec2], &[Node]), of: Preset, next: u3
     let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let sides: BTreeSet<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
     let bond = |[a, b]: [u32; 2]| BondKeys { kind, stiffness, damping, break_strain, ..BondKeys::new(a, b) };
-    let own = (next..).take(position.len()).collect();
-    let skin = SkinKeys { points: own, friction, restitution, color, ..SkinKeys::default() };
+    // Corners that are points of other bodies stay as they are.
+    let mut of_it: Vec<u32> = numbers.iter().copied().filter(|&number| number >= next || !is_covered(number)).collect();
+    of_it.sort_unstable();
+    let skin = SkinKeys { points: of_it, friction, restitution, color, ..SkinKeys::default() };
     let points = PointKeys {
         position,
         mass: mass.map(|mass| MassKeys::Same(mass / places.len().max(1) as f64)),

@@ -45,6 +45,9 @@ pub(super) const OF_THE_PLANE: &str = "that is of the plane: in space ropes, clo
 /// Said where a drag is so short that nothing is built.
 const TOO_SMALL: &str = "too small: drag it out further, or click for one of the usual size";
 
+/// Said of a rope that would hang from a wall to beyond the walls.
+const BEYOND: &str = "beyond the walls: a rope begins within them";
+
 /// A press that moves less than this is a click `[logical px]`.
 const CLICK: f64 = 4.0;
 /// What lies so near to a press is meant by it `[logical px]`.
@@ -177,6 +180,12 @@ impl Maker {
         if begun.pressed.distance(at) < CLICK * scope.scale {
             let from = self.inside(scope, (begun.pressed, begun.from));
             let form = Form::usual(self, self.end(scope, begun.point, from), usual);
+            if let Some(Form::Rope { ends: [_, to], .. }) = &form
+                && from != begun.from
+                && tie::is_walled_off(scope, to.at)
+            {
+                return Err(BEYOND.to_owned());
+            }
             return form.map(|form| self.hung(scope, form)).ok_or_else(String::new);
         }
         let (there, point) = (place(scope, at), tie::point_at(scope, at));

@@ -739,12 +739,15 @@ fn a_rope_does_not_begin_or_end_beyond_the_walls() {
     for is_free in [false, true] {
         let mut hand = hand(Primitive::Rope);
         hand.hold([is_free, false]);
-        for to in [[0.0, 5.5], [-7.0, 2.0]] {
-            let deed = drag(&seen, &mut hand, [-7.0, 2.0], to);
+        for [from, to] in [[[-7.0, 2.0], [0.0, 5.5]], [[-7.0, 2.0]; 2], [[7.0, 2.0]; 2]] {
+            let deed = drag(&seen, &mut hand, from, to);
             let world = history(&seen, &[deed]);
             let [low, high] = extent(world.world(), 0);
-            assert!(low.x >= -6.001 && high.y <= 4.001, "also by a click: {low} {high}");
+            let is_within = low.cmpge(DVec2::new(-6.001, -4.001)).all() && high.cmple(DVec2::new(6.001, 4.001)).all();
+            assert!(is_within, "also by a click: {low} {high}");
         }
+        let deed = drag(&seen, &mut hand, [2.0, -5.0], [2.0, -5.0]);
+        assert!(deed.is_empty() && deed.words.is_some_and(|words| words.contains("beyond the walls")));
     }
 }
 
