@@ -646,7 +646,8 @@ fn bending_comes_by_the_law_of_files_along_skins_and_chains_and_is_set_and_taken
     change(&mut stage, &soft, MatterChange::Bending(2.0));
     assert_eq!(shown(&mut stage, &among(3..18)), Some(None), "mixed");
     change(&mut stage, &among(3..18), MatterChange::Bending(5.0));
-    assert_eq!((angles(&stage).len(), shown(&mut stage, &among(3..18))), (8 + 4, Some(Some(5.0))));
+    let all = shown(&mut stage, &among(3..18)).flatten().unwrap();
+    assert!(angles(&stage).len() == 8 + 4 && (all - 5.0).abs() < 1e-9, "{all}");
     assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(..))));
     assert_eq!((angles(&stage).len(), shown(&mut stage, &soft)), (8, Some(Some(2.0))), "one step of undo");
 }

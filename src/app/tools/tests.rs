@@ -281,11 +281,11 @@ fn of_a_rope_that_a_body_hangs_on_and_of_a_fine_net_a_stroke_takes_the_bonds_tha
     let keys = stroke(at(-1.2, -0.35), at(0.6, -0.35));
     assert_eq!(keys.points.len(), 5 + 9);
     // Threads of 3 pixels: none is left along the stroke.
-    let keys = stroke(at(1.8, 2.3), at(3.7, 2.3));
+    let keys = stroke(at(1.8, 2.325), at(3.7, 2.325));
     let cut: Vec<u32> = keys.bonds.clone();
     let lies_across = |[a, b]: [PointId; 2]| {
         let [p, q] = [a, b].map(|point| seen.0.place(point.index()));
-        p[0] > 1.9 && (p[1] - 2.3) * (q[1] - 2.3) < 0.0
+        p[0] > 1.9 && (p[1] - 2.325) * (q[1] - 2.325) < 0.0
     };
     let across = seen.0.scenery.bonds.ends().iter().enumerate().filter(|(_, ends)| lies_across(**ends));
     let across: Vec<u32> = across.map(|(place, _)| seen.0.scenery.bond_number(place)).collect();
