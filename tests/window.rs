@@ -711,7 +711,7 @@ fn the_first_minute_goes_from_a_throw_to_a_swing_that_is_saved() {
     // A rope from above, and a seat under its end. The signs of what is built stand beside the tools.
     app.key("5");
     std::thread::sleep(Duration::from_secs(1));
-    app.drag([102, 167], [102, 167]);
+    app.drag([186, 129], [186, 129]);
     app.drag([600, 160], [600, 330]);
     app.drag([102, 129], [102, 129]);
     app.drag([540, 335], [660, 385]);
