@@ -94,17 +94,13 @@ pub fn flat<S: Real, const D: usize>(a: [S; D]) -> [f64; 2] {
 /// The first D components of a vector in space: a plane drops z.
 #[inline(always)]
 pub fn truncate<const D: usize>(a: [f64; 3]) -> [f64; D] {
-    let mut first = [0.0; D];
-    first.copy_from_slice(&a[..D]);
-    first
+    resized(a)
 }
 
 /// The vector in space with the missing components zero.
 #[inline(always)]
 pub fn embed<const D: usize>(a: [f64; D]) -> [f64; 3] {
-    let mut embedded = [0.0; 3];
-    embedded[..D].copy_from_slice(&a);
-    embedded
+    resized(a)
 }
 
 /// The vector in so many dimensions: what it has more is dropped, what it lacks is zero.

@@ -54,23 +54,22 @@ pub(super) fn shown(world: &dyn Dynamics, among: &Among) -> Option<Span> {
 /// Errors: in words, why nothing of it bends.
 pub(super) fn bent(world: &dyn Dynamics, among: &Among, bending: f64) -> Result<Vec<Do>, &'static str> {
     let list = among.bends_of(world);
-    let add = match coming(world, among, bending) {
-        Ok(_) if list.is_empty() && bending == 0.0 => return Err(NOT_YET),
-        Ok(coming) if bending > 0.0 => {
-            let angles = coming.iter().map(keys).collect();
-            Some(Do::Add(Box::new(AddKeys { angles, ..AddKeys::default() })))
-        }
+    let coming = match coming(world, among, bending) {
         Err(why) if list.is_empty() => return Err(why),
-        Ok(_) | Err(_) => None,
+        coming => coming.unwrap_or_default(),
     };
-    if list.is_empty() {
-        return Ok(add.into_iter().collect());
+    if list.is_empty() && bending == 0.0 {
+        return Err(NOT_YET);
     }
-    let angles = Some(list.iter().map(|angle| angle.number).collect());
-    let each = list.iter().zip(shares(world, &list));
-    let each = each.map(|(angle, share)| stiffness_of(bending, share, angle.arms)).collect();
-    let set = Do::Set(Box::new(SetKeys { angles, stiffness: Some(OneOrEach::Each(each)), ..SetKeys::default() }));
-    Ok(add.into_iter().chain([set]).collect())
+    let add = || Do::Add(Box::new(AddKeys { angles: coming.iter().map(keys).collect(), ..AddKeys::default() }));
+    let set = || {
+        let angles = Some(list.iter().map(|angle| angle.number).collect());
+        let each = list.iter().zip(shares(world, &list));
+        let each = each.map(|(angle, share)| stiffness_of(bending, share, angle.arms)).collect();
+        Do::Set(Box::new(SetKeys { angles, stiffness: Some(OneOrEach::Each(each)), ..SetKeys::default() }))
+    };
+    let add = (bending > 0.0 && !coming.is_empty()).then(add);
+    Ok(add.into_iter().chain((!list.is_empty()).then(set)).collect())
 }
 
 /// An angle that comes, at rest where it stands.

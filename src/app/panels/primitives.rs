@@ -50,16 +50,6 @@ const TO_TOOLTIP: f32 = 6.0;
 /// Height of all that may stand below them: what drawn bonds are, and the matters `[points]`.
 const BELOW: f32 = 260.0;
 
-/// Whether what is built can be of any matter: ropes, cloths and figures are of their own.
-fn is_of_any(facts: &Facts) -> bool {
-    let is_filled = match facts.primitive {
-        // A loop is filled with Shift too.
-        Primitive::Box | Primitive::Disc | Primitive::Rim | Primitive::Bonds => true,
-        _ => false,
-    };
-    is_filled && facts.dimensions != 3
-}
-
 /// How many stand in a row, where there is so much height for all `[points]`.
 fn columns(height: f32) -> usize {
     let rows = |columns: &usize| Primitive::ALL.len().div_ceil(*columns) as f32;
@@ -138,10 +128,12 @@ fn matters(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
     ui.separator();
     ui.label(RichText::new("made of").color(colors(ui).weak));
     let width = ui.min_rect().width();
+    // Ropes, cloths and figures are of their own; a loop of bonds is filled with Shift too.
+    let is_of_any = matches!(facts.primitive, Primitive::Box | Primitive::Disc | Primitive::Rim | Primitive::Bonds);
     // A cloth is something else that is built.
     for preset in Preset::ALL.into_iter().filter(|preset| *preset != Preset::Cloth) {
-        let is_chosen = is_of_any(facts) && facts.built_of == preset;
-        let button = ui.add_enabled_ui(is_of_any(facts), |ui| swatch(ui, preset, (is_chosen, width))).inner;
+        let is_chosen = is_of_any && facts.built_of == preset;
+        let button = ui.add_enabled_ui(is_of_any, |ui| swatch(ui, preset, (is_chosen, width))).inner;
         say(&button, edge, preset.words());
         beside(Tooltip::for_disabled(&button), (button.rect, edge), OF_ITS_OWN);
         if button.clicked() {

@@ -51,7 +51,7 @@ fn is_bare(scope: Scope<'_>, point: PointId) -> bool {
 
 /// Whether a point is a corner of something filled.
 fn has_fill(scope: Scope<'_>, point: PointId) -> bool {
-    !is_bare(scope, point) || scope.shown.scenery.triangles.iter().any(|corners| corners.contains(&point))
+    !is_bare(scope, point) || scope.is_a_corner(point)
 }
 
 /// Whether two stretches cross, or come so near to each other.
@@ -67,8 +67,7 @@ fn touches([from, to]: [DVec2; 2], [a, b]: [DVec2; 2], near: f64) -> bool {
 
 /// Whether both ends of a bond are of what is filled.
 fn is_filled(scope: Scope<'_>, ends: [PointId; 2]) -> bool {
-    let is_corner = |end: &PointId| scope.shown.scenery.triangles.iter().any(|corners| corners.contains(end));
-    ends.iter().all(is_corner)
+    ends.iter().all(|end| scope.is_a_corner(*end))
 }
 
 /// Whether a pixel means a bond of something filled.
@@ -105,15 +104,14 @@ const NEAR: f64 = 4.0;
 /// What a stroke went over so far: all of it goes when the stroke ends.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Sweep {
-    /// Where it began `[px]`, and what a click means there, until it is a stroke; whether that is filled there, or a point alone.
-    from: DVec2,
+    /// What a click means where it began, until it is a stroke; whether that is filled there, or a point alone.
     first: Option<Target>,
     is_whole: bool,
     is_stroke: bool,
     points: BTreeSet<PointId>,
     bonds: BTreeMap<u32, [PointId; 2]>,
     obstacles: BTreeSet<u32>,
-    /// `[px]`
+    /// Where it is known to, where it began until it is a stroke `[px]`.
     last: DVec2,
 }
 
@@ -126,14 +124,14 @@ impl Sweep {
             Some(Target::Body(points)) => points.len() == 1 || hit.is_some_and(|point| has_fill(scope, point)),
             _ => true,
         };
-        Sweep { from: at, last: at, first, is_whole, ..Sweep::default() }
+        Sweep { last: at, first, is_whole, ..Sweep::default() }
     }
 
     /// It goes on to a pixel: what is filled under it goes as a whole, of ropes and nets the bonds that it crosses or touches. Ground stays,
     /// unless the stroke began on it: a stroke along a floor means what lies there.
     pub(super) fn trace(&mut self, scope: Scope<'_>, at: DVec2) {
         if !self.is_stroke {
-            self.is_stroke = is_drag(scope, [self.from, at]);
+            self.is_stroke = is_drag(scope, [self.last, at]);
             if !self.is_stroke {
                 return;
             }

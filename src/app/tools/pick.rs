@@ -176,7 +176,7 @@ impl Scope<'_> {
     }
 
     /// Whether triangles meet at a point.
-    fn is_a_corner(&self, point: PointId) -> bool {
+    pub(super) fn is_a_corner(&self, point: PointId) -> bool {
         self.shown.scenery.triangles.iter().any(|corners| corners.contains(&point))
     }
 

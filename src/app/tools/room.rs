@@ -125,8 +125,8 @@ pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
     let by_solids = Walls::of(None, &[], solids.clone()).clear(&shape.places, &bonds, &shape.pinned);
     // What is in the way: an obstacle, or walls alone.
     let what = usize::from(by_solids.moves.is_empty() && by_solids.stuck.is_empty());
-    let cover = Cover::of(&shape).filter(|cover| !is_stuck && cover.has_any(solids, way));
-    if let Some(cover) = cover {
+    let cover = Cover::of(&shape);
+    if let Some(cover) = cover.as_ref().filter(|cover| !is_stuck && cover.has_any(solids, way)) {
         let is_free = |by: DVec2| {
             let places: Vec<[f64; 2]> = shape.places.iter().map(|&at| (DVec2::from(at) + by).to_array()).collect();
             let cleared = scope.shown.scenery.walls().clear(&places, &bonds, &shape.pinned);
@@ -141,7 +141,7 @@ pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
     let refused = (is_stuck && shape.pinned.is_empty()).then_some(NO_ROOM[what]);
     let stays = (is_stuck && refused.is_none()).then_some(STAYS[what]);
     let meets = scope.shown.settings.contact.flatten().is_some_and(|contact| contact.with_others);
-    let is_over = || meets && Cover::of(&shape).is_some_and(|cover| cover.lies_over(scope, way));
+    let is_over = || meets && cover.as_ref().is_some_and(|cover| cover.lies_over(scope, way));
     let over = is_over().then_some(OVER[usize::from(!scope.shown.figures.playing)]);
     let said = stays.or((way != DVec2::ZERO).then_some(OUT[what]));
     // What is whole and hangs on nothing is put there by the tool, so that the world has nothing to say of it.

@@ -170,8 +170,7 @@ impl Chain {
     pub(in crate::app::tools) fn end(&self, scope: Scope<'_>, How { links, fills }: How) -> Deed {
         let places: Option<Vec<DVec2>> = self.nodes.iter().map(|node| self.place(scope, *node)).collect();
         let Some(places) = places else { return Deed::words(GONE.to_owned()) };
-        let triangles = &scope.shown.scenery.triangles;
-        let is_covered = |point: u32| triangles.iter().flatten().any(|corner| corner.0 == point);
+        let is_covered = |point: u32| scope.is_a_corner(PointId(point));
         let give = |keys: AddKeys| Deed::edit(Primitive::Bonds.name(), Do::Add(Box::new(keys)));
         let mut words = None;
         if let Some(of) = fills.filter(|_| self.is_loop()) {
