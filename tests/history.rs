@@ -200,7 +200,7 @@ fn a_reset_takes_along_what_was_built_at_the_start() {
     play(&mut history, 20);
     let late = hash(&history);
     for _ in 0..2 {
-        assert_eq!(history.reset(), GoneBack { left: 1, kept: 0 });
+        assert_eq!(history.reset(), GoneBack { left: 1, kept: 0, is_built: false });
         assert_eq!((history.world().time(), history.recording().commands.len()), (start, 1));
         assert!(history.world().grab().is_none() && hash(&history) == built);
         play(&mut history, 10);
@@ -233,7 +233,11 @@ fn a_reset_keeps_what_was_set_and_takes_back_what_was_done() {
         .map(|keys| Do::Set(Box::new(keys)));
     history.give(both.into_iter().chain([Do::Pin(vec![PointId(5)])]).collect(), Some("built")).unwrap();
     let late = hash(&history);
-    assert_eq!(history.reset(), GoneBack { left: 2, kept: 2 }, "the pins go, with what was set for one of them");
+    assert_eq!(
+        history.reset(),
+        GoneBack { left: 2, kept: 2, is_built: false },
+        "the pins go, with what was set for one of them"
+    );
     assert_eq!((history.world().time(), history.recording().commands.len()), (0.0, 2), "of a drag the last number");
     assert_eq!((mass(&history), history.world().pinned().len()), (0.3, pinned));
     play(&mut history, 20);
@@ -243,6 +247,87 @@ fn a_reset_keeps_what_was_set_and_takes_back_what_was_done() {
     assert_eq!(hash(&history), again);
     assert_eq!([(); 2].map(|()| history.undo().unwrap().name), ["back to the start"; 2]);
     assert_eq!(hash(&history), late);
+}
+
+/// Where the start is empty, what was built later is there again, as it stood when the last thing came; what was thrown or cut since is not.
+#[test]
+fn a_reset_of_a_scene_that_began_empty_leads_to_what_was_built() {
+    let empty = r#"{"wobble": 1, "gravity": [0, -9.81], "bounds": {"min": [-4, -2], "max": [4, 6]}}"#;
+    let mut history = History::new(Scene::parse(empty, "empty.json").unwrap().into()).unwrap();
+    let build = |history: &mut History, name: &str, x: f64| {
+        let triangle = format!(
+            r#"{{"points": {{"position": [[{x}, 1], [{}, 1], [{x}, 2]]}}, "bonds": [{{"a": "+0", "b": "+1"}}]}}"#,
+            x + 1.0
+        );
+        let first = history.world().next_numbers()[0];
+        let text = triangle.replace("\"+0\"", &first.to_string()).replace("\"+1\"", &(first + 1).to_string());
+        history.give(vec![Do::Add(Box::new(serde_json::from_str(&text).unwrap()))], Some(name)).unwrap();
+    };
+    let points = |history: &History| history.world().point_count();
+    play(&mut history, 30);
+    build(&mut history, "First", -2.0);
+    play(&mut history, 30);
+    build(&mut history, "Second", 1.0);
+    let first = history.world().next_numbers()[0] - 3;
+    history.give(vec![Do::Pin(vec![PointId(first)])], Some("Pin")).unwrap();
+    let built = hash(&history);
+    play(&mut history, 20);
+    let drag = SetKeys { drag_rate: Some(2.0), ..SetKeys::default() };
+    history.give(vec![Do::Set(Box::new(drag))], Some("Drag")).unwrap();
+    history.give(vec![Do::Unpin(vec![PointId(first)])], Some("Unpin")).unwrap();
+    history.give(vec![Do::Delete(DeleteKeys { points: vec![0], ..DeleteKeys::default() })], Some("Delete")).unwrap();
+    play(&mut history, 20);
+    let late = hash(&history);
+    assert_eq!(history.reset(), GoneBack { left: 2, kept: 1, is_built: true });
+    let drag = history.world().settings().drag_rate;
+    assert_eq!((hash(&history), points(&history), drag), (built.clone(), 6, Some(2.0)));
+    // Once more, after a while; then it is undone, done again, and saved.
+    play(&mut history, 25);
+    assert_eq!(history.reset(), GoneBack { is_built: true, kept: 1, ..GoneBack::default() });
+    let again = hash(&history);
+    let opened = History::new(Start::from(as_log(&history.recording()).recording().unwrap())).map(|mut opened| {
+        opened.go_to(f64::from_bits(again.1));
+        hash(&opened)
+    });
+    assert_eq!((again.clone(), opened.unwrap()), (built, again.clone()));
+    for name in ["back to what was built"; 2] {
+        assert_eq!(history.undoes().as_deref(), Some(name));
+        assert_eq!(history.undo().unwrap().name, name);
+    }
+    assert_eq!(hash(&history), late);
+    for name in ["back to what was built"; 2] {
+        assert_eq!(history.redo().unwrap().name, name);
+    }
+    assert_eq!(hash(&history), again);
+    // What is built from there on is where the next one leads to, and undone by itself.
+    play(&mut history, 10);
+    build(&mut history, "Third", 2.5);
+    play(&mut history, 10);
+    history.reset();
+    assert_eq!(points(&history), 9);
+    let names: Vec<String> = std::iter::from_fn(|| history.undo()).map(|undone| undone.name).collect();
+    let back = "back to what was built";
+    assert_eq!(names, [back, "Third", back, back, "Delete", "Unpin", "Drag", "Pin", "Second", "First"]);
+    assert_eq!(points(&history), 0);
+    // Before anything came there is but the start.
+    assert_eq!((history.reset(), history.world().time()), (GoneBack::default(), 0.0));
+}
+
+/// What was built before time went by is where a scene that was empty begins.
+#[test]
+fn a_reset_leads_to_the_start_where_anything_was_built_there() {
+    let empty = r#"{"wobble": 1, "gravity": [0, -9.81]}"#;
+    let mut history = History::new(Scene::parse(empty, "empty.json").unwrap().into()).unwrap();
+    let point = |x: f64| {
+        let keys = format!(r#"{{"points": {{"position": [[{x}, 1]]}}}}"#);
+        vec![Do::Add(Box::new(serde_json::from_str(&keys).unwrap()))]
+    };
+    history.give(point(0.0), Some("First")).unwrap();
+    play(&mut history, 30);
+    history.give(point(1.0), Some("Second")).unwrap();
+    play(&mut history, 30);
+    assert_eq!(history.reset(), GoneBack { left: 1, ..GoneBack::default() });
+    assert_eq!((history.world().time(), history.world().point_count()), (0.0, 1));
 }
 
 #[test]

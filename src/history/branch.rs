@@ -49,9 +49,11 @@ struct Branch {
     end: f64,
     /// Of the time since it left, ascending.
     marks: Vec<Mark>,
-    /// Where the start of all was gone to from, if so, and how many commands were taken along.
+    /// Where it was gone to its beginning from, if it began anew, and how many commands were taken along.
     origin: Option<Spot>,
     taken_along: usize,
+    /// The last branch on the way here that began anew, or else the first.
+    anew: usize,
     /// Nothing is lost with it: it was left without an edit.
     is_barren: bool,
 }
@@ -107,11 +109,19 @@ impl Tree {
         *end = end.max(time);
     }
 
-    /// A new branch from the start of all at `from` `[s]`, which was gone to from a spot with these commands.
-    pub(super) fn begin_anew(&mut self, from: f64, origin: Spot, own: Vec<Entry>) -> usize {
+    /// A new branch from a spot, which was gone to from `origin` with these commands: the start of all, or a spot after some command.
+    pub(super) fn begin_anew(&mut self, spot: Spot, origin: Spot, own: Vec<Entry>) -> usize {
+        let branch = match spot.place {
+            0 => {
+                self.branches.push(Branch { from: spot.time, end: spot.time, ..Branch::default() });
+                self.branches.len() - 1
+            }
+            _ => self.fork(spot),
+        };
         let (taken_along, origin, edits) = (own.len(), Some(origin), edits_of(&own));
-        self.branches.push(Branch { from, end: from, origin, own, edits, taken_along, ..Branch::default() });
-        self.branches.len() - 1
+        let from = std::mem::take(&mut self.branches[branch]);
+        self.branches[branch] = Branch { origin, own, edits, taken_along, anew: branch, ..from };
+        branch
     }
 
     /// A new branch that leaves another at a spot.
@@ -122,9 +132,9 @@ impl Tree {
         let owner = owner.unwrap_or_else(|| self.root(branch));
         let parent = (owner, place);
         let depth = self.branches[owner].depth + 1;
-        let jump = Some(self.jump(parent));
+        let (jump, anew) = (Some(self.jump(parent)), self.branches[owner].anew);
         let parent = Some(parent);
-        self.branches.push(Branch { parent, jump, depth, from: time, end: time, ..Branch::default() });
+        self.branches.push(Branch { parent, jump, depth, anew, from: time, end: time, ..Branch::default() });
         self.branches.len() - 1
     }
 
@@ -204,18 +214,20 @@ impl Tree {
         })
     }
 
-    /// Where the world was before it went back to the start, where a branch goes on from there.
+    /// Where the world was before it went back to where a branch began anew.
     pub(super) fn origin(&self, branch: usize) -> Option<Spot> {
-        self.branches[self.root(branch)].origin
+        self.branches[self.branches[branch].anew].origin
     }
 
-    /// How many commands were taken along then.
-    pub(super) fn taken_along(&self, branch: usize) -> usize {
-        self.branches[self.root(branch)].taken_along
+    /// Where a branch began anew, after what was taken along then.
+    pub(super) fn anew(&self, branch: usize) -> Spot {
+        let branch = self.branches[branch].anew;
+        let Branch { taken_along, from, .. } = self.branches[branch];
+        Spot { branch, place: self.shared(branch) + taken_along, time: from }
     }
 
     /// The branch that begins at the start and that a branch comes from.
-    pub(super) fn root(&self, mut branch: usize) -> usize {
+    fn root(&self, mut branch: usize) -> usize {
         while let Some((far, _)) = self.branches[branch].jump {
             branch = far;
         }

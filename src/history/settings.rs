@@ -14,6 +14,16 @@ impl Entry {
         }
     }
 
+    /// Whether something comes by it, or is put or held somewhere from then on.
+    pub(super) fn builds(&self) -> bool {
+        match &self.act {
+            Do::Add(_) => !self.is_setting(),
+            Do::Pin(_) => true,
+            Do::Move(keys) => keys.over.is_none(),
+            _ => false,
+        }
+    }
+
     /// The same at the start, where a world has the numbers below these of points, bonds and obstacles; `None`: it is no setting, or of
     /// nothing that is there.
     pub(super) fn at_start(&self, start: f64, next: [u32; 3]) -> Option<Entry> {

@@ -27,8 +27,10 @@ pub struct GivenUp;
 pub struct GoneBack {
     /// How many were left behind.
     pub left: usize,
-    /// How many settings hold from the start on, which were set later.
+    /// How many settings hold from there on, which were set later.
     pub kept: usize,
+    /// There was nothing at the start: where the last thing was built was gone to.
+    pub is_built: bool,
 }
 
 /// Where doing again leads to.
@@ -40,6 +42,8 @@ pub(super) struct Redo {
 
 /// What going back to the start is called.
 const RESET: &str = "back to the start";
+/// What it is called where nothing was there.
+const BUILT: &str = "back to what was built";
 
 impl History {
     /// Goes back to just before the last edit. Nothing to undo is no error.
@@ -60,9 +64,7 @@ impl History {
             }
             None => {
                 let Some(back) = self.tree.origin(branch) else { return Ok(None) };
-                let again =
-                    Spot { branch: self.tree.root(branch), place: self.tree.taken_along(branch), time: self.from() };
-                (RESET.to_owned(), again, back)
+                (self.name_anew(branch).to_owned(), self.tree.anew(branch), back)
             }
         };
         self.go(back, goes_on)?;
@@ -93,7 +95,7 @@ impl History {
     pub fn undoes(&self) -> Option<String> {
         match self.edit_before(self.frame.place) {
             Some([first, _]) => Some(self.name(self.branch, first)),
-            None => self.tree.origin(self.branch).map(|_| RESET.to_owned()),
+            None => self.tree.origin(self.branch).map(|_| self.name_anew(self.branch).to_owned()),
         }
     }
 
@@ -120,7 +122,7 @@ impl History {
         let last = self.tree.edit_before(self.branch, place)?;
         let earlier = std::iter::successors(Some(last), |&place| self.tree.edit_before(self.branch, place));
         let first = earlier.take_while(|&place| self.edit_of(place) == self.edit_of(last)).last()?;
-        (last >= self.tree.taken_along(self.branch)).then_some([first, last])
+        (last >= self.tree.anew(self.branch).place).then_some([first, last])
     }
 
     /// The last command of the edit that a command is part of.
@@ -163,33 +165,64 @@ impl History {
         Spot { place: place + 1, ..self.before(branch, place) }
     }
 
+    /// What going back to where a branch began anew is called.
+    fn name_anew(&self, branch: usize) -> &'static str {
+        if self.tree.anew(branch).time > self.from() { BUILT } else { RESET }
+    }
+
     /// To the start of all, with the edits that were done there before any time went by, and with what was set since: numbers of the scene and
-    /// of bodies that are there, and how they look. Undone as one.
+    /// of bodies that are there, and how they look. Where no body is there, to where the last thing was built. Undone as one.
     pub fn reset(&mut self) -> GoneBack {
+        self.reset_while(|_| true).unwrap_or_default()
+    }
+
+    /// The same, as long as `goes_on` says so, as of [`History::undo_while`].
+    ///
+    /// Errors: it was given up.
+    pub fn reset_while(&mut self, goes_on: impl FnMut(f64) -> bool) -> Result<GoneBack, GivenUp> {
         let here = self.spot();
         self.keyframes.keep(self.branch, self.frame.clone(), false);
-        let start = Spot { branch: self.branch, place: 0, time: self.from() };
-        let edits = (0..here.place).filter_map(|place| self.tree.entry(here.branch, place));
+        let start = self.start_of(here);
+        self.travel(start, goes_on)?;
+        let edits = (start.place..here.place).filter_map(|place| self.tree.entry(here.branch, place));
         let (mut own, later): (Vec<_>, Vec<_>) =
             edits.filter(|entry| entry.edit.is_some()).cloned().partition(|entry| entry.at <= start.time);
-        self.frame_before(start);
-        let settings = self.settings_at_start(&own, &later);
+        let settings = self.settings_at_start(start.time, &own, &later);
         let of = |entries: &[Entry]| entries.iter().filter_map(|entry| entry.edit).collect::<BTreeSet<u64>>();
         let (kept, all) = (of(&settings).len(), of(&later).len());
         own.extend(settings);
-        self.branch = self.tree.begin_anew(start.time, here, own);
+        self.branch = self.tree.begin_anew(start, here, own);
         self.is_free = false;
         while self.frame.place < self.tree.len(self.branch) {
             self.pass();
         }
         self.undone.clear();
         self.arrive();
-        GoneBack { left: all - kept, kept }
+        Ok(GoneBack { left: all - kept, kept, is_built: start.place > 0 })
     }
 
-    /// What of later edits holds from the start on, where the world stands now, after what was `built` there: what can be done there. Of a drag
-    /// the last number.
-    fn settings_at_start(&self, built: &[Entry], later: &[Entry]) -> Vec<Entry> {
+    /// Where what is done until a spot begins: at the start of all, or where that has no bodies and none was built there, after the last edit
+    /// by which something came or was put or held where it is.
+    fn start_of(&self, here: Spot) -> Spot {
+        let start = Spot { branch: here.branch, place: 0, time: self.from() };
+        if self.keyframes.before(&self.tree, start).is_none_or(|kept| kept.frame.world.point_count() > 0) {
+            return start;
+        }
+        let before = |place: usize| self.tree.edit_before(here.branch, place);
+        let edits = std::iter::successors(before(here.place), |&place| before(place));
+        let builds = |&place: &usize| self.tree.entry(here.branch, place).is_some_and(Entry::builds);
+        let building: Vec<usize> = edits.filter(builds).collect();
+        match building[..] {
+            [last, ..] if building.iter().all(|&place| self.before(here.branch, place).time > start.time) => {
+                Spot { place: self.last_of(last) + 1, ..self.before(here.branch, last) }
+            }
+            _ => start,
+        }
+    }
+
+    /// What of later edits holds from `start` `[s]` on, where the world stands now, after what was `built` there: what can be done there. Of a
+    /// drag the last number.
+    fn settings_at_start(&self, start: f64, built: &[Entry], later: &[Entry]) -> Vec<Entry> {
         let mut trial = self.frame.clone();
         // What could not be done there when it was built cannot be done now.
         built.iter().for_each(|entry| _ = trial.follow(entry, &self.scene));
@@ -199,7 +232,7 @@ impl History {
         let others: BTreeSet<_> = later.iter().filter(|entry| !entry.is_setting()).map(|entry| entry.edit).collect();
         let alone = |(_, entry): &(usize, &Entry)| !others.contains(&entry.edit);
         let settings = later.iter().enumerate().filter(alone).filter(last);
-        let settings = settings.filter_map(|(_, entry)| entry.at_start(self.from(), next));
+        let settings = settings.filter_map(|(_, entry)| entry.at_start(start, next));
         settings.filter(|entry| trial.follow(entry, &self.scene).is_ok()).collect()
     }
 

@@ -243,14 +243,21 @@ impl Pace {
         self.told = None;
     }
 
-    /// Back to the start. What came to its end plays again. Returns what became of edits.
-    pub fn reset(&mut self, history: &mut History) -> GoneBack {
-        self.playing |= self.ended || self.duration.is_some_and(|end| history.world().time() >= end);
-        let edits = history.reset();
+    /// Back to the start, as long as `goes_on` says so. What came to its end plays again. Returns what became of edits.
+    ///
+    /// Errors: it was given up.
+    pub fn reset_while(
+        &mut self,
+        history: &mut History,
+        goes_on: impl FnMut(f64) -> bool,
+    ) -> Result<GoneBack, GivenUp> {
+        let had_ended = self.ended || self.duration.is_some_and(|end| history.world().time() >= end);
+        let edits = history.reset_while(goes_on)?;
+        self.playing |= had_ended;
         self.ended = false;
         (self.told, self.jumps, self.is_taken) = (None, true, false);
         self.settle(history);
-        edits
+        Ok(edits)
     }
 
     /// Whether it stands where it ended by itself: not where it was paused later, for it goes on from there.

@@ -137,12 +137,13 @@ impl Session {
 const HELD_HERE: &str = "held by pins: point at a pin (a red ring) and press T to let it go, or drag the pin itself";
 
 /// What became of edits as the start was gone to.
-fn gone_back(GoneBack { left, kept }: GoneBack) -> String {
+fn gone_back(GoneBack { left, kept, is_built }: GoneBack) -> String {
+    let to = if is_built { "where the last thing was built" } else { "the start" };
     let with = if kept > 0 { ", with what you set since" } else { "" };
     match left {
-        0 => format!("Back to the start{with}"),
-        1 => format!("Back to the start{with}: Ctrl+Z brings back the edit that was made later"),
-        edits => format!("Back to the start{with}: Ctrl+Z brings back the {edits} edits that were made later"),
+        0 => format!("Back to {to}{with}"),
+        1 => format!("Back to {to}{with}: Ctrl+Z brings back the edit that was made later"),
+        edits => format!("Back to {to}{with}: Ctrl+Z brings back the {edits} edits that were made later"),
     }
 }
 
@@ -167,10 +168,12 @@ mod tests {
 
     #[test]
     fn what_the_start_takes_back_and_what_it_keeps_is_said() {
-        let words = [(0, 2), (1, 0), (3, 1)].map(|(left, kept)| gone_back(GoneBack { left, kept }));
+        let words = [(0, 2), (1, 0), (3, 1)].map(|(left, kept)| gone_back(GoneBack { left, kept, is_built: false }));
         assert_eq!(words[0], "Back to the start, with what you set since");
         assert_eq!(words[1], "Back to the start: Ctrl+Z brings back the edit that was made later");
         assert!(words[2].starts_with("Back to the start, with what you set since: Ctrl+Z brings back the 3 edits"));
+        let built = gone_back(GoneBack { is_built: true, ..GoneBack::default() });
+        assert_eq!(built, "Back to where the last thing was built");
     }
 
     #[test]

@@ -297,11 +297,13 @@ impl Stage {
             },
             Order::Exact => self.make_exact(),
             Order::TakeBack => self.take_back(),
-            Order::Reset => {
-                self.rungs.forget();
-                let edits = self.pace.reset(&mut self.history);
-                (edits != GoneBack::default()).then_some(Note::GoneBack(edits))
-            }
+            Order::Reset => match self.pace.reset_while(&mut self.history, goes_on) {
+                Ok(edits) => {
+                    self.rungs.forget();
+                    (edits != GoneBack::default()).then_some(Note::GoneBack(edits))
+                }
+                Err(GivenUp) => return Some(Note::GivenUp),
+            },
             Order::Bound(bytes) => {
                 self.history.bound_keyframes(bytes);
                 None
