@@ -6,6 +6,7 @@ pub mod commands;
 pub mod damage;
 pub mod golden;
 pub mod inside;
+pub mod jumping;
 pub mod panels;
 pub mod physics;
 pub mod picture;

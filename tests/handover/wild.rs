@@ -6,10 +6,11 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use wobble::scene::{Entry, Scene, SolverName, gallery};
-use wobble::sim::{BondKind, Command, Counters, Cursor, Dynamics, PointId, Reach, frame_of};
+use wobble::sim::{BondKind, Command, Counters, Cursor, Dynamics, PointId, frame_of};
 
 use super::FRAME;
 use crate::common::inside::deepest;
+use crate::common::jumping::{JumpingMouse, extent};
 use crate::common::{asked, is_asked};
 
 /// What is too large for it: a frame takes a third of a second.
@@ -18,8 +19,6 @@ const LEFT_OUT: [&str; 1] = ["million-cloth"];
 const TIME: f64 = 10.0;
 /// Counted work of half of the frames [ms].
 const MEDIAN: f64 = 4.0;
-/// In the second half of the time a point is grabbed every so many frames, and held for so many of them.
-const GRABS: [u64; 2] = [15, 12];
 /// A triangle is inside out for less than this [s].
 const INVERTED: f64 = 1.0;
 /// Every so many frames it is looked at how deep points are in what is solid: in the last of them, when no hand holds any.
@@ -32,22 +31,6 @@ const BOOKED: usize = 200;
 const GAIN: f64 = 0.01;
 /// Of so many scenes at least the energy is judged.
 const JUDGED: usize = 17;
-
-/// Numbers in [0, 1) that are the same every time.
-fn draw(state: &mut u64) -> f64 {
-    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    (*state >> 11) as f64 / (1_u64 << 53) as f64
-}
-
-fn extent(world: &dyn Dynamics) -> [[f64; 2]; 2] {
-    let (mut low, mut high) = ([f64::INFINITY; 2], [-f64::INFINITY; 2]);
-    for x in world.sample(world.time()).position {
-        for k in 0..2 {
-            (low[k], high[k]) = (low[k].min(x[k]), high[k].max(x[k]));
-        }
-    }
-    [low, high]
-}
 
 /// The size of a scene [m]: the lesser side of its walls, or the larger one of its points where it has none.
 fn size(world: &dyn Dynamics) -> f64 {
@@ -111,26 +94,6 @@ fn areas(world: &dyn Dynamics) -> Vec<f64> {
     world.triangles().iter().map(area).collect()
 }
 
-/// Grabs a point that is not pinned, or lets it go.
-fn fling(world: &mut dyn Dynamics, frame: u64, state: &mut u64) {
-    match frame % GRABS[0] {
-        0 => {
-            let mut is_free = vec![true; world.point_count()];
-            world.pinned().iter().for_each(|pin| is_free[pin.index()] = false);
-            let free: Vec<PointId> =
-                (0..world.point_count() as u32).map(PointId).filter(|point| is_free[point.index()]).collect();
-            let chosen = (draw(state) * free.len() as f64) as usize;
-            if let Some(&point) = free.get(chosen) {
-                world.apply(&Command::Grab(Reach::Points(vec![point]))).unwrap();
-            }
-        }
-        k if k == GRABS[1] => {
-            world.apply(&Command::Release).unwrap();
-        }
-        _ => {}
-    }
-}
-
 /// What was done between two moments, in the order of a substep.
 fn did(before: &Counters, after: &Counters, time: f64) -> String {
     let counts = [
@@ -151,21 +114,16 @@ fn did(before: &Counters, after: &Counters, time: f64) -> String {
 
 /// The frames of a run.
 fn run(world: &mut dyn Dynamics) -> Frames {
-    let ([low, high], mut state) = (extent(world), 5);
     let (mut frame, mut before) = (0, *world.counters());
     let mut frames = Frames::default();
     let (mut start, mut torn) = (areas(world), world.counters().bonds_torn);
     let mut since = vec![f64::INFINITY; start.len()];
     let end = asked("WOBBLE_SECONDS", TIME);
+    let mut mouse = JumpingMouse::new(world, end);
     while world.time() < end - 1e-9 {
         if frame_of(world.time()) != frame || frame == 0 {
             frame = frame_of(world.time());
-            let at = [0, 1].map(|k| low[k] + draw(&mut state) * (high[k] - low[k]));
-            let by = world.time() + 1.0 / 60.0;
-            world.apply(&Command::Cursor { to: Some(Cursor::at(at)), by }).unwrap();
-            if world.time() > 0.5 * end {
-                fling(world, frame, &mut state);
-            }
+            mouse.jump(world, frame);
         }
         world.step();
         if frame_of(world.time() + world.substep()) != frame_of(world.time()) {
