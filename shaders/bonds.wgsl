@@ -9,10 +9,10 @@ struct Packed {
     rest_length: f32,
 }
 
-@group(0) @binding(3) var<storage, read> bonds: array<Packed>;
+@group(0) @binding(2) var<storage, read> bonds: array<Packed>;
 
 // What each point's body has of its own: red, green and blue from the lowest byte on, and how wide its bonds are [m], as its bits.
-@group(0) @binding(5) var<storage, read> own: array<vec2<u32>>;
+@group(0) @binding(4) var<storage, read> own: array<vec2<u32>>;
 
 const FORM: u32 = 29u;
 // A bond has the colour, and the width; and it lies on a fill or a picture of that colour.
@@ -72,7 +72,7 @@ fn strain_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> f32 {
 
 // A colour of what keeps its length, such as rods: that of the largest strain where it is stretched all the same. Plain strokes stay plain.
 fn stretched(bond: Bond, color: vec4<f32>, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
-    if !FORMS {
+    if FORMS == 0u {
         return color;
     }
     let is_rigid = is_set(frame.coil_length, a.x) && (bond.kind == ROD || (is_rope(bond) && bond.rest_length < 0.0));
@@ -103,13 +103,13 @@ fn tint_of(bond: Bond, a: vec3<f32>, b: vec3<f32>) -> vec4<f32> {
     if MAPS && is_set(frame.difference_scale, a.x) {
         return vec4(difference_color(0.5 * (values[bond.a] + values[bond.b])).rgb, frame.bond_color.a);
     }
-    if FORMS && bond.kind == MUSCLE && is_set(frame.coil_length, a.x) {
+    if FORMS == 2u && bond.kind == MUSCLE && is_set(frame.coil_length, a.x) {
         return vec4(FLESH, frame.bond_color.a);
     }
     if (bond.own & OF_COLOR) != 0u && ((bond.own & COVERED) == 0u || !is_set(frame.fill_opacity, a.x)) {
         return stretched(bond, vec4(unpack4x8unorm(own[bond.a].x).rgb, frame.bond_color.a), a, b);
     }
-    if FORMS && is_rope(bond) && is_set(frame.coil_length, a.x) {
+    if FORMS == 2u && is_rope(bond) && is_set(frame.coil_length, a.x) {
         return stretched(bond, frame.rope_color, a, b);
     }
     return stretched(bond, frame.bond_color, a, b);
@@ -147,7 +147,7 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
     let wide = own_width(bond, a, b);
     var width = max(frame.bond_width, wide);
     var form = vec4(0.0);
-    if FORMS && is_set(frame.coil_length, a.x) && bond.kind != 0u {
+    if FORMS == 2u && is_set(frame.coil_length, a.x) && bond.kind != 0u {
         let span = distance(pixel_of(frame.clip_from_world * vec4(a, 1.0)), pixel_of(frame.clip_from_world * vec4(b, 1.0)));
         let unit = frame.outline_width / 1.5;
         if bond.kind == ROD || bond.kind == STRUT {
@@ -182,7 +182,7 @@ fn vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32
     return Strand(plain.position, plain.line, plain.color, plain.size, form);
 }
 
-// One without a form, in the plane.
+// One of which no more than the colour tells its form, in the plane.
 @vertex
 fn short_vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chunk: u32) -> Strand {
     let bond = bond_at(chunk * CHUNK + index / 3u);
@@ -197,7 +197,7 @@ fn short_vertex(@builtin(vertex_index) index: u32, @builtin(instance_index) chun
 fn fragment(in: Strand) -> @location(0) vec4<f32> {
     let kind = u32(in.form.x + 0.5);
     let plain = Stroke(in.position, in.line, in.color, in.size);
-    if !FORMS || kind == 0u {
+    if FORMS != 2u || kind == 0u {
         return stroke_color(plain);
     }
     let at = in.position.xy - in.line.xy;

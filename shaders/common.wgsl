@@ -1,12 +1,12 @@
-// What every pass shares: the frame, the positions of two states, and the way from the world to the screen.
+// What every pass shares: the frame, the positions, and the way from the world to the screen.
 // Put in front of each of the other shaders, with shapes.wgsl and discs.wgsl.
 
-// Numbers a point has in the position buffers: 2 in the plane, 3 in space.
+// Numbers a point has in the position buffer: 2 in the plane, 3 in space.
 override DIMENSIONS: u32 = 2u;
 // Whether strains or distances may be shown by colours: what works them out is left out of the shader where they are not.
 override MAPS: bool = true;
-// Whether any bond may be seen as what it is: where none is, likewise.
-override FORMS: bool = true;
+// What is seen of the forms of bonds: 0 nothing, 1 by their colour that rigid ones are stretched, 2 whatever there is. What is not is left out likewise.
+override FORMS: u32 = 2u;
 // Which primitives of fills are drawn: 0 any of them, 1 triangles of bodies alone, 2 cells of nets alone, 3 triangles of bodies and outlines. What others take is left out likewise.
 override KINDS: u32 = 0u;
 
@@ -34,8 +34,6 @@ struct Frame {
     walls: vec4<f32>,
     // Size of the target [px].
     viewport: vec2<f32>,
-    // What is drawn lies between two states: 0 = previous, 1 = current.
-    mix: f32,
     // Width of a bond [px].
     bond_width: f32,
     // Radius of a point [px].
@@ -67,20 +65,17 @@ struct Frame {
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
-@group(0) @binding(1) var<storage, read> previous: array<f32>;
-@group(0) @binding(2) var<storage, read> current: array<f32>;
+@group(0) @binding(1) var<storage, read> positions: array<f32>;
 // What points are coloured by: not there where no difference is shown.
-@group(0) @binding(4) var<storage, read> values: array<f32>;
+@group(0) @binding(3) var<storage, read> values: array<f32>;
 
 fn position_of(point: u32) -> vec3<f32> {
     let i = point * DIMENSIONS;
-    var before = vec3(previous[i], previous[i + 1u], 0.0);
-    var now = vec3(current[i], current[i + 1u], 0.0);
+    var position = vec3(positions[i], positions[i + 1u], 0.0);
     if DIMENSIONS == 3u {
-        before.z = previous[i + 2u];
-        now.z = current[i + 2u];
+        position.z = positions[i + 2u];
     }
-    return mix(before, now, frame.mix);
+    return position;
 }
 
 // Whether a number of the frame is above 0, asked together with a coordinate of the vertex or pixel, which may be any. Drivers that build a shader

@@ -11,9 +11,9 @@ struct Primitive {
     ink: u32,
 }
 
-@group(0) @binding(3) var<storage, read> primitives: array<Primitive>;
+@group(0) @binding(2) var<storage, read> primitives: array<Primitive>;
 // Of each point red, green and blue of its own from the lowest byte on, then whether it has them.
-@group(0) @binding(5) var<storage, read> own: array<vec2<u32>>;
+@group(0) @binding(4) var<storage, read> own: array<vec2<u32>>;
 // A row a point: its normal in space, which is shorter the sharper an edge it is on, 0 where triangles are flat up to it, and the mean strain of
 // its bonds. Not there where neither is shown.
 @group(1) @binding(0) var<storage, read> shades: array<vec4<f32>>;

@@ -2,7 +2,7 @@
 
 // A corner (w: how much lighter); two sides (w: their lengths) [m]; where the cells begin along both, how wide they are [m], how dark it gets;
 // how many they are along both; then the cells, four a row, along the first side first.
-@group(0) @binding(3) var<storage, read> rows: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read> rows: array<vec4<f32>>;
 
 struct Floor {
     @builtin(position) position: vec4<f32>,

@@ -7,7 +7,7 @@ struct Guide {
     color: vec4<f32>,
 }
 
-@group(0) @binding(3) var<storage, read> guides: array<Guide>;
+@group(0) @binding(2) var<storage, read> guides: array<Guide>;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Stroke {

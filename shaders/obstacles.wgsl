@@ -3,7 +3,7 @@
 // below show through between them.
 
 // Corners of triangles, three after each other; then ends of edges, two after each other, the first at a multiple of six.
-@group(0) @binding(3) var<storage, read> corners: array<vec2<f32>>;
+@group(0) @binding(2) var<storage, read> corners: array<vec2<f32>>;
 // What of each pixel is covered; when it is shown, also what of that is rim.
 @group(1) @binding(0) var covered: texture_2d<f32>;
 @group(1) @binding(1) var smooth_sampler: sampler;

@@ -10,7 +10,7 @@ const MIDDLE: f32 = 0.36;
 const EDGE: f32 = 1.1;
 
 // The points in the order that they are drawn in.
-@group(0) @binding(3) var<storage, read> points: array<u32>;
+@group(0) @binding(2) var<storage, read> points: array<u32>;
 
 @vertex
 fn vertex(@builtin(vertex_index) index: u32) -> Disc {

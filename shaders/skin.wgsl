@@ -10,7 +10,7 @@ struct Corner {
     tint: u32,
 }
 
-@group(0) @binding(3) var<storage, read> corners: array<Corner>;
+@group(0) @binding(2) var<storage, read> corners: array<Corner>;
 @group(1) @binding(0) var picture: texture_2d<f32>;
 @group(1) @binding(1) var smooth_sampler: sampler;
 
@@ -75,7 +75,7 @@ fn fragment(in: Skin) -> @location(0) vec4<f32> {
 
 // A corner of a strip: nine numbers, the points of the triangle that it moves with, its shares of them, where it lies in the picture, and
 // what that is multiplied by.
-@group(0) @binding(3) var<storage, read> rind: array<array<u32, 9>>;
+@group(0) @binding(2) var<storage, read> rind: array<array<u32, 9>>;
 
 @vertex
 fn rind_vertex(@builtin(vertex_index) index: u32) -> Skin {

@@ -3,7 +3,7 @@
 
 // World from clip space in four columns; then of each solid its centre and radius (0 of a box), and its axes with half its
 // sides [m].
-@group(0) @binding(3) var<storage, read> solids: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read> solids: array<vec4<f32>>;
 
 // Rays across a pixel, and down it.
 const RAYS: u32 = 4u;

@@ -1,8 +1,8 @@
-//! What lies on the GPU of a world: two states of the positions, the bonds, the points as they are drawn.
+//! What lies on the GPU of a world: its positions, the bonds, the points as they are drawn.
 //!
-//! Positions lie as an `f32` world has them, D numbers a point, and are uploaded without a copy; those of an `f64`
-//! world are taken relative to an origin near the camera, where `f32` has its digits. Bonds and points are uploaded when
-//! the topology changes, positions when they moved, and nothing otherwise. Large scenes are drawn in another order than
+//! Positions lie as an `f32` world has them, D numbers a point; those of an `f64` world are taken relative to an origin near the camera,
+//! where `f32` has its digits. What is drawn lies between two states: it is mixed here, once, for shaders look at a point many times. Bonds
+//! and points are uploaded when the topology changes, positions when they moved, and nothing otherwise. Large scenes are drawn in another order than
 //! they were made in, so that what is close together lies together.
 
 use glam::DVec3;
@@ -20,8 +20,8 @@ use super::growing::GrowingBuffer;
 use super::kept::KeptBuffer;
 use super::order;
 use super::own::{self, Owns};
-use super::places::{Staging, stage, states};
-use super::seen_forms::SeenForms;
+use super::places::{Staging, mixed, stage, states};
+use super::seen_forms::{Forms, Scale, SeenForms};
 use super::view::View;
 use crate::picture::Tint;
 use crate::sim::Positions;
@@ -30,12 +30,11 @@ use crate::sim::Positions;
 const PINNED: u32 = 1 << 31;
 
 /// Buffers that a pass binds.
-pub(super) const BOUND: usize = 6;
+pub(super) const BOUND: usize = 5;
 
 /// The buffers of a world, and what of it they hold.
 pub(super) struct WorldBuffers {
-    pub(super) previous: GrowingBuffer,
-    pub(super) current: GrowingBuffer,
+    pub(super) positions: GrowingBuffer,
     pub(super) bonds: GrowingBuffer,
     pub(super) points: GrowingBuffer,
     pub(super) guides: KeptBuffer<u8>,
@@ -77,8 +76,11 @@ pub(super) struct WorldBuffers {
     pub(super) selection: Selection,
     motion: Option<u64>,
     topology: Option<u64>,
-    /// Positions of an `f64` world as they were uploaded.
+    /// Both states of an `f64` world as they lie on the GPU.
     staging: Staging,
+    /// How far between them what was uploaded lies `[1]`, and that, where it is neither.
+    mix: Option<f32>,
+    mixed: Vec<f32>,
 }
 
 /// How many picture heights the camera may stray from the origin of the positions: at 1000, a pixel of a picture of
@@ -89,8 +91,7 @@ impl WorldBuffers {
     pub(super) fn new(gpu: &Gpu) -> Self {
         let storage = |what| GrowingBuffer::new(gpu, what, wgpu::BufferUsages::STORAGE, 64);
         WorldBuffers {
-            previous: storage("positions"),
-            current: storage("positions"),
+            positions: storage("positions"),
             bonds: storage("bonds"),
             points: storage("points"),
             guides: KeptBuffer::new(storage("guides")),
@@ -119,14 +120,16 @@ impl WorldBuffers {
             motion: None,
             topology: None,
             staging: Staging::default(),
+            mix: None,
+            mixed: Vec::new(),
         }
     }
 
-    fn all(&mut self) -> [&mut GrowingBuffer; 10] {
-        let WorldBuffers { previous, current, bonds, points, guides, solids, floor, frame, values, own, .. } = self;
+    fn all(&mut self) -> [&mut GrowingBuffer; 9] {
+        let WorldBuffers { positions, bonds, points, guides, solids, floor, frame, values, own, .. } = self;
         let kept = [&mut guides.buffer, &mut frame.buffer, &mut values.buffer, &mut own.buffer];
         let [guides, frame, values, own] = kept;
-        [previous, current, bonds, points, guides, &mut solids.buffer, &mut floor.buffer, frame, values, own]
+        [positions, bonds, points, guides, &mut solids.buffer, &mut floor.buffer, frame, values, own]
     }
 
     /// Whether a buffer is another one since the last call, so that bindings to it are stale.
@@ -155,7 +158,7 @@ impl WorldBuffers {
         (label, layout): (&str, &wgpu::BindGroupLayout),
         [frame, list]: [&GrowingBuffer; 2],
     ) -> wgpu::BindGroup {
-        let all: [_; BOUND] = [frame, &self.previous, &self.current, list, &self.values.buffer, &self.own.buffer];
+        let all: [_; BOUND] = [frame, &self.positions, list, &self.values.buffer, &self.own.buffer];
         let mut binding = 0..;
         let entries = all.map(|of| wgpu::BindGroupEntry {
             binding: binding.next().unwrap_or_default(),
@@ -196,13 +199,17 @@ impl WorldBuffers {
         let double = matches!(view.current, Positions::F64(_));
         let origin = if double { self.origin_near(camera) } else { DVec3::ZERO };
         if self.motion != Some(view.motion) || self.origin != origin {
-            (self.origin, self.motion, self.selected) = (origin, None, None);
+            (self.origin, self.motion, self.selected, self.mix) = (origin, Some(view.motion), None, None);
             self.forms.forget_motion();
             if let Some(chunks) = &mut self.chunks {
                 chunks.forget_motion();
             }
+            stage(view, self.origin, &mut self.staging);
+        }
+        if self.mix != Some(view.mix) {
+            self.mix = None;
             self.upload_positions(gpu, view, counters)?;
-            self.motion = Some(view.motion);
+            self.mix = Some(view.mix);
         }
         self.topology = Some(view.topology);
         self.upload_values(gpu, view, counters)
@@ -312,10 +319,9 @@ impl WorldBuffers {
         view: &View<'_>,
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
-        stage(view, self.origin, &mut self.staging);
-        let [previous, current] = states(view, &self.staging);
-        self.previous.write(gpu, bytemuck::cast_slice(previous), counters)?;
-        self.current.write(gpu, bytemuck::cast_slice(current), counters)
+        let states = states(view, &self.staging);
+        let positions = mixed(states, view.mix, &mut self.mixed);
+        self.positions.write(gpu, bytemuck::cast_slice(positions), counters)
     }
 
     /// The present positions as they lie on the GPU.
@@ -323,10 +329,10 @@ impl WorldBuffers {
         states(view, &self.staging)[1]
     }
 
-    /// Whether bonds may be seen as what they are, where springs of this length `[px]` are coils.
-    pub(super) fn shows_forms(&mut self, view: &View<'_>, camera: &Camera, coil_length: f32) -> bool {
+    /// What of the forms of bonds is seen in a picture.
+    pub(super) fn seen_forms(&mut self, view: &View<'_>, scale: Scale) -> Forms {
         let states = states(view, &self.staging);
-        self.forms.are_seen(states, view.dimensions, (camera.pixels_per_metre(), coil_length))
+        self.forms.seen(states, view.dimensions, scale)
     }
 
     /// Finds out what a picture takes of bonds and points, unless that is what the last one took.

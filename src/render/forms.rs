@@ -9,7 +9,7 @@ pub(super) const COIL: u32 = 2;
 const ROPE: u32 = 3;
 const RELAXED: u32 = 4;
 const STRING: u32 = 5;
-const STRUT: u32 = 6;
+pub(super) const STRUT: u32 = 6;
 pub(super) const MUSCLE: u32 = 7;
 /// Between pins on which something hangs: drawn as a rod as thick as any, which has no length at rest, also over what
 /// covers other bonds.

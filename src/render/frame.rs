@@ -8,6 +8,7 @@ use super::camera::{Camera, Pose};
 use super::chunks::Wanted;
 use super::detail::dot_radius;
 use super::look::{Color, Look, Overlay};
+use super::seen_forms::Scale;
 use super::sight::Sight;
 use super::view::View;
 use crate::sim::Region;
@@ -31,7 +32,6 @@ pub(super) struct Frame {
     region: [f32; 4],
     walls: [f32; 4],
     viewport: [f32; 2],
-    mix: f32,
     bond_width: f32,
     point_radius: f32,
     strain_scale: f32,
@@ -50,7 +50,7 @@ pub(super) struct Frame {
     difference_full: f32,
 }
 
-const _: () = assert!(size_of::<Frame>() == 492);
+const _: () = assert!(size_of::<Frame>() == 488);
 
 /// What stands for no wall, in the shaders too `[m]`.
 const FAR: f64 = 1e30;
@@ -88,7 +88,6 @@ impl Frame {
             region: region(view, camera).unwrap_or_default(),
             walls: walls(view, buffers.origin),
             viewport: camera.viewport(),
-            mix: view.mix,
             bond_width,
             point_radius: scale * point_radius(look, bond_pixels),
             strain_scale: if look.overlay == Overlay::Strain { look.strain_scale } else { 0.0 },
@@ -128,7 +127,7 @@ impl Frame {
     pub(super) fn of_obstacles(&self, camera: &Camera, origin: DVec3, obstacles: [f32; 4]) -> Self {
         // Nothing else of it moves them: what changes from picture to picture is left out.
         let clip_from_world = camera.clip_from_world(origin).to_cols_array();
-        Frame { clip_from_world, obstacles, mix: 0.0, region: [0.0; 4], point_color: [0.0; 4], ..*self }
+        Frame { clip_from_world, obstacles, region: [0.0; 4], point_color: [0.0; 4], ..*self }
     }
 
     /// Width of outlines `[px]`.
@@ -136,14 +135,10 @@ impl Frame {
         self.outline_width
     }
 
-    /// Width of a bond `[px]`.
-    pub(super) fn bond_width(&self) -> f32 {
-        self.bond_width
-    }
-
-    /// Length of a spring from which on it is a coil `[px]`; 0: bonds have no forms.
-    pub(super) fn coil_length(&self) -> f32 {
-        self.coil_length
+    /// How large bonds are.
+    pub(super) fn scale_of_bonds(&self, camera: &Camera) -> Scale {
+        let Frame { coil_length, bond_width, .. } = *self;
+        Scale { pixels_per_metre: camera.pixels_per_metre(), coil_length, bond_width }
     }
 
     /// Whether there is a region to draw.

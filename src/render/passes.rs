@@ -12,6 +12,7 @@ use super::fills::{Fills, Kinds};
 use super::gpu::Gpu;
 use super::obstacles::{COVER, Obstacles, SHARES};
 use super::quads::{QUAD, Quads};
+use super::seen_forms::Forms;
 use super::skin::Skins;
 
 /// A shader with what all of them share in front.
@@ -113,9 +114,13 @@ impl Pass {
         matches!(self, Pass::Dots | Pass::Strokes | Pass::ShortStrokes | Pass::Points | Pass::Fill)
     }
 
-    /// Whether it may show bonds as what they are: likewise.
-    fn has_forms(self) -> bool {
-        self == Pass::Strokes
+    /// What it shows of the forms of bonds where any of it is seen: likewise.
+    fn forms(self) -> Forms {
+        match self {
+            Pass::Strokes => Forms::All,
+            Pass::ShortStrokes => Forms::Stretched,
+            _ => Forms::None,
+        }
     }
 
     /// How what it draws is put on what is there: cover is added up, rims take their place, all else lies on top.
@@ -197,8 +202,8 @@ pub(super) struct Shown {
     pub(super) fills: bool,
     /// A map by colours, in place of skins.
     pub(super) map: bool,
-    /// Bonds as what they are.
-    pub(super) forms: bool,
+    /// What is seen of the forms of bonds.
+    pub(super) forms: Forms,
 }
 
 /// Pipelines and bindings of all passes. Copies share the pipelines.
@@ -234,23 +239,23 @@ impl Passes {
         let layers = layers(dimensions).into_iter();
         let own_to_world = [&layout];
         let pipelines = layers.map(|(pass, part)| {
-            let made = |forms: bool, maps: bool| {
+            let made = |forms: Forms, maps: bool| {
                 let what = (pass, part, maps, forms, Kinds::Any);
                 pipeline(&gpu.device, &own_to_world, &modules[pass.shader()], what, format, dimensions)
             };
-            let both = |forms: bool| {
+            let both = |forms: Forms| {
                 let plain = made(forms, false);
                 let mapped = if pass.has_maps() { made(forms, true) } else { plain.clone() };
                 [plain, mapped]
             };
-            let formed = both(pass.has_forms());
-            let bare = if pass.has_forms() { both(false) } else { formed.clone() };
+            let bare = both(Forms::None);
+            let formed = if pass.forms() == Forms::None { bare.clone() } else { both(pass.forms()) };
             (pass, [bare, formed])
         });
         let pipelines = pipelines.collect();
         let floor = (dimensions == 3).then(|| {
             [Pass::Floor, Pass::Shadow].map(|pass| {
-                let what = (pass, Part::All, false, true, Kinds::Any);
+                let what = (pass, Part::All, false, Forms::None, Kinds::Any);
                 pipeline(&gpu.device, &own_to_world, &modules[pass.shader()], what, format, dimensions)
             })
         });
@@ -263,7 +268,7 @@ impl Passes {
                 &gpu.device,
                 &worn,
                 &modules[pass.shader()],
-                (pass, part, false, true, Kinds::Any),
+                (pass, part, false, Forms::None, Kinds::Any),
                 format,
                 dimensions,
             )
@@ -271,7 +276,7 @@ impl Passes {
         let fill = [false, true].map(|maps| {
             Kinds::ALL.map(|kinds| {
                 let part = if kinds == Kinds::Any { Part::All } else { solid };
-                let what = (Pass::Fill, part, maps, true, kinds);
+                let what = (Pass::Fill, part, maps, Forms::None, kinds);
                 pipeline(&gpu.device, &filled, &modules[Pass::Fill.shader()], what, format, dimensions)
             })
         });
@@ -280,7 +285,7 @@ impl Passes {
             let passes = [(Pass::Cover, COVER, 1), plain, edges, rim, (Pass::Obstacles, format, 2)];
             passes.map(|(pass, format, groups)| {
                 let layouts = &covered[..groups];
-                let what = (pass, Part::All, false, true, Kinds::Any);
+                let what = (pass, Part::All, false, Forms::None, Kinds::Any);
                 pipeline(&gpu.device, layouts, &modules[pass.shader()], what, format, dimensions)
             })
         });
@@ -352,7 +357,7 @@ impl Passes {
             if calls.is_empty() {
                 continue;
             }
-            target.set_pipeline(&pipelines[usize::from(shown.forms)][map]);
+            target.set_pipeline(&pipelines[usize::from(shown.forms != Forms::None)][map]);
             target.set_bind_group(0, &bindings[pass.shader()], &[]);
             counters.draws += calls.len() as u64;
             for [vertices, instances] in calls {
@@ -417,7 +422,7 @@ fn pipeline(
     device: &wgpu::Device,
     layouts: &[&wgpu::BindGroupLayout],
     module: &wgpu::ShaderModule,
-    (pass, part, maps, forms, kinds): (Pass, Part, bool, bool, Kinds),
+    (pass, part, maps, forms, kinds): (Pass, Part, bool, Forms, Kinds),
     format: wgpu::TextureFormat,
     dimensions: usize,
 ) -> wgpu::RenderPipeline {
@@ -436,7 +441,7 @@ fn pipeline(
         ("DIMENSIONS", dimensions as f64),
         ("PART", f64::from(part as u32)),
         ("MAPS", f64::from(u8::from(maps))),
-        ("FORMS", f64::from(u8::from(forms))),
+        ("FORMS", f64::from(forms as u32)),
         ("KINDS", f64::from(kinds as u32)),
     ];
     let options = || wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };

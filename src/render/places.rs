@@ -26,6 +26,16 @@ pub(super) fn states<'a>(view: &View<'a>, staging: &'a Staging) -> [&'a [f32]; 2
     [flat(view.previous, &staging[0]), flat(view.current, &staging[1])]
 }
 
+/// What lies between two states of the same points, 0 the first and 1 the second; worked out in `to` where it is not the second.
+pub(super) fn mixed<'a>([before, now]: [&'a [f32]; 2], mix: f32, to: &'a mut Vec<f32>) -> &'a [f32] {
+    if mix == 1.0 || before.len() != now.len() {
+        return now;
+    }
+    to.clear();
+    to.extend(before.iter().zip(now).map(|(before, now)| before * (1.0 - mix) + now * mix));
+    to
+}
+
 /// Positions relative to an origin.
 fn relative(x: &[f64], origin: DVec3, dimensions: usize, to: &mut Vec<f32>) {
     to.resize(x.len(), 0.0);
@@ -46,6 +56,16 @@ fn subtract<const D: usize>(origin: [f64; D], x: &[f64], to: &mut [f32]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_drawn_lies_between_both_states() {
+        let states = [&[1.0, 2.0, f32::NAN][..], &[3.0, 2.0, f32::NAN][..]];
+        let mut to = vec![9.0; 7];
+        assert!(std::ptr::eq(mixed(states, 1.0, &mut to), states[1]), "as it is, without a copy");
+        let between = mixed(states, 0.25, &mut to);
+        assert!(between[..2] == [1.5, 2.0] && between[2].is_nan() && between.len() == 3, "{between:?}");
+        assert_eq!(mixed(states, 0.0, &mut to)[..2], [1.0, 2.0]);
+    }
 
     #[test]
     fn positions_are_relative_to_the_origin() {

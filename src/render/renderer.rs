@@ -12,6 +12,7 @@ use super::guides::guides;
 use super::look::{Color, Overlay};
 use super::obstacles::{Obstacles, solids};
 use super::passes::{DEPTH, Passes, Shown};
+use super::seen_forms::Forms;
 use super::skin::Skins;
 use super::veil::Veil;
 use crate::picture::Tint;
@@ -34,7 +35,7 @@ pub struct Renderer {
     has_region: bool,
     has_fills: bool,
     shows_map: bool,
-    shows_forms: bool,
+    forms: Forms,
     veil: Veil,
     /// How bodies were drawn last.
     tints: Vec<Tint>,
@@ -68,7 +69,7 @@ impl Renderer {
             has_region: false,
             has_fills: false,
             shows_map: false,
-            shows_forms: false,
+            forms: Forms::None,
             veil: Veil::default(),
             tints: Vec::new(),
             counters: RenderCounters::default(),
@@ -109,10 +110,11 @@ impl Renderer {
         self.buffers.set_solids(gpu, solids(view, camera, origin), counters)?;
         self.buffers.set_floor(gpu, floor::rows(view, self.obstacles.patches(), origin, look), counters)?;
         self.has_region = frame.has_region();
-        self.shows_forms = self.buffers.shows_forms(view, camera, frame.coil_length());
-        let length = self.buffers.typical_bond * camera.pixels_per_metre();
+        let scale = frame.scale_of_bonds(camera);
+        self.forms = self.buffers.seen_forms(view, scale);
+        let length = self.buffers.typical_bond * scale.pixels_per_metre;
         self.buffers.are_short =
-            self.dimensions == 2 && !self.shows_forms && length < f64::from(SHORT * frame.bond_width());
+            self.dimensions == 2 && self.forms != Forms::All && length < f64::from(SHORT * scale.bond_width);
         self.buffers.set_frame(gpu, bytemuck::bytes_of(&frame), counters)?;
         let wanted = frame.wanted(camera, &self.buffers, look.has_mesh || !look.has_fills);
         self.buffers.select(view, &wanted, counters);
@@ -175,7 +177,7 @@ impl Renderer {
             pass.set_scissor_rect(left, top, width, height);
             let shapes = (&self.buffers, &self.skins, &self.obstacles, &self.fills);
             let shown =
-                Shown { region: self.has_region, fills: self.has_fills, map: self.shows_map, forms: self.shows_forms };
+                Shown { region: self.has_region, fills: self.has_fills, map: self.shows_map, forms: self.forms };
             self.passes.draw(&mut pass, shapes, shown, &mut self.counters);
         }
         self.counters.frames_drawn += 1;
