@@ -383,7 +383,7 @@ fn the_palette_is_changed_in_the_settings() {
 }
 
 /// Panels with the areas that they lie in, and what is done before.
-const PICTURES: [(&str, &str, &[Action]); 13] = [
+const PICTURES: [(&str, &str, &[Action]); 15] = [
     ("bar", "scene", &[]),
     ("tools", "tools", &[]),
     ("settings", "settings", &[Action::Settings]),
@@ -396,6 +396,8 @@ const PICTURES: [(&str, &str, &[Action]); 13] = [
     ("keys", "keys", &[Action::Help]),
     ("brush", "brush", &[Action::Take(Tool::Paint)]),
     ("muscles", "drives", &[Action::Take(Tool::Muscle)]),
+    ("hinge", "drives", &[Action::Take(Tool::Hinge)]),
+    ("figures", "figures", &[]),
     ("force", "push", &[Action::Take(Tool::Push)]),
 ];
 
