@@ -106,6 +106,38 @@ fn points_of_a_crowd_meet_so_many_edges_and_no_more() {
     assert!(many < 1.2 * few, "{few} and {many} operations a point");
 }
 
+/// A rope of so many points, all in one place.
+fn crowd(count: usize, meets: bool) -> Value {
+    let bonds: Vec<Value> =
+        (1..count).map(|k| json!({"a": k - 1, "b": k, "kind": "spring", "rest": 0.01, "stiffness": 100})).collect();
+    json!({"wobble": 1, "contact": meets, "points": {"position": vec![[0.5, 0.5]; count]}, "bonds": bonds})
+}
+
+#[test]
+fn a_crowd_that_takes_long_is_told_of() {
+    let tells = |scene: &Value| world(scene).warnings().iter().any(|line| line.contains("points lie in one place"));
+    assert!(tells(&crowd(3_000, true)) && !tells(&crowd(2_999, true)), "from three thousand on");
+    assert!(!tells(&crowd(3_000, false)), "nothing meets");
+    let loose = json!({"wobble": 1, "contact": true, "points": {"position": vec![[0.5, 0.5]; 4_000]}});
+    assert!(!tells(&loose), "points without bonds do not meet");
+}
+
+#[test]
+fn ropes_in_space_that_pass_each_other_are_told_of() {
+    let rope = |z: f64| json!({"make": "rope", "count": 5, "origin": [0, 0, z], "to": [1, 0, z]});
+    let cloth = json!({"make": "cloth", "columns": 3, "rows": 3, "spacing": 0.5, "origin": [0, 2, 0]});
+    let tells = |bodies: Vec<Value>, contact: Value| {
+        let scene = json!({"wobble": 1, "dimensions": 3, "contact": contact, "bodies": bodies});
+        world(&scene).warnings().iter().any(|line| line.starts_with("2 bodies without triangles pass each other"))
+    };
+    assert!(tells(vec![rope(0.0), rope(1.0), cloth.clone()], json!(true)));
+    assert!(
+        !tells(vec![rope(0.0), rope(1.0)], json!({"bodies": false}))
+            && !tells(vec![rope(0.0), rope(1.0)], json!(false))
+    );
+    assert!(!tells(vec![rope(0.0), cloth], json!(true)), "one has nothing of its kind to pass");
+}
+
 #[test]
 fn a_frame_of_a_rope_that_is_wrung_bears_what_it_may() {
     // The mouse draws all of it into one place, and jumps about.

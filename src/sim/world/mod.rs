@@ -7,6 +7,7 @@ mod account;
 mod face;
 pub(crate) mod frozen;
 mod kept;
+mod meeting;
 mod moved;
 mod nested;
 pub(crate) mod saved;

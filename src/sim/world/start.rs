@@ -111,6 +111,8 @@ impl<S: Real, const D: usize> World<S, D> {
         world.warn_of_friction();
         world.warn_of_flat(&position);
         world.warn_of_nested(&position);
+        world.warn_of_crowds(&position);
+        world.warn_of_bare_bodies();
         world.warn_of_fit(&fitted);
         world.warn_of_idle_drives(&idle.iter().map(|&(place, _)| place).collect::<Vec<_>>());
         world.begin(&state);
