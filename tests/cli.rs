@@ -297,6 +297,26 @@ fn what_left_the_finite_numbers_is_told_of() {
     assert!(done.status.success() && text(&done.stderr).contains("an island left the finite numbers"), "{done:?}");
 }
 
+/// Whoever asks for a method and gets the live step instead is told, as there convergence means nothing.
+#[test]
+fn a_method_that_is_asked_for_and_not_kept_is_told_of() {
+    let folder = tempfile::tempdir().unwrap();
+    let handed = |method: &str, contact: &str| {
+        let scene = format!(
+            r#"{{"wobble": 1, "gravity": [0, -9.81], "method": {{{method}"budget": 0.001}}, "contact": {contact},
+            "bodies": [{{"make": "rope", "count": 12, "spacing": 0.1, "pinned": [0], "material": {{"kind": "spring", "stiffness": 1000}}}}]}}"#
+        );
+        let path = folder.path().join("scene.json");
+        std::fs::write(&path, scene).unwrap();
+        let output = wobble(&["simulate", path.to_str().unwrap(), "--samples", "0.2", "--quiet"]);
+        assert!(output.status.success());
+        text(&output.stderr).contains("handed to the live step")
+    };
+    assert!(handed(r#""solver": "rk4", "#, "false") && handed(r#""substep": 0.0001, "#, "false"));
+    assert!(!handed("", "false"), "whoever asks for nothing gets what moves it best");
+    assert!(!handed(r#""substep": 0.0001, "#, "true"), "what may meet is the live step's");
+}
+
 #[test]
 fn a_tolerance_is_kept_until_bodies_meet() {
     let folder = tempfile::tempdir().unwrap();

@@ -25,7 +25,7 @@ use crate::scene::record::{
     RecordedBalance, RecordedBeside, RecordedCounters, RecordedFrames, RecordedMover, RecordedSample, RecordedSoftness,
     Recording, hash, ledgers, record, seconds_and_frames,
 };
-use crate::scene::{BudgetKeys, OrderName, PrecisionName, Scene, SolverName, SourceName};
+use crate::scene::{BudgetKeys, Meeting, MethodKeys, OrderName, PrecisionName, Scene, SolverName, SourceName};
 use crate::sim::judge;
 use crate::sim::{Counters, Dynamics, InstructionSet, MOST_ITERATIONS, PlanPart, PointId, Precision, Sample, Verdict};
 use crate::study;
@@ -379,6 +379,14 @@ fn recording(scene: &Scene, start: &dyn Dynamics, times: &[f64], samples: &[Samp
     made(scene, about, (seconds, Some(&frames)), samples, counters)
 }
 
+/// Whether a scene names the method or the substep that its bodies are to be moved by: where they may meet the live step has them anyway.
+fn is_asked_for(scene: &Scene) -> bool {
+    let MethodKeys { solver, substep, .. } = &scene.method;
+    let has_method = solver.is_some_and(|solver| !matches!(solver, SolverName::Auto | SolverName::Live));
+    let may_meet = scene.contact.and_then(Meeting::resolve).is_some();
+    !may_meet && (has_method || substep.is_some())
+}
+
 /// What is written of the world that a run began with.
 struct About {
     substep: f64,
@@ -398,6 +406,13 @@ fn made(
         warnings.push(format!(
             "{} parts of {} substeps were too violent for the solver and went to a more robust one: use a smaller substep",
             counters.fallbacks, counters.substeps
+        ));
+    }
+    if counters.hand_overs > 0 && is_asked_for(scene) {
+        warnings.push(format!(
+            "bodies were handed to the live step {} times, which has substeps of its own, for the method that is asked for took more work than a \
+             frame may or did not hold: who, since when and why is in `moved_by`: `--budget none` keeps the method",
+            counters.hand_overs
         ));
     }
     if counters.frozen > 0 {

@@ -175,15 +175,15 @@ fn a_scene_with_a_duration_stops_there_and_can_go_on() {
     assert!(!played.1.playing && played.1.ended);
     played.1.playing = true;
     assert_eq!(play(&mut played, 0.5, 60, away), 350);
-    played.1.reset(&mut played.0);
+    played.1.reset_while(&mut played.0, |_| true).unwrap();
     assert_eq!(played.0.world().time(), 0.0);
     assert_eq!(play(&mut played, 1.0, 60, away), 350, "it plays again from the start, to its end");
-    played.1.reset(&mut played.0);
+    played.1.reset_while(&mut played.0, |_| true).unwrap();
     assert!(played.1.playing, "and does not wait at 0");
     play(&mut played, 0.3, 60, away);
     played.1.playing = false;
     played.1.follow(Clock { rate: 1.0, duration: Some(0.5) }, Clock { rate: 1.0, duration: Some(0.2) });
-    played.1.reset(&mut played.0);
+    played.1.reset_while(&mut played.0, |_| true).unwrap();
     assert!(played.1.playing, "so it does where it was paused past an end that came later");
 }
 
