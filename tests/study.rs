@@ -71,6 +71,10 @@ fn check_oscillator(problem: &Value) {
     let order = |list: &str, solver: &str| find(&problem[list], "solver", solver)["observed_order"].as_f64().unwrap();
     assert!((order("baseline", "baseline") - 1.0).abs() < 0.2);
     assert!((order("methods", "verlet") - 2.0).abs() < 0.2);
+    // The live step has substeps of its own, whatever the problem's are.
+    let live = find(&problem["methods"], "solver", "live")["runs"].as_array().unwrap();
+    let is_near = |run: &Value| run["error"].as_f64().is_some_and(|error| error > 0.0 && error < 1e-3);
+    assert!(live.len() > 5 && live.iter().all(is_near), "{live:?}");
     let refused = find(&problem["methods"], "solver", "relaxation");
     assert!(refused["refused"].as_str().unwrap().contains("spring") && refused["runs"] == Value::Array(Vec::new()));
     let runs = find(&problem["methods"], "solver", "verlet")["runs"].as_array().unwrap();
@@ -89,6 +93,9 @@ fn check_oscillator(problem: &Value) {
 
 fn check_tables(out: &Path) {
     let orders = rows(out, "orders.csv");
+    for problem in ["A2_drag", "B1_osc"] {
+        assert!(orders.iter().any(|row| row[0] == problem && row[1] == "live"), "{problem} by the live step");
+    }
     let row = orders.iter().find(|row| row[0] == "B1_osc" && row[1] == "sources' method").unwrap();
     assert!((row[2].parse::<f64>().unwrap() - 1.0).abs() < 0.2, "{row:?}");
     let runs = rows(out, "runs.csv");

@@ -32,7 +32,8 @@ fn what_stays_apart_has_the_bits_that_it_has_without_contact() {
     run_to(&mut *with, 1.0);
     run_to(&mut *without, 1.0);
     assert_eq!(bits(&*with), bits(&*without));
-    assert_eq!((with.counters().hand_overs, with.counters().contacts), (0, 0));
+    let counters = with.counters();
+    assert_eq!((counters.hand_overs, counters.contacts, counters.detections), (0, 0, 0));
 }
 
 /// A crowd, 5 cm from each other, that flies and falls as one.
@@ -52,9 +53,23 @@ fn a_crowd_that_flies_side_by_side_is_left_alone() {
         let [mut with, mut without] = [world(&with), world(&without)];
         run_to(&mut *with, 0.5);
         run_to(&mut *without, 0.5);
-        assert_eq!(with.counters().hand_overs, 0, "at {velocity:?} m/s");
+        assert_eq!((with.counters().hand_overs, with.counters().detections), (0, 0), "at {velocity:?} m/s");
         assert_eq!(bits(&*with), bits(&*without), "at {velocity:?} m/s");
     }
+}
+
+/// The live step itself looks for no pairs where nothing may meet.
+#[test]
+fn what_the_live_step_moves_without_contact_looks_for_nothing() {
+    let looked = |contact: bool| {
+        let mut scene = scene(json!([disc([0.0, 0.0], [0.0, 0.0]), disc([1.0, 0.0], [0.0, 0.0])]));
+        (scene["contact"], scene["method"]) = (json!(contact), json!({"solver": "live"}));
+        let mut world = world(&scene);
+        run_to(&mut *world, 0.2);
+        world.counters().detections
+    };
+    assert_eq!(looked(false), 0);
+    assert!(looked(true) > 0, "with contact one by one is looked at");
 }
 
 #[test]
