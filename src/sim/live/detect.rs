@@ -67,6 +67,11 @@ pub(super) struct Found<S> {
 /// Finds pairs of points and edges anew; those that were there keep their sides. Points are looked at as far around as they may go: what
 /// is slow in a crowd has few pairs, however fast others are. Where all are crowded less is promised, until the step ends.
 pub(super) fn look<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
+    if state.edges.is_empty() && state.circles.is_empty() && common.surfaces.is_empty() {
+        // There is nothing to find, wherever points go.
+        let own = state.own();
+        return state.promised[..own].fill(S::INFINITY);
+    }
     let old = known(state);
     loop {
         promise(state, state.share);
