@@ -366,7 +366,8 @@ mod tests {
             let branch = below(tree.count());
             let spot = Spot { branch, place: below(tree.len(branch) + 1), time: 0.0 };
             let branch = match number % 50 {
-                49 => tree.begin_anew(0.0, spot, vec![entry(0.0)]),
+                49 => tree.begin_anew(Spot { place: 0, ..spot }, spot, vec![entry(0.0)]),
+                24 => tree.begin_anew(spot, spot, vec![entry(0.0)]),
                 _ => tree.fork(spot),
             };
             for _ in 0..below(4) {

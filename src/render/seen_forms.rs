@@ -172,7 +172,7 @@ mod tests {
     fn lengths_are_measured_once_while_nothing_moves() {
         let (short, long) = ([0.0_f32, 0.0, 0.1, 0.0], [0.0_f32, 0.0, 9.0, 0.0]);
         let mut forms = SeenForms::of(&[bond(COIL)]);
-        let mut seen = |forms: &mut SeenForms, state: &[f32]| forms.seen([state, state], 2, scale(100.0, 36.0));
+        let seen = |forms: &mut SeenForms, state: &[f32]| forms.seen([state, state], 2, scale(100.0, 36.0));
         assert_eq!(seen(&mut forms, &short), Forms::None);
         assert_eq!(seen(&mut forms, &long), Forms::None, "nobody said that they moved");
         forms.forget_motion();
