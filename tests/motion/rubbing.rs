@@ -34,6 +34,26 @@ fn hard(stiffness: f64) -> BondKind {
     BondKind::Spring { stiffness, damping: 0.2 * stiffness.sqrt() }
 }
 
+/// A lattice of rigid bonds that may break: more of them than hold it, on a floor that rubs.
+#[test]
+fn braced_lattices_that_slide_by_implicit_methods_make_no_energy() {
+    for (side, solver) in
+        [4, 5, 6].into_iter().flat_map(|side| ["implicit-midpoint", "backward-euler"].map(|by| (side, by)))
+    {
+        let scene = json!({"wobble": 1, "gravity": [0, -G], "method": {"solver": solver, "ledger": true},
+            "bounds": {"min": [-50, 0], "max": [50, 50], "friction": MU},
+            "bodies": [{"make": "lattice", "columns": side, "rows": side, "spacing": 0.2, "velocity": [1, 0],
+                "material": {"kind": "rigid", "mass": 2, "break_strain": 10}}]});
+        let mut world = Scene::parse(&scene.to_string(), "scene").unwrap().world(None).unwrap();
+        let start = world.energy();
+        for k in 1..=60 {
+            let now = run_to(&mut *world, f64::from(k) / 60.0).energy;
+            assert!(now <= 1.01 * start, "{side} by {solver}: {start} J, then {now} J");
+        }
+        assert_eq!(world.counters().bonds_torn, 0, "{side} by {solver}");
+    }
+}
+
 #[test]
 fn a_body_slides_as_far_by_every_method() {
     let expected = 1.0 / (2.0 * MU * G);

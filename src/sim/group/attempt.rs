@@ -6,7 +6,7 @@ use super::engine::Engine;
 use super::events::edge::Broken;
 use crate::sim::counters::Counters;
 use crate::sim::environment::Environment;
-use crate::sim::integrate::implicit::USUAL_ROUNDS;
+use crate::sim::integrate::implicit::{Energy, USUAL_ROUNDS, is_left_alone};
 use crate::sim::real::Real;
 
 /// Times that a substep is halved before it goes to a more robust method.
@@ -205,7 +205,8 @@ impl<S: Real, const D: usize> Group<S, D> {
         is_fine
     }
 
-    /// The step by the more robust method, or by the engine again where there is none.
+    /// The step by the more robust method, or by the engine again where there is none. What is found where it fails too, or with energy from
+    /// nowhere, may be anywhere: it stands still instead.
     fn take_robustly(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) {
         let Group { points, pull, engine, robust, work, .. } = self;
         counters.work += work.robust;
@@ -216,17 +217,18 @@ impl<S: Real, const D: usize> Group<S, D> {
             }
             None => engine,
         };
-        let is_fine = by.step(points, pull, around, (t, h), counters);
+        let meets = by.meets_surfaces() && pull.contacts.has_surfaces();
+        let before = (meets && is_left_alone(points, pull, around, t)).then(|| Energy::of(points, pull, h));
+        let mut holds = by.step(points, pull, around, (t, h), counters) || !meets;
+        if holds && robust.is_some() {
+            pull.project(points, counters);
+        }
+        holds &= !before.is_some_and(|before| before.is_exceeded(Energy::of(points, pull, h)));
         let is_number = |x: &[S; D]| x.iter().all(|x| x.is_finite());
-        let is_somewhere =
-            pull.contacts.has_surfaces() && points.position.iter().chain(&points.velocity).all(is_number);
-        if !is_fine && by.meets_surfaces() && is_somewhere {
-            // What is found then may be anywhere: it stands still instead.
+        if !holds && points.position.iter().chain(&points.velocity).all(is_number) {
             points.restore(&self.before);
             points.stop();
             pull.contacts.clear();
-        } else if robust.is_some() {
-            pull.project(points, counters);
         }
         self.engine.refresh();
     }

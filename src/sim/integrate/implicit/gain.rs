@@ -11,7 +11,7 @@ const MOST_GAIN: f64 = 0.02;
 
 /// The energy of a group `[J]`: kinetic, of springs, angles and areas, and that of gravity from the place that it is counted from.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Energy {
+pub(crate) struct Energy {
     motion: f64,
     gravity: f64,
     /// The kinetic energy of a fall of one substep.
@@ -20,7 +20,7 @@ pub(super) struct Energy {
 
 impl Energy {
     /// Of points in this state, which take substeps of `h` `[s]`.
-    pub(super) fn of<S: Real, const D: usize>(points: &Points<S, D>, pull: &Pull<S, D>, h: f64) -> Self {
+    pub(crate) fn of<S: Real, const D: usize>(points: &Points<S, D>, pull: &Pull<S, D>, h: f64) -> Self {
         let (x, v, w) = (&points.position, &points.velocity, &points.inverse_mass);
         let field: [S; D] = convert(pull.gravity);
         let fall = 0.5 * h * h * dot(pull.gravity, pull.gravity);
@@ -35,7 +35,7 @@ impl Energy {
     }
 
     /// Whether `after` is more than the method's error allows.
-    pub(super) fn is_exceeded(self, after: Energy) -> bool {
+    pub(crate) fn is_exceeded(self, after: Energy) -> bool {
         let most = self.motion + MOST_GAIN * (self.motion + self.fall);
         let now = after.motion + (after.gravity - self.gravity);
         now.is_nan() || now > most
@@ -43,7 +43,7 @@ impl Energy {
 }
 
 /// Whether nothing but gravity, springs and surfaces gives energy to a group around `t` `[s]`.
-pub(super) fn is_left_alone<S: Real, const D: usize>(
+pub(crate) fn is_left_alone<S: Real, const D: usize>(
     points: &Points<S, D>,
     pull: &Pull<S, D>,
     around: &Environment<D>,

@@ -28,7 +28,7 @@ use crate::sim::pull::Pull;
 use crate::sim::real::Real;
 use crate::sim::solve::blocks::{Blocks, NOWHERE};
 use crate::sim::vector::{accumulate, add, convert, dot, length, scale, sub, zero};
-use gain::{Energy, is_left_alone};
+pub(crate) use gain::{Energy, is_left_alone};
 use touch::{Pace, Touches};
 
 /// Rounds of Newton's method after which a step has not converged.
