@@ -396,7 +396,7 @@ const PICTURES: [(&str, &str, &[Action]); 15] = [
     ("keys", "keys", &[Action::Help]),
     ("brush", "brush", &[Action::Take(Tool::Paint)]),
     ("muscles", "drives", &[Action::Take(Tool::Muscle)]),
-    ("hinge", "drives", &[Action::Take(Tool::Hinge)]),
+    ("hinge", "drives", &[Action::Take(Tool::Motor)]),
     ("figures", "figures", &[]),
     ("force", "push", &[Action::Take(Tool::Push)]),
 ];
