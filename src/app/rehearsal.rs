@@ -225,6 +225,8 @@ impl Rehearsal {
                 clock: Some(self.shown.figures.clock),
                 pushing: self.shown.mouse.as_ref().map(Pushing::of),
                 push,
+                labels: Arc::clone(&self.shown.labels),
+                ..Settings::default()
             },
             ..Facts::default()
         }
