@@ -32,6 +32,7 @@ mod recordings;
 mod replay;
 mod scenes;
 mod screenshots;
+mod settable;
 mod shaders;
 mod shape;
 mod sizes;

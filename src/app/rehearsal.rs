@@ -98,6 +98,12 @@ impl Rehearsal {
         self.obey(Order::Inspect(self.selected.clone()));
     }
 
+    /// These obstacles are selected from now on, by their numbers, and no points.
+    pub fn select_obstacles(&mut self, obstacles: Vec<u32>) {
+        self.selected = Among { obstacles, ..Among::default() };
+        self.obey(Order::Inspect(self.selected.clone()));
+    }
+
     /// The tool that is taken.
     pub fn tool(&self) -> Tool {
         self.tool
@@ -225,6 +231,8 @@ impl Rehearsal {
                 clock: Some(self.shown.figures.clock),
                 pushing: self.shown.mouse.as_ref().map(Pushing::of),
                 push,
+                labels: Arc::clone(&self.shown.labels),
+                ..Settings::default()
             },
             ..Facts::default()
         }

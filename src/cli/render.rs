@@ -155,6 +155,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
                 Pane::of(&tiles, place, view, &camera, look, arguments.size)
             })
             .collect();
+        labels.say(run.labels());
         let picture = labels.picture(&mut capture, &panes)?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };

@@ -1,8 +1,8 @@
 //! Commands as files have them.
 
 use crate::scene::{
-    AddKeys, AreaKeys, BoundsKeys, DriveKeys, KindName, LimitName, Meeting, MethodKeys, PenaltyKeys, Vector, WindKeys,
-    object,
+    AddKeys, AreaKeys, BoundsKeys, DriveKeys, KindName, LabelKeys, LimitName, Meeting, MethodKeys, PenaltyKeys, Vector,
+    WindKeys, object,
 };
 use crate::sim::{Cursor, Key, MouseChange, PointId, Reach};
 
@@ -199,6 +199,8 @@ object! {
             rate: f64,
             /// Of the scene: where it ends by itself `[s]`, >= 0, or no end any more.
             duration: EndOrNone,
+            /// Of the scene: the words that stand in the world, in place of those before; an empty list for none.
+            labels: Vec<LabelKeys>,
         }
     }
 }
@@ -229,6 +231,12 @@ pub(super) fn keep<T>(list: &mut Vec<T>, stays: &[bool]) {
 }
 
 impl SetKeys {
+    /// Whether it sets labels of the scene and nothing else.
+    pub(super) fn is_of_labels(&self) -> bool {
+        let labels = self.labels.clone();
+        labels.is_some() && *self == SetKeys { labels, ..SetKeys::default() }
+    }
+
     /// The same for some of the points or bonds that it names: `stays` has one entry each.
     pub fn among(mut self, stays: &[bool]) -> Self {
         [&mut self.points, &mut self.bonds].into_iter().flatten().for_each(|named| keep(named, stays));

@@ -1,10 +1,10 @@
-//! What belongs to a world and no step knows of: skins, how bodies are drawn, and points that are named together.
+//! What belongs to a world and no step knows of: skins, how bodies are drawn, points that are named together, and labels.
 
 use std::sync::Arc;
 
 use super::pack::Packed;
 use crate::picture::{self, Coat, HUES, Picture, Skin, Tint};
-use crate::scene::{Known, Scene, SceneError};
+use crate::scene::{Known, LabelKeys, Scene, SceneError, one_line};
 use crate::sim::{Dynamics, PointId};
 
 /// Points that are selected and deleted as one.
@@ -48,7 +48,7 @@ fn numbers(mut next: u32, known: &[Known]) -> Vec<u32> {
 /// How a body without a colour of its own is written.
 const NO_COLOR: u32 = u32::MAX;
 
-/// Skins, colours and groups of a world. Copies share what they have.
+/// Skins, colours, groups and labels of a world. Copies share what they have.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Dress {
     worn: Arc<Vec<Skin>>,
@@ -62,6 +62,8 @@ pub(super) struct Dress {
     is_tinted: bool,
     /// Numbers of points and names, newest last.
     groups: Arc<Vec<Group>>,
+    /// Words that stand in the world.
+    labels: Arc<Vec<LabelKeys>>,
 }
 
 impl Dress {
@@ -75,6 +77,7 @@ impl Dress {
         dress.tints = scene.tints()?.into();
         dress.names = Arc::new(scene.body_names()?);
         dress.groups = Arc::new(groups(scene));
+        dress.labels = Arc::new(scene.labels.clone());
         Ok(dress)
     }
 
@@ -170,6 +173,22 @@ impl Dress {
         let groups = Arc::make_mut(&mut self.groups);
         groups.retain(|group| group.name != name);
         groups.push(Group { name: name.to_owned(), points: points.to_vec() });
+    }
+
+    /// Other words stand in the world, each on one line. Returns whether they differ from those before.
+    pub(super) fn label(&mut self, labels: &[LabelKeys]) -> bool {
+        let tidy = |label: &LabelKeys| LabelKeys { text: one_line(&label.text), ..label.clone() };
+        let labels: Vec<LabelKeys> = labels.iter().map(tidy).collect();
+        let differ = *self.labels != labels;
+        if differ {
+            self.labels = Arc::new(labels);
+        }
+        differ
+    }
+
+    /// The words that stand in the world, those of points that are gone too.
+    pub(super) fn labels(&self) -> &Arc<Vec<LabelKeys>> {
+        &self.labels
     }
 
     /// The groups as they were named, whatever is left of their points.
@@ -275,5 +294,97 @@ impl Dress {
             (self.tints, self.is_tinted) = (tints.into(), true);
         }
         Some(())
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::super::{Do, History, Log, Replay, SetKeys, Start};
+    use super::*;
+    use crate::scene::{AddKeys, PointKeys, Vector};
+
+    const SCENE: &str =
+        r#"{"wobble": 1, "points": {"position": [[0, 0], [1, 0]]}, "labels": [{"at": [0, 1], "text": "first"}]}"#;
+
+    fn history() -> History {
+        History::new(Scene::parse(SCENE, "x.json").unwrap().into()).unwrap()
+    }
+
+    fn label(text: &str, point: Option<u32>) -> LabelKeys {
+        LabelKeys { at: Vector::Plane([0.5, 0.25]), text: text.to_owned(), point }
+    }
+
+    fn set(labels: Vec<LabelKeys>) -> Vec<Do> {
+        vec![Do::Set(Box::new(SetKeys { labels: Some(labels), ..SetKeys::default() }))]
+    }
+
+    fn words(labels: &[LabelKeys]) -> Vec<&str> {
+        labels.iter().map(|label| label.text.as_str()).collect()
+    }
+
+    #[test]
+    fn labels_are_set_undone_done_again_and_recorded() {
+        let mut history = history();
+        assert_eq!(words(history.labels()), ["first"]);
+        history.step();
+        history.give(set(vec![label("other\nwords", None), label("third", Some(1))]), Some("labels")).unwrap();
+        assert_eq!(words(history.labels()), ["other words", "third"]);
+        history.step();
+        let mut text = Vec::new();
+        history.recording().write_json(&mut text).unwrap();
+        let log = Log::of_text(&String::from_utf8(text).unwrap(), "x.json").unwrap();
+        assert_eq!(log.commands().unwrap(), history.recording().commands);
+        let mut replay = Replay::new(log.head().unwrap(), "x.json").unwrap();
+        replay.advance(&log.commands().unwrap(), history.end()).unwrap();
+        assert_eq!(replay.labels(), history.labels());
+        assert_eq!(history.undo().unwrap().name, "labels");
+        assert_eq!(words(history.labels()), ["first"]);
+        history.redo().unwrap();
+        assert_eq!(words(history.labels()), ["other words", "third"]);
+        history.give(set(Vec::new()), Some("labels")).unwrap();
+        assert!(history.labels().is_empty());
+        history.give(set(Vec::new()), Some("labels")).unwrap();
+        history.undo().unwrap();
+        assert_eq!(history.labels().len(), 2, "what changes nothing is nothing to undo");
+        history.reset();
+        assert_eq!(
+            (history.world().time(), history.labels().len()),
+            (0.0, 2),
+            "they are settings: they hold from the start"
+        );
+    }
+
+    #[test]
+    fn a_moment_has_the_labels_that_it_had_those_of_points_that_came_later_too() {
+        let mut history = history();
+        let as_it_was = Start::from(history.snapshot().unwrap());
+        assert!(as_it_was.recording().commands.is_empty(), "what the scene says is not said again");
+        history.step();
+        let keys =
+            PointKeys { position: vec![Vector::Plane([3.0, 0.0])], velocity: None, mass: None, pinned: Vec::new() };
+        history
+            .give(vec![Do::Add(Box::new(AddKeys { points: Some(keys), ..AddKeys::default() }))], Some("add"))
+            .unwrap();
+        history.give(set(vec![label("of the new one", Some(2))]), Some("labels")).unwrap();
+        let moment = Start::from(history.snapshot().unwrap());
+        assert!(!moment.is_replayed(), "nothing is done in it");
+        let moment = History::new(moment).unwrap();
+        assert_eq!(moment.labels(), history.labels());
+    }
+
+    #[test]
+    fn labels_that_no_scene_could_have_are_refused_and_leave_those_before() {
+        for (labels, about) in [
+            (vec![label(" ", None)], "labels[0].text: is empty"),
+            (vec![label("x", Some(2))], "labels[0].point: point 2 does not exist"),
+            (vec![label("x", None); 101], "labels: has 101 entries"),
+            (vec![LabelKeys { at: Vector::Space([0.0; 3]), ..label("x", None) }], "labels[0].at: has 3 numbers"),
+        ] {
+            let mut history = history();
+            let refusal = history.give(set(labels), Some("labels")).unwrap_err();
+            assert!(refusal.reason.to_string().starts_with(about), "{:?}", refusal.reason);
+            assert_eq!(words(history.labels()), ["first"]);
+        }
     }
 }

@@ -119,7 +119,7 @@ impl Frame {
         match resolve(act, scene, &*self.world)? {
             Resolved::Engine(command) => {
                 let applied = self.world.apply(&command)?;
-                let is_told = matches!(act, Do::Set(keys) if self.said.hear(keys));
+                let is_told = matches!(act, Do::Set(keys) if self.hear(keys));
                 Ok(Applied { is_something: applied.is_something || is_told, ..applied })
             }
             Resolved::Made(made) => {
@@ -137,6 +137,12 @@ impl Frame {
                 Ok(Applied { is_something: true, ..Applied::default() })
             }
         }
+    }
+
+    /// Takes what no step knows of: clock and labels. Returns whether there is any of it.
+    fn hear(&mut self, keys: &SetKeys) -> bool {
+        let is_labelled = keys.labels.as_ref().is_some_and(|labels| self.dress.label(labels));
+        self.said.hear(keys) || is_labelled
     }
 
     /// Does the next command of the log.

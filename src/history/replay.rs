@@ -1,5 +1,7 @@
 //! A recording run again, without a past of its own.
 
+use std::sync::Arc;
+
 use super::command::Entry;
 use super::error::{HistoryError, Refusal};
 use super::frame::Frame;
@@ -7,8 +9,8 @@ use super::log::Log;
 use super::mark::{Difference, difference};
 use super::start::Recording;
 use crate::picture::{Skin, Tint};
-use crate::scene::Scene;
 use crate::scene::record::RecordError;
+use crate::scene::{LabelKeys, Scene};
 use crate::sim::Dynamics;
 
 /// Steps between two looks at whether the motion is finite.
@@ -43,6 +45,11 @@ impl Replay {
     /// Which body points are of, and what colour it has.
     pub fn tints(&self) -> &[Tint] {
         self.frame.dress.tints()
+    }
+
+    /// The words that stand in the world now, those of points that are gone too.
+    pub fn labels(&self) -> &Arc<Vec<LabelKeys>> {
+        self.frame.dress.labels()
     }
 
     /// A recording that begins at the present state.

@@ -5,7 +5,7 @@ use super::command::{
     AreasOrNone, DeleteKeys, Do, DriveOrNone, Factors, MoveKeys, OneOrEach, PenaltyOrNone, RangeOrNone, SetKeys,
     VectorOrEach, Walls, Weather,
 };
-use crate::scene::{DriveKeys, KindName, LimitName, Made, Meeting, MethodKeys, Scene, Vector};
+use crate::scene::{DriveKeys, KindName, LabelKeys, LimitName, Made, Meeting, MethodKeys, Scene, Vector};
 use crate::sim::{
     AngleChange, BondChange, BondId, BoundsChange, Change, Command, Dynamics, Kind, Limit, Motion, PointId,
     SceneChange, Selection, SkinMaterial, Values, Wind,
@@ -41,9 +41,14 @@ pub(super) fn resolve(act: &Do, scene: &Scene, world: &dyn Dynamics) -> Result<R
         Do::Delete(keys) => Command::Delete(selection(keys)),
         Do::Clear => Command::Clear,
         Do::Move(keys) => Command::Move(motion(keys, scene)?),
-        Do::Set(keys) => Command::Set(change(keys, scene)?),
+        Do::Set(keys) => {
+            if let Some(labels) = &keys.labels {
+                LabelKeys::told(labels, point_numbers(world), scene.dimensions())?;
+            }
+            Command::Set(change(keys, scene)?)
+        }
         Do::Group { points, .. } => {
-            let most = world.next_numbers()[0].max(world.point_count() as u32);
+            let most = point_numbers(world);
             let is_there = |point: &&PointId| point.0 < most && world.gone().binary_search(point).is_err();
             if let Some(point) = points.iter().find(|point| !is_there(point)) {
                 return Err(format!("there is no point {}: name points that are there", point.0));
@@ -52,6 +57,11 @@ pub(super) fn resolve(act: &Do, scene: &Scene, world: &dyn Dynamics) -> Result<R
         }
     };
     Ok(Resolved::Engine(command))
+}
+
+/// How many numbers points of a world have had so far.
+fn point_numbers(world: &dyn Dynamics) -> u32 {
+    world.next_numbers()[0].max(world.point_count() as u32)
 }
 
 /// When a cursor arrives `[s]`: now if not said.
@@ -129,8 +139,8 @@ const OF_BONDS: [&str; 11] = [
 const OF_ANGLES: [&str; 5] = ["rest", "stiffness", "damping", "range", "drive"];
 const OF_OBSTACLES: [&str; 3] = ["restitution", "friction", "penalty"];
 const OF_FORCES: [&str; 2] = ["force", "torque"];
-const OF_SCENE: [&str; 9] =
-    ["gravity", "drag_rate", "wind", "bounds", "contact", "areas", "method", "rate", "duration"];
+const OF_SCENE: [&str; 10] =
+    ["gravity", "drag_rate", "wind", "bounds", "contact", "areas", "method", "rate", "duration", "labels"];
 
 /// Keys of a method that a running world cannot get otherwise.
 const FIXED: [&str; 2] = ["precision", "tolerance"];

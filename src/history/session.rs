@@ -16,7 +16,7 @@ use super::mark::{Mark, hash_now};
 use super::start::{Recording, Start};
 use super::undo::Redo;
 use crate::picture::{Skin, Tint};
-use crate::scene::Scene;
+use crate::scene::{LabelKeys, Scene};
 use crate::sim::{Applied, Dynamics};
 
 /// A running world with its past: a start, the commands that were given with their times, keyframes; undo, redo, going back,
@@ -146,6 +146,11 @@ impl History {
     /// The groups as they were named, whatever is left of their points: shared, so that it is seen at once whether they are others.
     pub fn named(&self) -> &Arc<Vec<Group>> {
         self.frame.dress.named()
+    }
+
+    /// The words that stand in the world now, those of points that are gone too: shared, as groups are.
+    pub fn labels(&self) -> &Arc<Vec<LabelKeys>> {
+        self.frame.dress.labels()
     }
 
     /// The groups of points that have a name, of the points that are left.

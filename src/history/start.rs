@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::chunk;
-use super::command::{Do, Entry};
+use super::command::{Do, Entry, SetKeys};
 use super::dress::{Dress, Group};
 use super::error::HistoryError;
 use super::frame::Frame;
@@ -118,7 +118,13 @@ impl Recording {
         let is_left = |name: &String| groups.iter().any(|group| group.name == *name);
         let named = frame.dress.named().iter().map(|group| group.name.clone());
         let ended = named.filter(|name| !is_left(name)).map(|name| Group { name, points: Vec::new() });
-        let commands = groups.iter().cloned().chain(ended).map(group).collect();
+        // Labels may go along with points that came later: no scene could name those.
+        let labels = frame.dress.labels();
+        let said = (**labels != scene.labels).then(|| {
+            let act = Do::Set(Box::new(SetKeys { labels: Some(labels.to_vec()), ..SetKeys::default() }));
+            Entry { at, act, edit: None, name: None }
+        });
+        let commands = groups.iter().cloned().chain(ended).map(group).chain(said).collect();
         let state = Some(state::keep(frame, scene.name.as_deref())?);
         Ok(Recording { state, commands, end: Some(at), ..frame.said.put(scene).into() })
     }
@@ -172,7 +178,8 @@ impl Start {
         let opens = |entry: &Entry| {
             let lets_go =
                 matches!(entry.act, Do::Group { .. } | Do::Release | Do::Key { down: false, .. } | Do::Mouse(_));
-            state.is_some() && *end == Some(entry.at) && lets_go
+            let is_as_kept = lets_go || matches!(&entry.act, Do::Set(keys) if keys.is_of_labels());
+            state.is_some() && *end == Some(entry.at) && is_as_kept
         };
         !commands.iter().all(opens)
     }

@@ -10,7 +10,7 @@ use super::painted::Painted;
 use super::preset::{Preset, Stuff};
 use crate::history::{Do, OneOrEach, PenaltyOrNone, SetKeys, VectorOrEach};
 use crate::picture::{Coat, Tint};
-use crate::scene::{AddKeys, KindName, LimitName, PenaltyKeys, SkinKeys, Vector};
+use crate::scene::{AddKeys, DriveKeys, KindName, LimitName, PenaltyKeys, SkinKeys, Vector};
 use crate::sim::vector::{add, scale, sub};
 use crate::sim::{Bond, BondKind, Dynamics, Limit, PointId};
 
@@ -41,7 +41,7 @@ pub enum MatterChange {
     Limit(Limit),
     /// The share of its error that a relaxed bond takes `[1]`, in (0, 1].
     Relaxation(f64),
-    /// The largest correction of a relaxed bond `[m]`, > 0.
+    /// The largest correction of a relaxed bond, as a ratio `[1]`, > 0.
     MaxCorrection(f64),
     /// E I of chains and skins `[N m^2]`; where no angle bends yet, some come.
     Bending(f64),
@@ -49,6 +49,10 @@ pub enum MatterChange {
     RestLength(f64),
     /// Of angles that resist: where they are at rest `[rad]`, between 0 and 2 pi.
     RestAngle(f64),
+    /// Of angles `[N m s]`, >= 0.
+    AngleDamping(f64),
+    /// Of angles that resist: what moves where they are at rest, as a servo does; `None`: nothing any more.
+    Swings(Option<DriveKeys>),
     /// Of joints.
     Stops(Stops),
     /// Of skins and obstacles `[1]`.
@@ -73,6 +77,8 @@ pub enum MatterChange {
     Rigid,
     /// Bonds that are not springs become some.
     Springy,
+    /// Bonds take all of their error in a sweep, or a share of it that is set then.
+    Relaxed,
     /// All of it, by name.
     Preset(Preset),
     /// Those numbers that are switched on.
@@ -96,6 +102,8 @@ impl MatterChange {
             MatterChange::Bending(_) => "bending",
             MatterChange::RestLength(_) => "rest length",
             MatterChange::RestAngle(_) => "rest angle",
+            MatterChange::AngleDamping(_) => "damping of angles",
+            MatterChange::Swings(_) => "swings",
             MatterChange::Stops(_) => "stops",
             MatterChange::Friction(_) => "friction",
             MatterChange::Restitution(_) => "restitution",
@@ -106,6 +114,7 @@ impl MatterChange {
             MatterChange::Visible(false) => "hide",
             MatterChange::Rigid => "rigid",
             MatterChange::Springy => "springy",
+            MatterChange::Relaxed => "relaxed",
             MatterChange::Preset(preset) => preset.name(),
             MatterChange::Painted(numbers) => numbers.name(),
         }
@@ -178,6 +187,8 @@ pub(in crate::app) fn commands(
             vec![set(SetKeys { bonds, rest: one(length), ..SetKeys::default() })]
         }
         MatterChange::RestAngle(angle) => vec![joints::rest(world, among, angle)],
+        MatterChange::AngleDamping(damping) => vec![joints::damped(world, among, damping)],
+        MatterChange::Swings(drive) => vec![joints::swinging(world, among, drive)],
         MatterChange::Stops(stops) => joints::stops((world, former), among, stops)?,
         MatterChange::Friction(friction) => {
             surfaces(world, (&points, among), SetKeys { friction: Some(friction), ..SetKeys::default() })
@@ -198,6 +209,10 @@ pub(in crate::app) fn commands(
         MatterChange::Rigid => {
             let bonds = made_rigid(&among.bonds_of(world), |bond| bond.kind != BondKind::Rigid);
             vec![set(SetKeys { bonds: Some(bonds), kind: Some(KindName::Rigid), ..SetKeys::default() })]
+        }
+        MatterChange::Relaxed => {
+            let bonds = made_rigid(&among.bonds_of(world), |bond| !matches!(bond.kind, BondKind::Relaxed { .. }));
+            vec![set(SetKeys { bonds: Some(bonds), kind: Some(KindName::Relaxed), ..SetKeys::default() })]
         }
         MatterChange::Springy => {
             let mass = |point: PointId| world.masses()[point.index()];
@@ -238,7 +253,7 @@ fn numbers(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<u32> 
     bonds.iter().filter(|(_, bond)| is_meant(bond)).map(|(number, _)| *number).collect()
 }
 
-/// Those that are made rigid: muscles stay springs, for in a rigid body they would work against all others, unless there is nothing else.
+/// Those that are made rigid or relaxed: muscles stay springs, for in a rigid body they would work against all others, unless there is nothing else.
 fn made_rigid(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<u32> {
     let others = bonds.iter().any(|(_, bond)| bond.drive.is_none());
     numbers(bonds, |bond| is_meant(bond) && (bond.drive.is_none() || !others))

@@ -5,9 +5,10 @@ use super::bending;
 use super::called::name_of;
 use super::extent::{areas, place};
 use super::former::Former;
-use super::joints::{Joint, coming, held};
+use super::joints::{Joint, coming, held, swings};
 use super::preset::Preset;
 use crate::picture::Tint;
+use crate::scene::DriveKeys;
 use crate::sim::{Bond, BondKind, Contact, Dynamics, Knots, Limit, Obstacle, PointId};
 
 /// A strain at which bonds break that none comes to `[1]`: files have no word for never.
@@ -98,7 +99,7 @@ pub struct Matter {
     pub(in crate::app) limits: [usize; 3],
     /// Of relaxed bonds: the share of its error that each takes `[1]`.
     pub(in crate::app) relaxation: Option<Span>,
-    /// The largest correction of each of them `[m]`; [`NEVER`] or more: any.
+    /// The largest correction of each of them, as a ratio `[1]`; [`NEVER`] or more: any.
     pub(in crate::app) max_correction: Option<Span>,
     /// Strain at which bonds break `[1]`; [`NEVER`] or more: they do not.
     pub(in crate::app) breaks: Option<Span>,
@@ -108,6 +109,10 @@ pub struct Matter {
     pub(in crate::app) rest_length: Option<Span>,
     /// Where angles that resist are at rest `[rad]`.
     pub(in crate::app) rest_angle: Option<Span>,
+    /// Of angles, but for motors `[N m s]`.
+    pub(in crate::app) angle_damping: Option<Span>,
+    /// What moves angles that resist, as of the first that something moves, or `Some(None)`: nothing does.
+    pub(in crate::app) swings: Option<Option<DriveKeys>>,
     /// Joints that have stops, and that may have some: what two bonds alone make is one.
     pub(in crate::app) joints: [usize; 2],
     /// The least and the largest angles of those that have stops `[rad]`.
@@ -217,6 +222,8 @@ impl Matter {
             bending: bending::shown(world, among),
             rest_length: Span::of(bonds.iter().map(|(_, bond)| bond.rest_length)),
             rest_angle: Span::of(held(&angles).map(|angle| angle.rest)),
+            angle_damping: Span::of(angles.iter().map(|angle| angle.damping)),
+            swings: swings(&angles),
             joints: [ranges().count(), angles.len() + usize::from(is_knee)],
             stops: least.zip(most).map(|(least, most)| [least, most]),
             coming_stops: coming((world, former), among, &angles),

@@ -2,8 +2,8 @@
 
 use super::{Among, Former};
 use crate::app::alike::alike;
-use crate::history::{Do, OneOrEach, RangeOrNone, SetKeys};
-use crate::scene::{AddKeys, AngleKeys, Row};
+use crate::history::{Do, DriveOrNone, OneOrEach, RangeOrNone, SetKeys};
+use crate::scene::{AddKeys, AngleKeys, DriveKeys, Row};
 use crate::sim::vector::sub;
 use crate::sim::{Angle, AngleDrive, Dynamics, PointId};
 
@@ -133,4 +133,24 @@ pub(super) fn rest(world: &dyn Dynamics, among: &Among, rest: f64) -> Do {
     let angles = among.angles_of(world);
     let numbers = held(&angles).map(|angle| angle.number).collect();
     Do::Set(Box::new(SetKeys { angles: Some(numbers), rest: Some(OneOrEach::One(rest)), ..SetKeys::default() }))
+}
+
+/// The command that damps all angles but motors by so much `[N m s]`.
+pub(super) fn damped(world: &dyn Dynamics, among: &Among, damping: f64) -> Do {
+    let numbers = among.angles_of(world).iter().map(|angle| angle.number).collect();
+    Do::Set(Box::new(SetKeys { angles: Some(numbers), damping: Some(OneOrEach::One(damping)), ..SetKeys::default() }))
+}
+
+/// The command that gives angles that resist this servo, or takes theirs away.
+pub(super) fn swinging(world: &dyn Dynamics, among: &Among, drive: Option<DriveKeys>) -> Do {
+    let angles = among.angles_of(world);
+    let numbers = held(&angles).map(|angle| angle.number).collect();
+    let drive = Some(drive.map_or(DriveOrNone::None(()), DriveOrNone::This));
+    Do::Set(Box::new(SetKeys { angles: Some(numbers), drive, ..SetKeys::default() }))
+}
+
+/// The servo of the first of some angles that has one; `Some(None)`: none has. `None` where no angle resists.
+pub(super) fn swings(angles: &[Angle]) -> Option<Option<DriveKeys>> {
+    held(angles).next()?;
+    Some(held(angles).find_map(|angle| angle.drive).map(DriveKeys::from))
 }

@@ -13,6 +13,8 @@ mod overload;
 mod painted;
 mod preset;
 #[cfg(test)]
+mod servos_tests;
+#[cfg(test)]
 mod tests;
 mod wear;
 

@@ -32,12 +32,18 @@ pub struct Painted {
     pub damping: Switched<f64>,
     /// Strain at which bonds break `[1]`.
     pub breaks: Switched<f64>,
+    /// E I of chains and skins `[N m^2]`.
+    pub bending: Switched<f64>,
     /// Of skins `[1]`.
     pub friction: Switched<f64>,
     /// Of skins `[1]`, to 1.
     pub restitution: Switched<f64>,
     /// What it is filled in, red, green and blue.
     pub color: Switched<[u8; 3]>,
+    /// How wide bonds are drawn `[m]`; 0: as is usual.
+    pub width: Switched<f64>,
+    /// Whether it is drawn.
+    pub visible: Switched<bool>,
 }
 
 impl Default for Painted {
@@ -47,9 +53,12 @@ impl Default for Painted {
             stiffness: Switched::off(300.0),
             damping: Switched::off(1.0),
             breaks: Switched::off(0.5),
+            bending: Switched::off(1.0),
             friction: Switched::off(0.5),
             restitution: Switched::off(0.5),
             color: Switched::off([0x2f, 0x9e, 0x5b]),
+            width: Switched::off(0.05),
+            visible: Switched::off(false),
         }
     }
 }
@@ -57,15 +66,19 @@ impl Default for Painted {
 impl Painted {
     /// What is changed, one after the other.
     pub(in crate::app) fn changes(self) -> Vec<MatterChange> {
-        let Painted { density, stiffness, damping, breaks, friction, restitution, color } = self;
+        let Painted { density, stiffness, damping, breaks, bending, friction, restitution, color, width, visible } =
+            self;
         let all = [
             density.get().map(MatterChange::Density),
             stiffness.get().map(MatterChange::Stiffness),
             damping.get().map(MatterChange::Damping),
             breaks.get().map(MatterChange::Breaks),
+            bending.get().map(MatterChange::Bending),
             friction.get().map(MatterChange::Friction),
             restitution.get().map(MatterChange::Restitution),
             color.get().map(MatterChange::Color),
+            width.get().map(MatterChange::Width),
+            visible.get().map(MatterChange::Visible),
         ];
         all.into_iter().flatten().collect()
     }
@@ -82,9 +95,12 @@ impl Painted {
             stiffness: Switched::off(self.stiffness.value),
             damping: Switched::off(self.damping.value),
             breaks: Switched::off(self.breaks.value),
+            bending: Switched::off(self.bending.value),
             friction: Switched::off(self.friction.value),
             restitution: Switched::off(self.restitution.value),
             color: Switched::off(self.color.value),
+            width: Switched::off(self.width.value),
+            visible: Switched::off(self.visible.value),
         }
     }
 

@@ -19,18 +19,18 @@ fn stage() -> Stage {
     Stage::new(Scene::parse(SCENE, "x.json").unwrap().into()).unwrap()
 }
 
-fn among(points: std::ops::Range<u32>) -> Among {
+pub(super) fn among(points: std::ops::Range<u32>) -> Among {
     Among { points: points.map(PointId).collect(), ..Among::default() }
 }
 
-fn matter(stage: &mut Stage, among: &Among) -> Matter {
+pub(super) fn matter(stage: &mut Stage, among: &Among) -> Matter {
     assert_eq!(stage.obey(Order::Inspect(among.clone())), None);
     let mut shown = Shown::default();
     stage.show(&mut shown);
     (*shown.matter.unwrap()).clone()
 }
 
-fn change(stage: &mut Stage, among: &Among, change: MatterChange) {
+pub(super) fn change(stage: &mut Stage, among: &Among, change: MatterChange) {
     assert_eq!(stage.obey(Order::Change { among: among.clone(), change, goes_on: false }), None, "{change:?}");
 }
 

@@ -11,14 +11,15 @@ use crate::sim::Limit;
 /// What bonds break at when they are first to break `[1]`.
 const BREAKS: f64 = 0.5;
 
-/// Springs or rigid bonds.
+/// Springs, rigid or relaxed bonds.
 pub(super) fn kinds(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     let [rigid, springs, relaxed] = matter.kinds;
     if rigid + springs + relaxed == 0 {
         return;
     }
     row(ui, "bonds", |ui, _| {
-        ui.spacing_mut().item_spacing.x = 4.0;
+        // Three of them have room there.
+        (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (2.0, 5.0);
         let words = "bonds are springs";
         let springy = ui.selectable_label(springs > 0 && rigid + relaxed == 0, "springy").on_hover_text(words);
         let stiff = ui.selectable_label(rigid > 0 && springs + relaxed == 0, "rigid");
@@ -29,8 +30,14 @@ pub(super) fn kinds(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
         if stiff.clicked() && springs + relaxed > 0 {
             sink.set(&stiff, MatterChange::Rigid);
         }
+        let lax = ui.selectable_label(relaxed > 0 && rigid + springs == 0, "relaxed");
+        let lax = lax
+            .on_hover_text("bonds take a share of their error in every sweep: how stiff that is depends on the method");
+        if lax.clicked() && rigid + springs > 0 {
+            sink.set(&lax, MatterChange::Relaxed);
+        }
     });
-    if rigid.min(springs) > 0 {
+    if matter.kinds.into_iter().filter(|count| *count > 0).count() > 1 {
         row(ui, "", |ui, _| _ = ui.label(RichText::new("some of each").color(colors(ui).weak)));
     }
 }

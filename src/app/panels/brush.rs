@@ -72,7 +72,7 @@ fn all(ui: &mut Ui, brush: &mut Brush, (facts, can_fold): (&Facts, bool), wishes
 
 /// The numbers that it can paint.
 fn numbers(ui: &mut Ui, of: &mut Painted) {
-    let Painted { density, stiffness, damping, breaks, friction, restitution, color } = of;
+    let Painted { density, stiffness, damping, breaks, bending, friction, restitution, color, width, visible } = of;
     number(ui, ("mass", " kg/m²"), density, 1e-3..=1e6);
     number(ui, ("stiffness", " N/m"), stiffness, 0.0..=1e9);
     number(ui, ("damping", " N s/m"), damping, 0.0..=1e9);
@@ -82,6 +82,7 @@ fn numbers(ui: &mut Ui, of: &mut Painted) {
         breaks.value = 0.01 * percent.value;
     }
     breaks.is_on = percent.is_on;
+    number(ui, ("bending", " N m²"), bending, 0.0..=1e9);
     number(ui, ("friction", ""), friction, 0.0..=10.0);
     number(ui, ("restitution", ""), restitution, 0.0..=1.0);
     ui.horizontal(|ui| {
@@ -90,6 +91,24 @@ fn numbers(ui: &mut Ui, of: &mut Painted) {
         let words = "bodies are filled in it; a picture is tinted by it";
         if let Some((_, chosen)) = super::color::button(ui, color.value, label, words) {
             *color = Switched { is_on: true, value: chosen };
+        }
+    });
+    number(ui, ("width", " m"), width, 0.0..=1e3);
+    shown(ui, visible);
+}
+
+/// Whether it is drawn from then on, which a click on either switches on.
+fn shown(ui: &mut Ui, visible: &mut Switched<bool>) {
+    ui.horizontal(|ui| {
+        as_high_as_buttons(ui);
+        switch(ui, "drawn", &mut visible.is_on);
+        (ui.spacing_mut().item_spacing.x, ui.spacing_mut().button_padding.x) = (4.0, 5.0);
+        let words = "what is hidden moves as before; the tool that selects shows its outline";
+        for (value, name) in [(true, "visible"), (false, "hidden")] {
+            let is_chosen = visible.is_on && visible.value == value;
+            if ui.selectable_label(is_chosen, name).on_hover_text(words).clicked() {
+                *visible = Switched { is_on: true, value };
+            }
         }
     });
 }
@@ -170,6 +189,18 @@ mod tests {
         assert!(numbers.stiffness.is_on && numbers.friction.is_on && !numbers.density.is_on && !numbers.color.is_on);
         screen.click("stiffness");
         assert_eq!(screen.facts.brush.name(), "friction");
+        for (click, name) in [
+            ("bending", "friction, bending"),
+            ("width", "friction, bending, width"),
+            ("hidden", "friction, bending, width, hide"),
+        ] {
+            screen.click(click);
+            let found: Vec<String> = screen.facts.brush.name().split(", ").map(str::to_owned).collect();
+            assert!(name.split(", ").all(|name| found.iter().any(|found| found == name)), "{name}: {found:?}");
+        }
+        assert!(!screen.facts.brush.numbers.visible.value);
+        screen.click("visible");
+        assert!(screen.facts.brush.numbers.visible.is_on && screen.facts.brush.numbers.visible.value);
         screen.click("Steel");
         assert_eq!((screen.facts.brush.name().as_str(), screen.facts.brush.preset), ("Steel", Preset::Steel));
         assert!(!screen.facts.brush.numbers.is_any());

@@ -51,6 +51,7 @@ fn facts(name: &str, tool: Tool, is_selected: bool) -> Facts {
         fixed: Some((scene.method.precision.unwrap_or(PrecisionName::Auto), scene.method.tolerance)),
         pushing: stage.history().world().mouse_force().map(Pushing::of),
         push,
+        ..Settings::default()
     };
     Facts {
         title: entry.title.to_owned(),

@@ -1,6 +1,6 @@
 //! What the tools for muscles and motors make, beside the tools.
 
-use egui::{Area, ComboBox, Id, Label, Rect, RichText, Slider, Ui};
+use egui::{Area, ComboBox, Id, Label, Rect, Response, RichText, Slider, Ui};
 
 use super::choosing::choice;
 use super::folded::titled;
@@ -9,6 +9,7 @@ use super::{Facts, Wish, low, ranged, ticks};
 use crate::app::action::Tool;
 use crate::app::tools::Drives;
 use crate::scene::KeyName;
+use crate::sim::drive::RATES;
 
 /// Width of the panel `[points]`.
 const WIDTH: f32 = 230.0;
@@ -74,6 +75,7 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
         slider(ui, "phase", &mut muscle.phase, 0.0..=std::f64::consts::TAU, " rad").on_hover_text(said);
     }
     keys(ui, &mut muscle.key, &mut muscle.back);
+    rate(ui, muscle.key, &mut muscle.rate);
 }
 
 fn of_motor(ui: &mut Ui, drives: &mut Drives) {
@@ -92,7 +94,14 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives) {
         let said = "below 0 clockwise, as a wheel rolls to the right";
         slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s").on_hover_text(said);
         torque(ui, &mut motor.torque);
+        let said = "its speed goes to and fro";
+        ticks::check(ui, &mut motor.has_wave, "wave").on_hover_text(said);
+        if motor.has_wave {
+            slider(ui, "period", &mut motor.period, QUICKEST..=MOST[1], " s");
+            slider(ui, "phase", &mut motor.phase, 0.0..=std::f64::consts::TAU, " rad");
+        }
         keys(ui, &mut motor.key, &mut motor.back);
+        rate(ui, motor.key, &mut motor.rate);
     }
 }
 
@@ -110,28 +119,31 @@ fn torque(ui: &mut Ui, torque: &mut Option<f64>) {
     }
 }
 
-fn slider(
-    ui: &mut Ui,
-    name: &str,
-    value: &mut f64,
-    range: std::ops::RangeInclusive<f64>,
-    unit: &str,
-) -> egui::Response {
+fn slider(ui: &mut Ui, name: &str, value: &mut f64, range: std::ops::RangeInclusive<f64>, unit: &str) -> Response {
     let slider = Slider::new(value, range.clone()).max_decimals(2).suffix(unit).text(name);
     ranged::slider(ui, slider, range, unit)
 }
 
-/// The keys that have to be held.
-fn keys(ui: &mut Ui, key: &mut Option<KeyName>, back: &mut Option<KeyName>) {
-    of_keys(ui, "key", "always on", key);
-    if key.is_some() {
-        of_keys(ui, "key back", "none", back);
-    }
+/// The keys that have to be held. Returns by what they are chosen.
+pub(super) fn keys(ui: &mut Ui, key: &mut Option<KeyName>, back: &mut Option<KeyName>) -> Response {
+    let forth = of_keys(ui, "key", "always on", key);
+    if key.is_some() { forth | of_keys(ui, "key back", "none", back) } else { forth }
 }
 
-fn of_keys(ui: &mut Ui, name: &str, none: &str, key: &mut Option<KeyName>) {
+/// How quickly what a key holds comes and goes, where there is one.
+fn rate(ui: &mut Ui, key: Option<KeyName>, rate: &mut f64) {
+    if key.is_none() {
+        return;
+    }
+    let [slowest, quickest] = RATES;
+    let slider = Slider::new(rate, slowest..=quickest).logarithmic(true).max_decimals(2).suffix(" /s").text("rate");
+    let said = "how quickly it comes and goes with its key: 5 /s takes a fifth of a second";
+    ranged::slider(ui, slider, slowest..=quickest, " /s").on_hover_text(said);
+}
+
+fn of_keys(ui: &mut Ui, name: &str, none: &str, key: &mut Option<KeyName>) -> Response {
     let text = key.map_or(none, |key| key.name());
-    ComboBox::new(("key of a drive", name), name).selected_text(text).height(260.0).show_ui(ui, |ui| {
+    let shown = ComboBox::new(("key of a drive", name), name).selected_text(text).height(260.0).show_ui(ui, |ui| {
         if choice(ui, key.is_none(), none).clicked() {
             *key = None;
         }
@@ -142,4 +154,56 @@ fn of_keys(ui: &mut Ui, name: &str, none: &str, key: &mut Option<KeyName>) {
             }
         }
     });
+    shown.response
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use egui::{Event, Pos2, Shape, vec2};
+
+    use super::super::pointer::click;
+    use super::*;
+
+    /// A frame with events; what the tools are asked to make, they make. Returns what is written where.
+    fn frame(context: &egui::Context, facts: &mut Facts, events: Vec<Event>) -> Vec<(String, Pos2)> {
+        let room = Rect::from_min_size(Pos2::ZERO, vec2(1280.0, 720.0));
+        let tools = Rect::from_min_size(Pos2::new(10.0, 80.0), vec2(50.0, 400.0));
+        let mut wishes = Vec::new();
+        let input = egui::RawInput { events, screen_rect: Some(room), ..egui::RawInput::default() };
+        let mut output = context.run_ui(input, |ui| show(ui.ctx(), (tools, room, false), facts, &mut wishes));
+        output.textures_delta.clear();
+        if let Some(Wish::Drives(drives)) = wishes.pop() {
+            facts.drives = drives;
+        }
+        let text = |shape: &Shape| match shape {
+            Shape::Text(text) => Some((text.galley.text().to_owned(), text.pos + 0.5 * text.galley.size())),
+            _ => None,
+        };
+        output.shapes.iter().filter_map(|clipped| text(&clipped.shape)).collect()
+    }
+
+    fn has(texts: &[(String, Pos2)], words: &str) -> bool {
+        texts.iter().any(|(text, _)| text == words)
+    }
+
+    #[test]
+    fn a_motor_can_follow_a_wave_and_what_a_key_holds_has_a_rate() {
+        let (context, mut facts) = (egui::Context::default(), Facts { tool: Tool::Motor, ..Facts::default() });
+        (0..3).for_each(|_| _ = frame(&context, &mut facts, Vec::new()));
+        let texts = frame(&context, &mut facts, Vec::new());
+        assert!(!has(&texts, "period") && !has(&texts, "rate"), "{texts:?}");
+        let at = texts.iter().find(|(text, _)| text == "wave").unwrap().1;
+        click(at).into_iter().for_each(|events| _ = frame(&context, &mut facts, events));
+        assert!(facts.drives.motor.has_wave);
+        let texts = frame(&context, &mut facts, Vec::new());
+        assert!(has(&texts, "period") && has(&texts, "phase") && !has(&texts, "rate"), "{texts:?}");
+        facts.drives.motor.key = Some(KeyName::A);
+        facts.drives.muscle.key = Some(KeyName::A);
+        for tool in [Tool::Motor, Tool::Muscle] {
+            facts.tool = tool;
+            (0..2).for_each(|_| _ = frame(&context, &mut facts, Vec::new()));
+            assert!(has(&frame(&context, &mut facts, Vec::new()), "rate"), "{tool:?}");
+        }
+    }
 }

@@ -9,7 +9,7 @@ use egui::{
 use super::bonds::{breaks, kinds, limits};
 use super::settings::Setting;
 use super::theme::{as_high_as_buttons, colors, floating};
-use super::{Facts, PanelState, Wish, angles, described, ranged, ticks, ways};
+use super::{Facts, PanelState, Wish, angles, described, ranged, swings, ticks, ways};
 use crate::app::action::Action;
 use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, Overload, Preset, Span};
@@ -246,14 +246,16 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         sink.wishes.push(Wish::Bear);
     }
     of_springs(ui, ("damping", " N s/m"), (matter.damping, matter), sink, MatterChange::Damping);
-    let has_angles = matter.rest_angle.is_some() || matter.joints[1] > 0 || matter.bending.is_some();
+    let has_angles = matter.angle_damping.is_some() || matter.joints[1] > 0 || matter.bending.is_some();
     let has_surface = matter.friction.is_some() || matter.radius.is_some() || matter.points > 0;
     let moves = facts.figures.velocity.is_some() || !matter.pins.is_empty();
     // What is set most often first.
     group(ui, "Angles and stops", has_angles, |ui| {
         // Angles come with it, and their rows below it.
         number(ui, ("bending", " N m²"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
+        number(ui, ("damped by", " N m s"), matter.angle_damping, sink, |x| Some(MatterChange::AngleDamping(x)));
         angles::show(ui, matter, sink);
+        swings::show(ui, matter, sink);
     });
     group(ui, "Look", matter.points > 0, |ui| looks(ui, matter, facts, sink));
     group(ui, "Surface", has_surface, |ui| surface(ui, matter, facts, sink));
@@ -319,9 +321,7 @@ fn of_bonds(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     number(ui, ("relaxation", ""), matter.relaxation, sink, |x| {
         (0.0 < x && x <= 1.0).then_some(MatterChange::Relaxation(x))
     });
-    number(ui, ("corrects", " m"), matter.max_correction, sink, |x| {
-        (x > 0.0).then_some(MatterChange::MaxCorrection(x))
-    });
+    number(ui, ("corrects", ""), matter.max_correction, sink, |x| (x > 0.0).then_some(MatterChange::MaxCorrection(x)));
 }
 
 /// Says that a body would sag by some share of its height, and offers the stiffness that bears it `[N/m]`. Returns the offer, if it is taken.

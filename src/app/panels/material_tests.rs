@@ -10,7 +10,7 @@ use super::{Facts, PanelState, Wish, material};
 use crate::app::action::{Action, Tool};
 use crate::app::matter::{Among, Matter, MatterChange, Preset, Span, Stops};
 use crate::app::player::{Order, Shown, Stage};
-use crate::scene::Scene;
+use crate::scene::{DriveKeys, KeyName, Scene};
 use crate::sim::PointId;
 
 const SCENE: &str = r#"{"wobble": 1, "contact": true, "bodies": [{"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.5,
@@ -96,6 +96,7 @@ fn clicks_ask_for_what_is_written_on_them() {
     assert_eq!(screen.click("Jelly"), preset(Preset::Jelly));
     assert_eq!(screen.click("rigid"), [Wish::Matter(MatterChange::Rigid, false)]);
     assert_eq!(screen.click("springy"), [], "they are springs already");
+    assert_eq!(screen.click("relaxed"), [Wish::Matter(MatterChange::Relaxed, false)]);
     assert!(!screen.frame(Vec::new()).1.iter().any(|(text, _)| text == "Group"), "one body is selected as one anyway");
     assert_eq!(screen.click("tears"), [Wish::Matter(MatterChange::Breaks(0.5), false)]);
     let two = Matter { bodies: 2, ..(*matter()).clone() };
@@ -299,4 +300,62 @@ fn bending_is_typed_for_a_rope_without_angles_and_not_offered_in_space() {
     let mut space = of(r#"{"wobble": 1, "dimensions": 3, "bodies": [{"make": "rope", "count": 5, "to": [1, 0, 0]}]}"#);
     space.place("mass");
     assert!(!space.frame(Vec::new()).1.iter().any(|(text, _)| text == "bending"));
+}
+
+/// A joint that resists, in a panel.
+fn of_a_knee() -> (Screen, Arc<Matter>) {
+    let knee = r#"{"wobble": 1, "points": {"position": [[1, 0], [0, 0], [0, 1]]}, "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}],
+        "angles": [{"points": [0, 1, 2], "stiffness": 2, "damping": 0.25}]}"#;
+    let mut stage = Stage::new(Scene::parse(knee, "x.json").unwrap().into()).unwrap();
+    stage.obey(Order::Inspect(Among { points: (0..3).map(PointId).collect(), ..Among::default() }));
+    let mut shown = Shown::default();
+    stage.show(&mut shown);
+    let matter = shown.matter.unwrap();
+    (Screen::new(Some(Arc::clone(&matter))), matter)
+}
+
+impl Screen {
+    /// Types into the field with this number; returns what that asks for.
+    fn type_in(&mut self, field: &str, text: &str) -> Vec<Wish> {
+        self.click(field);
+        self.frame(vec![Event::Text(text.to_owned())]);
+        let beside = click(Pos2::new(300.0, 700.0)).into_iter().chain([Vec::new()]);
+        beside.flat_map(|events| self.frame(events).0).collect()
+    }
+}
+
+#[test]
+fn damping_of_angles_is_typed_beside_their_bending() {
+    let (mut screen, _) = of_a_knee();
+    assert!(screen.place("damped by").y < screen.place("rest angle").y);
+    assert_eq!(screen.type_in("0.25", "0.5"), [Wish::Matter(MatterChange::AngleDamping(0.5), false)]);
+}
+
+#[test]
+fn a_servo_is_ticked_and_each_of_its_numbers_is_typed() {
+    let (mut screen, matter) = of_a_knee();
+    let first = DriveKeys { amplitude: Some(0.5), period: Some(1.0), ..DriveKeys::default() };
+    assert_eq!(screen.click("swings"), [Wish::Matter(MatterChange::Swings(Some(first)), false)]);
+    let mut with = |drive: DriveKeys, act: &mut dyn FnMut(&mut Screen) -> Vec<Wish>| {
+        screen.facts.matter = Some(Arc::new(Matter { swings: Some(Some(drive)), ..(*matter).clone() }));
+        (0..2).for_each(|_| _ = screen.frame(Vec::new()));
+        act(&mut screen)
+    };
+    let alone = DriveKeys { amplitude: Some(0.5), period: Some(4.0), phase: Some(0.0), ..DriveKeys::default() };
+    let held = DriveKeys { key: Some(KeyName::A), back: Some(KeyName::B), rate: Some(6.0), ..alone };
+    for (field, text, expected) in [
+        ("28.6", "45", DriveKeys { amplitude: Some(45_f64.to_radians()), ..held }),
+        ("4.00", "2", DriveKeys { period: Some(2.0), ..held }),
+        ("6.00", "8", DriveKeys { rate: Some(8.0), ..held }),
+    ] {
+        let asked = with(held, &mut |screen| screen.type_in(field, text));
+        assert_eq!(asked, [Wish::Matter(MatterChange::Swings(Some(expected)), false)], "{field}");
+    }
+    let without = DriveKeys { period: None, phase: None, ..held };
+    assert_eq!(
+        with(held, &mut |screen| screen.click("wave")),
+        [Wish::Matter(MatterChange::Swings(Some(without)), false)]
+    );
+    assert_eq!(with(alone, &mut |screen| screen.click("wave")), [], "then it would follow nothing");
+    assert_eq!(with(alone, &mut |screen| screen.click("swings")), [Wish::Matter(MatterChange::Swings(None), false)]);
 }

@@ -62,6 +62,7 @@ mod sheet;
 #[cfg(test)]
 mod small_tests;
 mod steady;
+mod swings;
 pub(super) mod theme;
 pub(super) mod ticks;
 mod top;

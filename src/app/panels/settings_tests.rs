@@ -438,3 +438,55 @@ fn rate_and_duration_are_typed_live_and_undone() {
     }
     assert_eq!(now(&mut stage).clock.duration, None);
 }
+
+#[test]
+fn labels_come_are_written_anew_put_elsewhere_and_go_each_in_one_step_of_undo() {
+    let text = r#"{"wobble": 1, "points": {"position": [[0, 1]]}, "labels": [{"at": [0, 2.5], "text": "first"}]}"#;
+    let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+    let mut screen = Screen::new(&mut stage);
+    screen.state.settings_search = "labels".to_owned();
+    screen.facts.settings.middle = [1.0, 2.0, 0.0];
+    let look = |screen: &mut Screen, stage: &mut Stage| {
+        screen.facts.settings.labels = shown(stage).labels;
+        (0..2).for_each(|_| _ = screen.frame(Vec::new()));
+    };
+    let give = |stage: &mut Stage, sets: &[Setting]| {
+        let [set] = sets else { panic!("{sets:?}") };
+        assert_eq!((set.name, set.goes_on), ("labels", false));
+        assert_eq!(stage.obey(Order::Give(vec![set.act.clone()], Some(set.name))), None);
+        shown(stage).labels.iter().map(|label| (label.text.clone(), label.at, label.point)).collect::<Vec<_>>()
+    };
+    let first = ("first".to_owned(), Vector::Plane([0.0, 2.5]), None);
+    look(&mut screen, &mut stage);
+    let all = give(&mut stage, &screen.click("add a label"));
+    assert_eq!(all, [first.clone(), ("a label".to_owned(), Vector::Plane([1.0, 2.0]), None)]);
+    look(&mut screen, &mut stage);
+    // Words are taken as the field is left, by Esc not.
+    let key = |key: egui::Key| Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: egui::Modifiers::NONE,
+    };
+    let mut type_in = |leave: Vec<Vec<Event>>| {
+        screen.click("a label");
+        let typed = [vec![key(egui::Key::End)], vec![Event::Text(" more".to_owned())]];
+        typed.into_iter().chain(leave).chain([Vec::new()]).flat_map(|events| screen.frame(events).0).collect::<Vec<_>>()
+    };
+    assert_eq!(type_in(vec![vec![key(egui::Key::Escape)]]), []);
+    let sets = type_in(Vec::from(super::pointer::click(pos2(200.0, 600.0))));
+    let all = give(&mut stage, &sets);
+    assert_eq!(all[1].0, "a label more");
+    look(&mut screen, &mut stage);
+    let along = give(&mut stage, &screen.click("point"));
+    assert_eq!((along[0].1, along[0].2), (Vector::Plane([0.0, 0.0]), Some(0)), "the first one goes along with a point");
+    look(&mut screen, &mut stage);
+    let left = give(&mut stage, &screen.click("×"));
+    assert_eq!(left.len(), 1, "{left:?}");
+    (0..4).for_each(|_| {
+        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "labels"))
+    });
+    let labels = shown(&mut stage).labels;
+    assert_eq!((labels.len(), labels[0].text.as_str(), labels[0].at), (1, "first", first.1));
+}

@@ -12,6 +12,7 @@ use crate::app::tools::{Kept, Walls};
 use crate::history::{BranchView, Clock, Group};
 use crate::picture::{Skin, Tint};
 use crate::render::{Hinge, View, joints};
+use crate::scene::LabelKeys;
 use crate::sim::{
     Angle, Bond, Bonds, Convex, Cursor, Driving, Dynamics, ForceView, GrabView, Jam, Key, MouseForce, Obstacle,
     PointId, Polygon, Positions, SceneChange,
@@ -362,6 +363,8 @@ pub struct Shown {
     pub measured: Option<Measured>,
     /// What is selected is made of, if that is asked for.
     pub matter: Option<Arc<Matter>>,
+    /// The words that stand in the world, those of points that are gone too.
+    pub labels: Arc<Vec<LabelKeys>>,
 }
 
 impl Shown {

@@ -318,6 +318,16 @@ impl Session {
         corners.map(|corner| ((corner / step).round() * step).to_array())
     }
 
+    /// The middle of what is seen `[m]`: in the plane of its part beside panels, in space what the camera looks at, to a hundredth of its height.
+    pub(super) fn middle_seen(&self) -> [f64; 3] {
+        if self.scene.dimensions() == 2 {
+            let [low, high] = self.free_of_plane();
+            return [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.0];
+        }
+        let step = 10_f64.powf(self.camera.height().max(1e-9).log10().floor() - 1.0);
+        ((self.camera.focus() / step).round() * step).to_array()
+    }
+
     /// Tells the user of what went wrong, if anything did.
     pub(super) fn complain_of(&mut self, done: Result<(), SceneError>) {
         if let Err(error) = done {

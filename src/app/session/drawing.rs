@@ -186,6 +186,8 @@ impl Session {
                 fixed: Some((self.scene.method.precision.unwrap_or(PrecisionName::Auto), self.scene.method.tolerance)),
                 pushing: self.shown().mouse.as_ref().map(Pushing::of),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
+                labels: Arc::clone(&self.shown().labels),
+                middle: if self.panels.has_settings { self.middle_seen() } else { Default::default() },
             },
         }
     }
@@ -384,7 +386,8 @@ impl Session {
 
     /// What the scene says of itself, in each of its worlds.
     fn labels(&self) -> Vec<Mark> {
-        if self.scene.labels.is_empty() {
+        let labels = &self.shown().labels;
+        if labels.is_empty() {
             return Vec::new();
         }
         let others = self.shown().beside.iter().take(self.tiles.count() - 1);
@@ -392,7 +395,7 @@ impl Session {
         let label = |(place, view): (usize, View<'_>)| -> Vec<Mark> {
             let camera = self.tiles.camera(place, &self.camera, self.area);
             let clip = self.tiles.clip(place, self.area);
-            let seen = words::seen(&self.scene.labels, &view, &camera, clip).into_iter();
+            let seen = words::seen(labels, &view, &camera, clip).into_iter();
             seen.map(|(at, text)| Mark::Label(at, text.to_owned(), clip)).collect()
         };
         std::iter::once(self.shown().view()).chain(others).enumerate().flat_map(label).collect()

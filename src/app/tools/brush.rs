@@ -128,8 +128,9 @@ impl Brush {
         if bond.break_strain < NEVER {
             numbers.breaks = on(bond.break_strain);
         }
-        if let Some(color) = Tint::of(&scenery.tints, bond.a.0).and_then(|tint| tint.color) {
-            numbers.color.value = color;
+        if let Some(tint) = Tint::of(&scenery.tints, bond.a.0) {
+            numbers.color.value = tint.color.unwrap_or(numbers.color.value);
+            numbers.width.value = tint.width;
         }
         Some((Brush { numbers, ..self }, words))
     }

@@ -13,6 +13,7 @@ use super::pick::Scope;
 use crate::app::action::Tool;
 use crate::history::{DeleteKeys, Do};
 use crate::scene::{AddKeys, DriveKeys, KeyName};
+use crate::sim::drive::RATE;
 use crate::sim::{Angle, AngleDrive, Driving};
 
 /// A motor that is this much stronger or weaker than another is the same `[1]`.
@@ -38,8 +39,14 @@ pub(in crate::app) struct MotorChoice {
     pub(in crate::app) speed: f64,
     /// `[N m]`; `None`: what moves the body that it is on, as `effort` works it out.
     pub(in crate::app) torque: Option<f64>,
+    /// Its speed follows a wave of this period `[s]` and phase `[rad]`.
+    pub(in crate::app) has_wave: bool,
+    pub(in crate::app) period: f64,
+    pub(in crate::app) phase: f64,
     pub(in crate::app) key: Option<KeyName>,
     pub(in crate::app) back: Option<KeyName>,
+    /// How quickly it comes and goes with its key `[1/s]`.
+    pub(in crate::app) rate: f64,
 }
 
 /// What both tools make.
@@ -53,7 +60,17 @@ impl Default for Drives {
     fn default() -> Self {
         Drives {
             muscle: MuscleChoice::default(),
-            motor: MotorChoice { is_on: None, speed: -6.0, torque: None, key: None, back: None },
+            motor: MotorChoice {
+                is_on: None,
+                speed: -6.0,
+                torque: None,
+                has_wave: false,
+                period: 1.0,
+                phase: 0.0,
+                key: None,
+                back: None,
+                rate: RATE,
+            },
         }
     }
 }
@@ -64,8 +81,11 @@ impl MotorChoice {
         DriveKeys {
             speed: Some(self.speed),
             torque: Some(torque),
+            period: self.has_wave.then_some(self.period),
+            phase: self.has_wave.then_some(self.phase),
             key: self.key,
             back: self.key.and(self.back).filter(|back| Some(*back) != self.key),
+            rate: self.key.map(|_| self.rate),
             ..DriveKeys::default()
         }
     }

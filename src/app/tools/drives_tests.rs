@@ -5,6 +5,7 @@ use glam::DVec2;
 
 use super::drives::MotorChoice;
 use super::marks::Mark;
+use super::muscles::MuscleChoice;
 use super::pick::Scope;
 use super::tests::{scope, shown};
 use super::{Deed, Drives, Hand};
@@ -12,8 +13,8 @@ use crate::app::action::Tool;
 use crate::app::player::{Order, Shown, Stage};
 use crate::history::Do;
 use crate::render::Camera;
-use crate::scene::Scene;
-use crate::sim::{AngleDrive, PointId};
+use crate::scene::{KeyName, Scene};
+use crate::sim::{AngleDrive, Held, Key, PointId, Signal, Wave};
 
 const WHEELS: &str = r#"{"wobble": 1, "gravity": [0, 0], "view": {"center": [0, 0], "height": 10},
     "bodies": [{"make": "disc", "radius": 1, "spacing": 0.4, "origin": [-2, 0],
@@ -419,4 +420,22 @@ fn two_bodies_that_are_hinged_get_no_second_hinge_that_would_lock_them() {
         let (said, (edit, _)) = click(&mut seen, &mut hand, place);
         assert_eq!(edit, Some(if k % 2 == 0 { "motor" } else { "motor off" }), "{place:?}: {said}");
     }
+}
+
+#[test]
+fn motors_and_muscles_have_the_wave_and_the_rate_that_are_chosen_and_no_rate_without_a_key() {
+    let Drives { muscle, motor } = Drives::default();
+    let held = MotorChoice { has_wave: true, period: 2.0, phase: 1.0, key: Some(KeyName::Left), rate: 8.0, ..motor };
+    let signal = |drive: AngleDrive| match drive {
+        AngleDrive::Motor { signal, .. } => signal,
+        other => panic!("{other:?}"),
+    };
+    let wave = Some(Wave { period: 2.0, phase: 1.0 });
+    let by_key = Some(Held { forth: Key::of("left").unwrap(), back: None, rate: 8.0 });
+    assert_eq!(signal(held.keys(3.0).told_angle().unwrap()), Signal { wave, held: by_key });
+    let alone = MotorChoice { has_wave: false, key: None, ..held };
+    assert_eq!(signal(alone.keys(3.0).told_angle().unwrap()), Signal::default());
+    let pulled = MuscleChoice { has_wave: false, key: Some(KeyName::Left), rate: 8.0, ..muscle };
+    assert_eq!(pulled.keys().told_bond().unwrap().signal, Signal { wave: None, held: by_key });
+    assert_eq!(MuscleChoice { key: None, rate: 8.0, ..muscle }.keys().rate, None, "nothing comes and goes");
 }

@@ -15,6 +15,7 @@ use super::selecting::is_drag;
 use crate::app::count::counted;
 use crate::history::{Do, DriveOrNone, OneOrEach, SetKeys};
 use crate::scene::{DriveKeys, KeyName};
+use crate::sim::drive::RATE;
 use crate::sim::{Bond, BondKind, Drive, Driving, NoDrive, PointId, RigidPieces};
 
 /// Said where nothing is clicked, or crossed by a stroke, that could be a muscle.
@@ -44,12 +45,24 @@ pub(in crate::app) struct MuscleChoice {
     pub(in crate::app) length: f64,
     pub(in crate::app) key: Option<KeyName>,
     pub(in crate::app) back: Option<KeyName>,
+    /// How quickly it comes and goes with its key `[1/s]`.
+    pub(in crate::app) rate: f64,
 }
 
 impl Default for MuscleChoice {
     fn default() -> Self {
         let (has_wave, runs) = (true, true);
-        MuscleChoice { amplitude: 0.3, has_wave, period: 1.0, phase: 0.0, runs, length: 0.7, key: None, back: None }
+        MuscleChoice {
+            amplitude: 0.3,
+            has_wave,
+            period: 1.0,
+            phase: 0.0,
+            runs,
+            length: 0.7,
+            key: None,
+            back: None,
+            rate: RATE,
+        }
     }
 }
 
@@ -141,7 +154,8 @@ struct Plan {
 }
 
 impl MuscleChoice {
-    fn keys(&self) -> DriveKeys {
+    /// Those of a muscle of it.
+    pub(super) fn keys(&self) -> DriveKeys {
         // What follows nothing would be none.
         let has_wave = self.has_wave || self.key.is_none();
         DriveKeys {
@@ -150,6 +164,7 @@ impl MuscleChoice {
             phase: has_wave.then_some(self.phase),
             key: self.key,
             back: self.key.and(self.back).filter(|back| Some(*back) != self.key),
+            rate: self.key.map(|_| self.rate),
             ..DriveKeys::default()
         }
     }

@@ -1,5 +1,7 @@
 //! Labels of a scene in pictures of it off-screen, painted as the window paints them.
 
+use std::sync::Arc;
+
 use egui::epaint::ClippedShape;
 use egui::{Context, Pos2, RawInput, emath::TSTransform};
 use egui_wgpu::ScreenDescriptor;
@@ -12,21 +14,26 @@ use crate::render::{Capture, Gpu, Palette, Pane, RenderError};
 use crate::scene::LabelKeys;
 
 /// The labels of a scene, and what they are painted with.
-pub struct Labels<'a> {
-    labels: &'a [LabelKeys],
+pub struct Labels {
+    labels: Arc<Vec<LabelKeys>>,
     scale: f32,
     context: Context,
     /// Made for the first picture with a label.
     painter: Option<Painter>,
 }
 
-impl<'a> Labels<'a> {
+impl Labels {
     /// Labels in one palette; `scale` is pixels of a picture in a logical one.
-    pub fn new(labels: &'a [LabelKeys], (palette, scale): (Palette, f32)) -> Self {
+    pub fn new(labels: &[LabelKeys], (palette, scale): (Palette, f32)) -> Self {
         let context = Context::default();
         theme::apply(&context, palette);
         context.set_pixels_per_point(scale);
-        Labels { labels, scale, context, painter: None }
+        Labels { labels: Arc::new(labels.to_vec()), scale, context, painter: None }
+    }
+
+    /// Others are painted from now on.
+    pub fn say(&mut self, labels: &Arc<Vec<LabelKeys>>) {
+        self.labels = Arc::clone(labels);
     }
 
     /// Draws worlds side by side, each with its labels: see [`Capture::pictures`].
@@ -73,7 +80,7 @@ impl<'a> Labels<'a> {
                 let shape = written_apart(&self.context, (at, Anchor::Middle), words, room, &mut others);
                 ClippedShape { clip_rect, shape, transform_after_tessellation: TSTransform::IDENTITY }
             };
-            let seen = seen(self.labels, &pane.view, &pane.camera, pane.clip);
+            let seen = seen(&self.labels, &pane.view, &pane.camera, pane.clip);
             seen.into_iter().map(shape).collect::<Vec<_>>()
         };
         panes.iter().flat_map(of_pane).collect()
@@ -157,7 +164,7 @@ mod tests {
             Err(error) if std::env::var("WOBBLE_REQUIRE").is_ok_and(|all| all.contains("gpu")) => panic!("{error}"),
             Err(_) => return,
         };
-        let mut both = [of.as_slice(), &[]].map(|labels| Labels::new(labels, (Palette::Dark, 1.0)));
+        let mut both = [of.as_slice(), &[]].map(|labels: &[LabelKeys]| Labels::new(labels, (Palette::Dark, 1.0)));
         let mut taken = |which: usize, places: &[f64]| {
             capture.forget_world();
             with_pane(SIZES[0], places, |pane| both[which].picture(&mut capture, &[pane]).unwrap())

@@ -1,9 +1,12 @@
 //! What can be set of the scene while it runs: a panel at the right. It shows the world as it is, and returns commands.
 
 mod fields;
+mod labels;
 mod push;
 mod sections;
 mod time;
+
+use std::sync::Arc;
 
 use egui::{Align2, Area, Id, Rect, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo};
 
@@ -13,7 +16,7 @@ use super::{Facts, PanelState, Wish, described};
 use crate::app::action::Action;
 use crate::app::player::MethodSetting;
 use crate::history::{Clock, Do, SetKeys};
-use crate::scene::{Parameter, PrecisionName, Vector};
+use crate::scene::{LabelKeys, Parameter, PrecisionName, Vector};
 use crate::sim::{MouseForce, Profile, Region, SceneChange};
 use sections::Section;
 
@@ -39,6 +42,10 @@ pub(in crate::app) struct Settings {
     pub(in crate::app) fixed: Option<(PrecisionName, Option<f64>)>,
     /// The numbers that the scene names, each as it is now.
     pub(in crate::app) parameters: Vec<(Parameter, Option<f64>)>,
+    /// The words that stand in the world.
+    pub(in crate::app) labels: Arc<Vec<LabelKeys>>,
+    /// The middle of what is seen `[m]`, while the settings are open.
+    pub(in crate::app) middle: [f64; 3],
 }
 
 /// Where the hover force acts, and how.

@@ -3,7 +3,7 @@
 use egui::{Slider, Ui};
 
 use super::super::{Facts, Wish, parameters, ranged, ticks};
-use super::{Sink, fields, push, time};
+use super::{Sink, fields, labels, push, time};
 use crate::app::action::Action;
 use crate::app::trailing::TrailSettings;
 use crate::render::Palette;
@@ -25,10 +25,12 @@ pub(super) enum Section {
     /// How all scenes look.
     Colors,
     Trails,
+    /// The words that stand in the world.
+    Labels,
 }
 
 /// All of them, in the order of use.
-const ALL: [Section; 10] = [
+const ALL: [Section; 11] = [
     Section::Scene,
     Section::Gravity,
     Section::Bodies,
@@ -39,6 +41,7 @@ const ALL: [Section; 10] = [
     Section::Time,
     Section::Colors,
     Section::Trails,
+    Section::Labels,
 ];
 
 /// What a caption that sends one here calls the settings.
@@ -92,6 +95,7 @@ impl Section {
                 &["colours", "colors", "dark", "light", "palette", "theme", "look", "grid", "numbers", "axes"]
             }
             Section::Trails => &["trails", "paths", "points", "number", "length"],
+            Section::Labels => &["labels", "words", "text", "captions"],
         }
     }
 
@@ -99,7 +103,7 @@ impl Section {
     fn is_named(self, caption: &str) -> bool {
         let words = match self {
             // What the scene names stands first anyway; colours and trails belong to none.
-            Section::Scene | Section::Time | Section::Colors | Section::Trails => return false,
+            Section::Scene | Section::Time | Section::Colors | Section::Trails | Section::Labels => return false,
             Section::Gravity => &["gravity"][..],
             Section::Bodies => &["meet each other", "collide", "areas"],
             Section::Push => &["push of the mouse"],
@@ -122,7 +126,7 @@ impl Section {
             Section::Walls => scene.bounds.is_some(),
             Section::Method => scene.method.is_some(),
             Section::Time => settings.clock.is_some(),
-            Section::Colors | Section::Trails => true,
+            Section::Colors | Section::Trails | Section::Labels => true,
         }
     }
 
@@ -157,6 +161,7 @@ impl Section {
             Section::Time => settings.clock.iter().for_each(|clock| time::show(ui, *clock, sink)),
             Section::Colors => of_colors(ui, facts, sink),
             Section::Trails => of_trails(ui, facts, sink),
+            Section::Labels => labels::show(ui, settings, sink),
         }
     }
 }
@@ -255,6 +260,7 @@ mod tests {
         assert_eq!(found(&facts, "friction"), [Section::Bodies, Section::Walls]);
         assert_eq!(found(&facts, "light"), [Section::Colors]);
         assert_eq!(found(&facts, "trails"), [Section::Trails]);
+        assert_eq!(found(&facts, "labels"), [Section::Labels]);
         assert!(found(&facts, "no such thing").is_empty());
         assert!(found(&facts, " ").len() >= 7);
     }

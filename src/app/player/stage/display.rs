@@ -91,6 +91,7 @@ impl Stage {
         shown.figures = self.figures(world);
         shown.measured = self.watch.look(self.history.world());
         shown.matter.clone_from(&self.matter);
+        shown.labels = Arc::clone(self.history.labels());
         let has_beside = !self.history.companions().is_empty();
         shown.title = if has_beside { self.history.method().words() } else { String::new() };
         shown.rests = world.is_asleep();
