@@ -3,7 +3,7 @@
 //! come from nowhere.
 
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 use wobble::scene::{Entry, Scene, SolverName, gallery};
 use wobble::sim::{BondKind, Command, Counters, Cursor, Dynamics, PointId, frame_of};
@@ -30,7 +30,19 @@ const BOOKED: usize = 200;
 /// What is more of energy than there was and was brought is less than this share of what was brought, or of the most that moved [1].
 const GAIN: f64 = 0.01;
 /// Of so many scenes at least the energy is judged.
-const JUDGED: usize = 17;
+const JUDGED: u64 = 17;
+/// The guard of the live step's energy acts in no more than this share of all substeps [1].
+const GUARDED: f64 = 1e-3;
+
+/// What is counted over all scenes.
+#[derive(Default)]
+struct Sums {
+    /// Scenes whose energy could be judged.
+    judged: AtomicU64,
+    /// Substeps, and those in which the guard of energy acted.
+    substeps: AtomicU64,
+    guarded: AtomicU64,
+}
 
 /// The size of a scene [m]: the lesser side of its walls, or the larger one of its points where it has none.
 fn size(world: &dyn Dynamics) -> f64 {
@@ -155,8 +167,8 @@ fn run(world: &mut dyn Dynamics) -> Frames {
     frames
 }
 
-/// What is wrong with a scene under the mouse; those whose energy could be judged are counted.
-fn fault(entry: &Entry, judged: &AtomicUsize) -> Option<String> {
+/// What is wrong with a scene under the mouse; what all scenes have together is counted.
+fn fault(entry: &Entry, sums: &Sums) -> Option<String> {
     let clock = std::time::Instant::now();
     let mut scene = entry.scene().unwrap();
     // What is asked for by name may make energy.
@@ -169,7 +181,9 @@ fn fault(entry: &Entry, judged: &AtomicUsize) -> Option<String> {
     let median = frames.median();
     let is_untouched = world.counters().mouse_points == 0 && entry.json.contains("\"mouse\"");
     let gained = gained(&*world);
-    judged.fetch_add(usize::from(gained.is_some()), Ordering::Relaxed);
+    let Counters { substeps, guarded, .. } = *world.counters();
+    let counts = [(&sums.judged, u64::from(gained.is_some())), (&sums.substeps, substeps), (&sums.guarded, guarded)];
+    counts.into_iter().for_each(|(sum, count)| _ = sum.fetch_add(count, Ordering::Relaxed));
     let is_in = keeps_out(&scene) && depth > DEPTH * size;
     let is_made = gained.is_some_and(|[excess, _, most]| excess > GAIN * most);
     let is_beyond = dearest > FRAME || median > MEDIAN || inverted > INVERTED || is_in || is_made;
@@ -177,7 +191,7 @@ fn fault(entry: &Entry, judged: &AtomicUsize) -> Option<String> {
         format!(", {excess:.3e} J more than was brought, {made:.3e} J made, of {most:.3e} J")
     });
     let figures = format!(
-        "at most {dearest:.2} ms, half below {median:.2} ms, inside out for {inverted:.2} s, {depth:.2e} m of {size:.2} m deep at {when:.1} s{energies}"
+        "at most {dearest:.2} ms, half below {median:.2} ms, guarded {guarded} of {substeps}, inside out for {inverted:.2} s, {depth:.2e} m of {size:.2} m deep at {when:.1} s{energies}"
     );
     eprintln!("{}: {figures}, {:.1} s; the dearest: {did}", entry.name, clock.elapsed().as_secs_f64());
     (is_beyond || !world.is_finite() || is_untouched)
@@ -189,13 +203,13 @@ fn fault(entry: &Entry, judged: &AtomicUsize) -> Option<String> {
 fn the_gallery_bears_a_mouse_that_jumps() {
     let is_played = |entry: &&Entry| !LEFT_OUT.contains(&entry.name) && is_asked("WOBBLE_SCENE", entry.name);
     let entries: Vec<&Entry> = gallery().iter().filter(is_played).collect();
-    let (next, judged, wrong) = (AtomicUsize::new(0), AtomicUsize::new(0), Mutex::new(Vec::new()));
+    let (next, sums, wrong) = (AtomicUsize::new(0), Sums::default(), Mutex::new(Vec::new()));
     let workers = std::thread::available_parallelism().map_or(1, usize::from).min(4);
     std::thread::scope(|scope| {
         for _ in 0..workers {
             scope.spawn(|| {
                 while let Some(entry) = entries.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let found = fault(entry, &judged);
+                    let found = fault(entry, &sums);
                     wrong.lock().unwrap().extend(found);
                 }
             });
@@ -204,8 +218,14 @@ fn the_gallery_bears_a_mouse_that_jumps() {
     let mut wrong = wrong.into_inner().unwrap();
     wrong.sort();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    let judged = judged.into_inner();
-    assert!(judged >= JUDGED || entries.len() < gallery().len() - LEFT_OUT.len(), "the energy of {judged} scenes");
+    let Sums { judged, substeps, guarded } = sums;
+    let [judged, substeps, guarded] = [judged, substeps, guarded].map(AtomicU64::into_inner);
+    let is_part = entries.len() < gallery().len() - LEFT_OUT.len();
+    assert!(is_part || judged >= JUDGED, "the energy of {judged} scenes");
+    assert!(
+        is_part || guarded as f64 <= GUARDED * substeps as f64,
+        "the guard acted in {guarded} of {substeps} substeps"
+    );
 }
 
 /// The smallest area within the outer ring of any rim, as a share of that at the start.
