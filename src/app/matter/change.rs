@@ -20,7 +20,7 @@ const SPRINGY: [f64; 2] = [600.0, 0.004];
 const CALM: f64 = 0.02;
 const SOON: f64 = 0.1;
 /// Of what covers nothing, mass by length over density `[m]`: a rope as thick as that.
-const THICKNESS: f64 = 0.15;
+pub(super) const THICKNESS: f64 = 0.15;
 
 /// What is changed.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -385,7 +385,8 @@ pub(super) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>,
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
         for preset in Preset::ALL {
-            let by = swatch(ui, preset, (chosen == Some(preset), 0.0)).on_hover_text(preset.words());
+            let kind = (preset.name(), preset.color());
+            let by = swatch(ui, kind, (chosen == Some(preset), 0.0)).on_hover_text(preset.words());
             if by.clicked() {
                 clicked = (Some(by), Some(preset));
             }
@@ -394,11 +395,14 @@ pub(super) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>,
     clicked
 }
 
-/// A button for a matter, in its colour; so wide at least, and ringed where it is what is chosen.
-pub(super) fn swatch(ui: &mut Ui, preset: Preset, (is_chosen, width): (bool, f32)) -> Response {
-    let [red, green, blue] = preset.color();
+/// A button for a matter, with its name and in its colour; so wide at least, and ringed where it is what is chosen.
+pub(super) fn swatch(
+    ui: &mut Ui,
+    (name, [red, green, blue]): (&str, [u8; 3]),
+    (is_chosen, width): (bool, f32),
+) -> Response {
     let edge = if is_chosen { colors(ui).accent } else { Color32::TRANSPARENT };
-    let text = RichText::new(preset.name()).color(Color32::from_rgb(18, 22, 30));
+    let text = RichText::new(name).color(Color32::from_rgb(18, 22, 30));
     let button = Button::selectable(is_chosen, text)
         .fill(Color32::from_rgb(red, green, blue))
         .stroke(Stroke::new(2.0, edge))

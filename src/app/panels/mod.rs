@@ -75,10 +75,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::action::{Action, Primitive, Showing, Tool};
-use super::matter::{Bearings, Matter, MatterChange, Overload, Preset};
+use super::matter::{Bearings, Matter, MatterChange, Overload};
 use super::player::{Figures, Going, MethodSetting};
 use super::plots::Plots;
-use super::tools::{Brush, Drives, Links, PushWay};
+use super::tools::{Brush, BuiltOf, Drives, Links, PushWay};
 use super::trailing::TrailSettings;
 use crate::history::Do;
 use crate::render::{Look, Palette};
@@ -135,8 +135,8 @@ pub(super) enum Wish {
     Push(PushWay),
     /// Drawn bonds are made of something else.
     Links(Links),
-    /// What is built is made of something else.
-    BuildOf(Preset),
+    /// What is built is made of these.
+    BuildOf(BuiltOf),
     /// What is selected gets another matter; of the same drag as the last one.
     Matter(MatterChange, bool),
     /// The brush paints with this from now on.
@@ -313,8 +313,8 @@ pub(super) struct Facts {
     pub(super) no_motors: Option<String>,
     /// What the tool for forces makes.
     pub(super) push: PushWay,
-    /// What is made of boxes, discs, rims and loops.
-    pub(super) built_of: Preset,
+    /// What bodies are built of.
+    pub(super) built_of: BuiltOf,
     /// What drawn bonds are made of.
     pub(super) links: Links,
     /// What the brush paints with.

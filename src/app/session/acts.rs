@@ -189,7 +189,7 @@ impl Session {
             }
             Wish::Push(way) => self.hand.set_push_way(way),
             Wish::Links(links) => self.hand.set_links(links),
-            Wish::BuildOf(matter) => self.hand.set_matter(matter),
+            Wish::BuildOf(of) => self.hand.build_of(of),
             Wish::Hold(key) => self.hold_by_mouse(key),
             Wish::Drives(drives) => self.hand.set_drives(drives),
             Wish::Set(setting) => self.set(setting),

@@ -144,7 +144,7 @@ impl Session {
             frame: self.frame_meter.value(),
             tool: self.hand.tool(),
             primitive: self.hand.primitive(),
-            built_of: self.hand.matter(),
+            built_of: self.hand.built_of(),
             links: self.hand.links(),
             push: self.hand.push_way(),
             drives: self.hand.drives(),
