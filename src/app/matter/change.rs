@@ -6,6 +6,7 @@ use super::extent::{areas, rest_length};
 use super::facts::NEVER;
 use super::former::Former;
 use super::joints::{self, Stops};
+use super::motors::{self, MotorChange};
 use super::painted::Painted;
 use super::preset::{Preset, Stuff};
 use crate::history::{Do, OneOrEach, PenaltyOrNone, SetKeys, VectorOrEach};
@@ -51,6 +52,8 @@ pub enum MatterChange {
     RestAngle(f64),
     /// Of joints.
     Stops(Stops),
+    /// Of motors.
+    Motor(MotorChange),
     /// Of skins and obstacles `[1]`.
     Friction(f64),
     /// Of skins and obstacles `[1]`, to 1.
@@ -97,6 +100,7 @@ impl MatterChange {
             MatterChange::RestLength(_) => "rest length",
             MatterChange::RestAngle(_) => "rest angle",
             MatterChange::Stops(_) => "stops",
+            MatterChange::Motor(_) => "motor",
             MatterChange::Friction(_) => "friction",
             MatterChange::Restitution(_) => "restitution",
             MatterChange::Penalty(_) => "soft ground",
@@ -179,6 +183,7 @@ pub(in crate::app) fn commands(
         }
         MatterChange::RestAngle(angle) => vec![joints::rest(world, among, angle)],
         MatterChange::Stops(stops) => joints::stops((world, former), among, stops)?,
+        MatterChange::Motor(change) => motors::changed(world, among, change),
         MatterChange::Friction(friction) => {
             surfaces(world, (&points, among), SetKeys { friction: Some(friction), ..SetKeys::default() })
         }

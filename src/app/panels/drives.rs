@@ -122,7 +122,7 @@ fn slider(
 }
 
 /// The keys that have to be held.
-fn keys(ui: &mut Ui, key: &mut Option<KeyName>, back: &mut Option<KeyName>) {
+pub(super) fn keys(ui: &mut Ui, key: &mut Option<KeyName>, back: &mut Option<KeyName>) {
     of_keys(ui, "key", "always on", key);
     if key.is_some() {
         of_keys(ui, "key back", "none", back);

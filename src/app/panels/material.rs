@@ -9,7 +9,7 @@ use egui::{
 use super::bonds::{breaks, kinds, limits};
 use super::settings::Setting;
 use super::theme::{as_high_as_buttons, colors, floating};
-use super::{Facts, PanelState, Wish, angles, described, ranged, ticks, ways};
+use super::{Facts, PanelState, Wish, angles, described, motors, ranged, ticks, ways};
 use crate::app::action::Action;
 use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, Overload, Preset, Span};
@@ -250,6 +250,9 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     let has_surface = matter.friction.is_some() || matter.radius.is_some() || matter.points > 0;
     let moves = facts.figures.velocity.is_some() || !matter.pins.is_empty();
     // What is set most often first.
+    if let Some(motors) = &matter.motors {
+        group(ui, "Motor", true, |ui| motors::show(ui, motors, sink));
+    }
     group(ui, "Angles and stops", has_angles, |ui| {
         // Angles come with it, and their rows below it.
         number(ui, ("bending", " N m²"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
@@ -427,7 +430,7 @@ pub(super) fn row<T>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui, Id) -> T
 }
 
 /// A number without an upper end, which says so where it is not the same everywhere.
-fn number(
+pub(super) fn number(
     ui: &mut Ui,
     (name, unit): (&str, &str),
     span: Option<Span>,

@@ -8,7 +8,7 @@ use egui::{Event, Pos2, Rect, Shape, vec2};
 use super::pointer::{button, click};
 use super::{Facts, PanelState, Wish, material};
 use crate::app::action::{Action, Tool};
-use crate::app::matter::{Among, Matter, MatterChange, Preset, Span, Stops};
+use crate::app::matter::{Among, Matter, MatterChange, MotorChange, Motors, Preset, Span, Stops};
 use crate::app::player::{Order, Shown, Stage};
 use crate::scene::Scene;
 use crate::sim::PointId;
@@ -299,4 +299,24 @@ fn bending_is_typed_for_a_rope_without_angles_and_not_offered_in_space() {
     let mut space = of(r#"{"wobble": 1, "dimensions": 3, "bodies": [{"make": "rope", "count": 5, "to": [1, 0, 0]}]}"#);
     space.place("mass");
     assert!(!space.frame(Vec::new()).1.iter().any(|(text, _)| text == "bending"));
+}
+
+#[test]
+fn the_motors_of_what_is_selected_are_typed_in_its_panel() {
+    let one = |x: f64| Span { least: x, most: x };
+    let mut screen = Screen::new(Some(matter()));
+    assert!(!screen.frame(Vec::new()).1.iter().any(|(text, _)| text == "torque"), "it has none");
+    let motors = Some(Motors { speed: one(-6.0), torque: one(30.0), keys: Some([None; 2]) });
+    screen.facts.matter = Some(Arc::new(Matter { motors, ..(*matter()).clone() }));
+    screen.frame(Vec::new());
+    for (name, change) in [("speed", MotorChange::Speed(3.0)), ("torque", MotorChange::Torque(3.0))] {
+        let field = screen.place(name) + vec2(75.0, 0.0);
+        click(field).into_iter().for_each(|events| _ = screen.frame(events));
+        screen.frame(vec![Event::Text("3".to_owned())]);
+        let beside = Pos2::new(300.0, 700.0);
+        let wishes: Vec<Wish> =
+            click(beside).into_iter().chain([Vec::new()]).flat_map(|events| screen.frame(events).0).collect();
+        assert_eq!(wishes, [Wish::Matter(MatterChange::Motor(change), false)]);
+    }
+    screen.place("always on");
 }

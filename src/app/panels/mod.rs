@@ -37,6 +37,7 @@ mod low;
 mod material;
 #[cfg(test)]
 mod material_tests;
+mod motors;
 mod moving;
 mod notes;
 mod open_from;
@@ -83,7 +84,7 @@ use super::trailing::TrailSettings;
 use crate::history::Do;
 use crate::render::{Look, Palette};
 use crate::scene::{BesideKeys, PrecisionName, SolverName};
-use crate::sim::Key;
+use crate::sim::{Key, PointId};
 pub(super) use asking::{Question, show as ask};
 pub(super) use beside::{Misfits, Neighbor, solvers};
 pub(super) use complaint::Cover;
@@ -131,6 +132,8 @@ pub(super) enum Wish {
     Hold(Option<Key>),
     /// The tools for muscles and motors make these from now on.
     Drives(Drives),
+    /// The hinge about this hub gets a motor.
+    GiveMotor(PointId),
     /// The tool for forces makes these from now on.
     Push(PushWay),
     /// Drawn bonds are made of something else.

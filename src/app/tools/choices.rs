@@ -1,7 +1,8 @@
 //! Which tool is in the hand, and what the tools make.
 
-use super::{Brush, BuiltOf, Drives, Hand, Links, PushWay};
+use super::{Brush, BuiltOf, Deed, Drives, Hand, Links, PushWay, Scope};
 use crate::app::action::{Primitive, Tool};
+use crate::sim::PointId;
 
 impl Hand {
     /// The tool that the next press uses.
@@ -74,6 +75,11 @@ impl Hand {
     /// They make something else from now on.
     pub(in crate::app) fn set_drives(&mut self, drives: Drives) {
         self.drives = drives;
+    }
+
+    /// The hinge about a hub gets the motor that the tool makes.
+    pub(in crate::app) fn give_motor(&self, scope: Scope<'_>, hub: PointId) -> Deed {
+        self.drives.give_motor(scope, hub)
     }
 
     /// What the tool for forces makes.
