@@ -21,7 +21,7 @@ pub(super) use borne::Bearings;
 pub(super) use change::{MatterChange, commands, mean_velocity};
 pub(super) use facts::{Coloring, Matter, NEVER, Pin, Span};
 pub(super) use former::Former;
-pub(super) use joints::{Joint, Stops};
+pub(super) use joints::{Joint, Stops, is_among};
 pub(super) use led::led;
 pub(super) use motors::{MotorChange, Motors};
 pub(super) use overload::{Overload, overload};

@@ -533,6 +533,26 @@ fn stops_that_were_taken_from_a_figure_come_back_as_they_were_and_push_nothing()
 }
 
 #[test]
+fn a_corner_of_a_net_that_is_selected_alone_gets_stops_alone() {
+    let text = r#"{"wobble": 1, "gravity": [0, 0], "bodies": [{"make": "lattice", "columns": 5, "rows": 5, "spacing": 0.2,
+        "material": {"kind": "spring", "stiffness": 100, "mass": 1}}], "angles": [{"points": [6, 7, 8], "stiffness": 1},
+        {"points": [2, 7, 12], "stiffness": 1}, {"points": [7, 8, 9], "stiffness": 1}]}"#;
+    let mut stage = stage_of(text);
+    let (corner, net) = (among(7..8), among(0..25));
+    assert_eq!([&corner, &net].map(|among| matter(&mut stage, among).joints), [[0, 2], [0, 3]]);
+    assert_eq!(matter(&mut stage, &among(6..8)).joints, [0, 0], "of two points none is a corner");
+    change(&mut stage, &corner, MatterChange::Stops(Stops::Some));
+    let has =
+        |stage: &Stage| stage.history().world().angles().iter().map(|angle| angle.range.is_some()).collect::<Vec<_>>();
+    assert_eq!(has(&stage), [true, true, false]);
+    change(&mut stage, &corner, MatterChange::Stops(Stops::Least(1.0)));
+    let least = |k: usize| stage.history().world().angles()[k].range.map(|range| range[0]);
+    assert_eq!([least(0), least(1)], [Some(1.0); 2]);
+    change(&mut stage, &corner, MatterChange::Stops(Stops::None));
+    assert_eq!(has(&stage), [false; 3]);
+}
+
+#[test]
 fn stops_reach_to_where_a_joint_stands() {
     let text = KNEES.replace(r#""stiffness": 2}"#, r#""rest": 1.5}"#);
     let mut stage = Stage::new(Scene::parse(&text, "x.json").unwrap().into()).unwrap();

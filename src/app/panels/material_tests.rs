@@ -320,3 +320,18 @@ fn the_motors_of_what_is_selected_are_typed_in_its_panel() {
     }
     screen.place("always on");
 }
+
+#[test]
+fn stops_for_many_joints_say_how_many_they_are() {
+    let of = |joints: [usize; 2]| Some(Arc::new(Matter { joints, ..(*matter()).clone() }));
+    let said = |screen: &mut Screen, words: &str| screen.frame(Vec::new()).1.iter().any(|(text, _)| text == words);
+    let mut figure = Screen::new(of([0, 9]));
+    assert!(said(&mut figure, "stops") && !said(&mut figure, "stops for all 9"));
+    let mut net = Screen::new(of([0, 84]));
+    assert!(!said(&mut net, "stops"), "no click gives them all unasked");
+    assert_eq!(net.click("stops for all 84"), [Wish::Matter(MatterChange::Stops(Stops::Some), false)]);
+    assert!(said(&mut net, "Ctrl+click a corner to give it stops alone"));
+    // What has some loses them by the tick.
+    let mut some = Screen::new(of([2, 84]));
+    assert_eq!(some.click("stops"), [Wish::Matter(MatterChange::Stops(Stops::None), false)]);
+}
