@@ -17,6 +17,7 @@ mod matter;
 mod matter_tests;
 mod outline;
 mod path;
+mod plumb;
 mod polygon;
 mod space;
 #[cfg(test)]

@@ -7,7 +7,7 @@ use super::form::{ALL_PIECES, CLOTH, Hold, PIECES, short};
 use super::grid::Grid;
 use super::laid::{Lies, Solids, is_hidden, surface};
 use super::matter::{FRICTION, like, part};
-use super::{CLICK, Drag, LEAST, Maker, OF_THE_PLANE, TOO_SMALL, outline, pinned_ends, usual_size};
+use super::{CLICK, Drag, LEAST, Maker, OF_THE_PLANE, TOO_SMALL, outline, pinned_ends, plumb, usual_size};
 use crate::app::action::Primitive;
 use crate::app::tools::Deed;
 use crate::app::tools::marks::{Mark, Role};
@@ -68,8 +68,12 @@ pub(super) fn build(maker: Maker, scope: Scope<'_>, drag: &Drag, at: DVec2) -> D
 pub(super) fn marks(maker: Maker, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Vec<Mark> {
     match form(maker, scope, drag, at) {
         Ok((form, lies)) => {
-            let mut marks = form.lines(scope);
-            marks.push(outline::off(&marks, scope, at, format!("{}{}", form.words(), lies.words())));
+            let lines = form.lines(scope);
+            let words = outline::off(&lines, scope, at, format!("{}{}", form.words(), lies.words()));
+            // Below the outline, as it is seen.
+            let mut marks = plumb::marks(scope, &form, below(scope));
+            marks.extend(lines);
+            marks.push(words);
             marks
         }
         Err(words) => vec![outline::label(scope, at, words)],
