@@ -91,6 +91,7 @@ pub(super) use complaint::Cover;
 pub(super) use cut_off::Discards;
 pub(super) use finding::names as found_scenes;
 pub(super) use gallery::{THUMBNAIL, search_id};
+pub(super) use held::HeldAt;
 use icons::Icon;
 pub(super) use laying::show;
 pub(super) use lessons::{At, Lessons, Met};
@@ -242,6 +243,8 @@ pub(super) struct PanelState {
     pub(super) room: Room,
     /// The tool that was taken: one that is held for a while opens and closes no panel.
     pub(super) tool: Tool,
+    /// Where the keys lie that are to be held.
+    pub(super) held_at: HeldAt,
     /// What is plotted; `None`: the panel is closed, and nothing is measured.
     pub(super) plots: Option<Plots>,
     /// What was, of the same world, when it was closed.
@@ -341,6 +344,8 @@ pub(super) struct Facts {
     /// The keys that drives of the scene have, and which of them are held; the one that the mouse holds.
     pub(super) keys: Vec<(Key, bool)>,
     pub(super) key_by_mouse: Option<Key>,
+    /// Where what they drive is seen, until those keys have a place `[points]`.
+    pub(super) driven_at: Option<egui::Rect>,
     /// How the world looks.
     pub(super) look: Look,
     /// In which colours.

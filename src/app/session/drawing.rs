@@ -161,6 +161,7 @@ impl Session {
             hidden: self.hidden_count(),
             keys: self.keys_to_hold(),
             key_by_mouse: self.key_by_mouse(),
+            driven_at: self.driven_seen(),
             look: self.look,
             palette: self.palette,
             showing: self.showing(),
