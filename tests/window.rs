@@ -646,7 +646,7 @@ fn every_tool_does_its_work_by_a_key_and_a_drag() {
     let lines = text.lines().map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap());
     let mut names: Vec<String> = lines.filter_map(|line| Some(line["name"].as_str()?.to_owned())).collect();
     names.dedup();
-    assert_eq!(names, ["pin", "force", "muscles", "motor", "Rubber", "Box", "move", "cut", "delete", "move"]);
+    assert_eq!(names, ["pin", "force", "muscles", "motor", "Rubber", "Box", "move", "cut", "erase", "move"]);
 }
 
 impl App<'_> {

@@ -6,6 +6,7 @@ use super::extent::{areas, rest_length};
 use super::facts::NEVER;
 use super::former::Former;
 use super::joints::{self, Stops};
+use super::motors::{self, MotorChange};
 use super::painted::Painted;
 use super::preset::{Preset, Stuff};
 use crate::history::{Do, OneOrEach, PenaltyOrNone, SetKeys, VectorOrEach};
@@ -20,7 +21,7 @@ const SPRINGY: [f64; 2] = [600.0, 0.004];
 const CALM: f64 = 0.02;
 const SOON: f64 = 0.1;
 /// Of what covers nothing, mass by length over density `[m]`: a rope as thick as that.
-const THICKNESS: f64 = 0.15;
+pub(super) const THICKNESS: f64 = 0.15;
 
 /// What is changed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +56,8 @@ pub enum MatterChange {
     Swings(Option<DriveKeys>),
     /// Of joints.
     Stops(Stops),
+    /// Of motors.
+    Motor(MotorChange),
     /// Of skins and obstacles `[1]`.
     Friction(f64),
     /// Of skins and obstacles `[1]`, to 1.
@@ -105,6 +108,7 @@ impl MatterChange {
             MatterChange::AngleDamping(_) => "damping of angles",
             MatterChange::Swings(_) => "swings",
             MatterChange::Stops(_) => "stops",
+            MatterChange::Motor(_) => "motor",
             MatterChange::Friction(_) => "friction",
             MatterChange::Restitution(_) => "restitution",
             MatterChange::Penalty(_) => "soft ground",
@@ -190,6 +194,7 @@ pub(in crate::app) fn commands(
         MatterChange::AngleDamping(damping) => vec![joints::damped(world, among, damping)],
         MatterChange::Swings(drive) => vec![joints::swinging(world, among, drive)],
         MatterChange::Stops(stops) => joints::stops((world, former), among, stops)?,
+        MatterChange::Motor(change) => motors::changed(world, among, change),
         MatterChange::Friction(friction) => {
             surfaces(world, (&points, among), SetKeys { friction: Some(friction), ..SetKeys::default() })
         }

@@ -6,6 +6,7 @@ use super::called::name_of;
 use super::extent::{areas, place};
 use super::former::Former;
 use super::joints::{Joint, coming, held, swings};
+use super::motors::{self, Motors};
 use super::preset::Preset;
 use crate::picture::Tint;
 use crate::scene::DriveKeys;
@@ -119,6 +120,8 @@ pub struct Matter {
     pub(in crate::app) stops: Option<[Span; 2]>,
     /// Joints that may have stops and have none, the first few, and where they would be.
     pub(in crate::app) coming_stops: Vec<Joint>,
+    /// What motors it has, if it has some.
+    pub(in crate::app) motors: Option<Motors>,
     /// Of skins, where bodies meet, and of obstacles `[1]`.
     pub(in crate::app) friction: Option<Span>,
     pub(in crate::app) restitution: Option<Span>,
@@ -227,6 +230,7 @@ impl Matter {
             joints: [ranges().count(), angles.len() + usize::from(is_knee)],
             stops: least.zip(most).map(|(least, most)| [least, most]),
             coming_stops: coming((world, former), among, &angles),
+            motors: motors::shown(world, among),
             friction: Span::of(surfaces().map(|surface| surface[0])),
             restitution: Span::of(surfaces().map(|surface| surface[1])),
             penalty: penalties.and_then(|list| list.first().copied()).filter(|_| points.is_empty()),

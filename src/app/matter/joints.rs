@@ -32,12 +32,19 @@ pub enum Stops {
     Most(f64),
 }
 
+/// Whether an angle is among points, which are ascending; a point alone is the corner of those that are meant by it.
+pub(in crate::app) fn is_among(points: &[PointId], angle: &Angle) -> bool {
+    match points {
+        [corner] => angle.points[1] == *corner,
+        _ => angle.points.iter().all(|point| points.binary_search(point).is_ok()),
+    }
+}
+
 impl Among {
     /// The angles among the points, but for motors, which turn.
     pub(super) fn angles_of(&self, world: &dyn Dynamics) -> Vec<Angle> {
-        let has = |point: &PointId| self.points.binary_search(point).is_ok();
         let is_motor = |angle: &Angle| matches!(angle.drive, Some(AngleDrive::Motor { .. }));
-        let angles = world.angles().iter().filter(|angle| angle.points.iter().all(has) && !is_motor(angle));
+        let angles = world.angles().iter().filter(|angle| is_among(&self.points, angle) && !is_motor(angle));
         angles.copied().collect()
     }
 

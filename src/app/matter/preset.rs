@@ -1,5 +1,6 @@
 //! Matter by name.
 
+use super::change::THICKNESS;
 use crate::scene::{ColorKey, KindName, Material};
 
 /// A matter that a body can be given.
@@ -83,6 +84,12 @@ impl Preset {
             color: Some(ColorKey(color)),
             ..Material::default()
         }
+    }
+
+    /// What a maker makes of it: a rope so long `[m]`, whose springs are so many times as stiff as those of what is filled. It weighs what the
+    /// panel of what is selected would have it weigh.
+    pub(in crate::app) fn rope(self, long: f64, times: f64) -> Material {
+        self.material(THICKNESS * long, times)
     }
 
     pub(super) fn stuff(self) -> Stuff {

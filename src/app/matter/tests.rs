@@ -1,11 +1,11 @@
 //! Matter of worlds: what is shown is what there is, and what is changed is that alone.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-use super::{Among, Coloring, Matter, MatterChange, NEVER, Preset, Stops};
+use super::{Among, Coloring, Matter, MatterChange, MotorChange, NEVER, Preset, Stops};
 use crate::app::player::{Note, Order, Shown, Stage};
 use crate::history::{Do, DriveOrNone, SetKeys};
-use crate::scene::{DriveKeys, Scene};
-use crate::sim::{BondKind, PointId};
+use crate::scene::{DriveKeys, KeyName, Scene};
+use crate::sim::{AngleDrive, BondKind, PointId};
 
 /// A box of springs of 1 m^2, a rigid triangle, a rope, an obstacle.
 const SCENE: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": {"friction": 0.4},
@@ -533,6 +533,26 @@ fn stops_that_were_taken_from_a_figure_come_back_as_they_were_and_push_nothing()
 }
 
 #[test]
+fn a_corner_of_a_net_that_is_selected_alone_gets_stops_alone() {
+    let text = r#"{"wobble": 1, "gravity": [0, 0], "bodies": [{"make": "lattice", "columns": 5, "rows": 5, "spacing": 0.2,
+        "material": {"kind": "spring", "stiffness": 100, "mass": 1}}], "angles": [{"points": [6, 7, 8], "stiffness": 1},
+        {"points": [2, 7, 12], "stiffness": 1}, {"points": [7, 8, 9], "stiffness": 1}]}"#;
+    let mut stage = stage_of(text);
+    let (corner, net) = (among(7..8), among(0..25));
+    assert_eq!([&corner, &net].map(|among| matter(&mut stage, among).joints), [[0, 2], [0, 3]]);
+    assert_eq!(matter(&mut stage, &among(6..8)).joints, [0, 0], "of two points none is a corner");
+    change(&mut stage, &corner, MatterChange::Stops(Stops::Some));
+    let has =
+        |stage: &Stage| stage.history().world().angles().iter().map(|angle| angle.range.is_some()).collect::<Vec<_>>();
+    assert_eq!(has(&stage), [true, true, false]);
+    change(&mut stage, &corner, MatterChange::Stops(Stops::Least(1.0)));
+    let least = |k: usize| stage.history().world().angles()[k].range.map(|range| range[0]);
+    assert_eq!([least(0), least(1)], [Some(1.0); 2]);
+    change(&mut stage, &corner, MatterChange::Stops(Stops::None));
+    assert_eq!(has(&stage), [false; 3]);
+}
+
+#[test]
 fn stops_reach_to_where_a_joint_stands() {
     let text = KNEES.replace(r#""stiffness": 2}"#, r#""rest": 1.5}"#);
     let mut stage = Stage::new(Scene::parse(&text, "x.json").unwrap().into()).unwrap();
@@ -572,6 +592,52 @@ fn muscles_stay_springs_as_their_body_gets_rigid() {
             bonds.iter().filter(|(_, bond)| bond.kind != BondKind::Rigid).map(|(number, _)| *number).collect();
         assert_eq!(springs, [muscle], "{given:?}");
     }
+}
+
+/// What turns about a hub with two motors, which push against a point that hangs on nothing.
+const DRIVEN: &str = r#"{"wobble": 1, "points": {"position": [[-1, 0], [0, 0], [1, 0], [0, 1]], "pinned": [0, 1]},
+    "bonds": [{"a": 1, "b": 2}, {"a": 1, "b": 3}, {"a": 2, "b": 3}],
+    "angles": [{"points": [0, 1, 2], "drive": {"speed": -6, "torque": 10}},
+      {"points": [0, 1, 3], "drive": {"speed": -6, "torque": 20, "key": "right", "rate": 2}}]}"#;
+
+#[test]
+fn motors_are_shown_by_their_hinges_and_changed_each_in_a_step_of_undo() {
+    let (mut stage, wheel) = (stage_of(DRIVEN), among(1..4));
+    let shown = |stage: &mut Stage| matter(stage, &wheel).motors.unwrap();
+    let before = shown(&mut stage);
+    assert_eq!((before.speed.same(), before.torque.same(), before.keys), (Some(-6.0), Some(30.0), None));
+    assert_eq!(matter(&mut stage, &among(2..4)).motors, None, "its hub is not meant");
+    let torques = |stage: &Stage| {
+        let angles = stage.history().world().angles();
+        let torque = |drive: Option<AngleDrive>| match drive {
+            Some(AngleDrive::Motor { torque, .. }) => torque,
+            _ => 0.0,
+        };
+        [0, 1].map(|k| torque(angles[k].drive))
+    };
+    let undo = |stage: &mut Stage| {
+        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "motor"))
+    };
+    change(&mut stage, &wheel, MatterChange::Motor(MotorChange::Speed(4.0)));
+    let faster = shown(&mut stage);
+    assert_eq!((faster.speed.same(), faster.torque, faster.keys), (Some(4.0), before.torque, None));
+    assert_eq!(torques(&stage), [10.0, 20.0]);
+    undo(&mut stage);
+    change(&mut stage, &wheel, MatterChange::Motor(MotorChange::Torque(60.0)));
+    assert_eq!((shown(&mut stage).torque.same(), torques(&stage)), (Some(60.0), [30.0, 30.0]));
+    assert_eq!(shown(&mut stage).keys, None, "each has its own still");
+    undo(&mut stage);
+    for (keys, held) in [
+        ([Some(KeyName::Up), Some(KeyName::Down)], [Some(KeyName::Up), Some(KeyName::Down)]),
+        ([Some(KeyName::Up), Some(KeyName::Up)], [Some(KeyName::Up), None]),
+        ([None, Some(KeyName::Down)], [None, None]),
+    ] {
+        change(&mut stage, &wheel, MatterChange::Motor(MotorChange::Keys(keys[0], keys[1])));
+        let now = shown(&mut stage);
+        assert_eq!((now.keys, now.speed, now.torque), (Some(held), before.speed, before.torque));
+        undo(&mut stage);
+    }
+    assert_eq!(shown(&mut stage), before);
 }
 
 /// A rope along x that its first two points clamp: 1 m of it, and 1 kg, stand out. It was built without bending.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{BESIDE, Free, clear, whole};
+use super::{BESIDE, Free, clear, moved, whole};
 use crate::render::{Camera, Pose, View};
 use crate::sim::vector::{span_in_box, sub};
 
@@ -44,16 +44,18 @@ pub fn beside_all(look: impl Fn(Free) -> Camera, seen: &View<'_>, (free, over): 
     beside_corner(look, seen, rest, over.corner.filter(|corner| corner[0] < rest[1][0]))
 }
 
-/// The camera of a picture in which panels opened over what is `taken` of it `[px]`: as it is where they hide nothing of a body, else drawn back
-/// and moved by as little as it takes that all lies in the `free` part. What belongs to a tool takes all of its column, for it grows when
+/// The camera of a picture in which panels opened over what is `taken` of it `[px]`: as it is where they hide nothing of a body; else moved, at the
+/// same scale, by as little as it takes that bodies lie in the `free` part; where they have no room there drawn back too, with the walls. What belongs to a tool takes all of its column, for it grows when
 /// something is selected.
 pub fn beside_panels(camera: Camera, seen: &View<'_>, (free, over): (Free, Over), taken: &[Part]) -> Camera {
     let column = over.column.and_then(|column| parted(free, column, over.low)).map(|(column, _)| column);
-    if !is_hidden(&camera, seen, &[taken, column.as_slice()].concat()) {
+    let parts = [taken, column.as_slice()].concat();
+    if !is_hidden(&camera, seen, &parts) {
         return camera;
     }
+    let as_large = |free: Free| moved(camera, seen, free).filter(|own| !is_hidden(own, seen, &parts));
     let look = |free: Free| match camera.pose {
-        Pose::Plane { .. } => clear(camera, seen, free),
+        Pose::Plane { .. } => as_large(free).unwrap_or_else(|| clear(camera, seen, free)),
         Pose::Orbit { .. } => whole(camera, seen, free),
     };
     // Springs are wider than their ends: what moved once does not end at the very edge of a panel.
@@ -167,6 +169,29 @@ mod tests {
         let column = Over { column: Some([1000.0, 1280.0]), ..Over::default() };
         let after = beside_panels(before, &view, (all, column), &[[1000.0, 0.0, 1280.0, 720.0]]);
         assert!(seen(&after).iter().all(|at| (0.0..1000.0).contains(&at[0])), "{:?}", seen(&after));
+    }
+
+    #[test]
+    fn a_room_with_bodies_below_a_panel_stays_as_large_as_it_is_where_they_have_room_beside_it() {
+        let panel = [980.0, 0.0, 1280.0, 720.0];
+        let free = [[84.0, 60.0], [980.0, 700.0]];
+        let at = |camera: &Camera, x: f64| camera.screen_from_world(DVec3::new(x, -1.5, 0.0)).unwrap()[0];
+        for (left, has_room) in [(1.0, true), (-3.5, false)] {
+            let text = format!(
+                r#"{{"wobble": 1, "bounds": {{"min": [-4, -2], "max": [4, 2]}}, "points": {{"position": [[{left}, -1.5], [3.5, -1.5]]}},
+                    "view": {{"center": [0, 0], "height": 4.5}}}}"#
+            );
+            let scene = Scene::parse(&text, "x.json").unwrap();
+            let world = scene.world(None).unwrap();
+            let view = View::of(&*world);
+            let before = camera(&scene, &view, [1280, 720]);
+            assert!(at(&before, 3.5) > panel[0]);
+            let after = beside_panels(before, &view, (free, Over::default()), &[panel]);
+            assert!(at(&after, left) > free[0][0] && at(&after, 3.5) < panel[0], "both are seen");
+            assert_eq!(after.pixels_per_metre() == before.pixels_per_metre(), has_room, "from {left} m on");
+            // By no more than it takes.
+            assert!(!has_room || at(&after, 3.5) > panel[0] - 80.0, "{}", at(&after, 3.5));
+        }
     }
 
     #[test]

@@ -203,7 +203,20 @@ pub type Free = [[f64; 2]; 2];
 
 /// The camera drawn back and moved as little as it takes that all sides of points and walls which it shows lie in the free part of its
 /// picture, in one higher than wide in the middle of its height; in space as it is.
-pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
+pub fn clear(camera: Camera, seen: &View<'_>, free: Free) -> Camera {
+    clear_of(camera, &[points(seen), surroundings(seen)], free)
+}
+
+/// The camera moved as little as it takes that all sides of points which it shows lie in the free part of its picture, whatever becomes of walls;
+/// `None`: they have no room there as large as they are, or the picture is higher than wide.
+fn moved(camera: Camera, seen: &View<'_>, free: Free) -> Option<Camera> {
+    let [width, height] = camera.viewport();
+    let own = clear_of(camera, &[points(seen)], free);
+    (width >= height && own.pixels_per_metre() == camera.pixels_per_metre()).then_some(own)
+}
+
+/// The camera drawn back and moved as little as it takes for what lies in some boxes `[m]`: that of points, and that of walls, if they count.
+fn clear_of(mut camera: Camera, boxes: &[[[f64; 3]; 2]], free: Free) -> Camera {
     let Pose::Plane { .. } = camera.pose else { return camera };
     let viewport = DVec2::from(camera.viewport().map(f64::from));
     let (middle, is_upright) = (0.5 * viewport, viewport.y > viewport.x);
@@ -211,7 +224,7 @@ pub fn clear(mut camera: Camera, seen: &View<'_>, free: Free) -> Camera {
         let seen = extent.into_iter().filter(|corner| corner[..2].iter().all(|x| x.is_finite()));
         seen.filter_map(|[x, y, _]| camera.screen_from_world(DVec3::new(x, y, 0.0))).collect::<Vec<_>>()
     };
-    let all = [on_screen(points(seen)), on_screen(surroundings(seen))];
+    let all: Vec<Vec<[f64; 2]>> = boxes.iter().copied().map(on_screen).collect();
     // Points are drawn wider than they are, whatever the scale is.
     let wider = [BESIDE * viewport.min_element(), 0.0];
     let (mut back, mut sides) = (1.0_f64, [[None; 2]; 2]);

@@ -12,6 +12,10 @@ const SPEED: f64 = 0.5;
 /// Angles at rest lie so far within a full turn, and stops so far apart `[deg]`.
 const APART: f64 = 0.1;
 const TURN: f64 = 360.0;
+/// Of more joints stops are not ticked without being told of how many: a figure has fewer.
+const FEW: usize = 12;
+/// Said where there are more.
+const ONE_CORNER: &str = "Ctrl+click a corner to give it stops alone";
 
 /// Whether and where joints stop, and where angles are at rest.
 pub(super) fn show(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
@@ -26,6 +30,9 @@ pub(super) fn show(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
 
 fn stops(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     let [stopped, all] = matter.joints;
+    if stopped == 0 && all > FEW {
+        return all_stops(ui, all, sink);
+    }
     row(ui, "joints", |ui, _| {
         let mut has_stops = stopped > 0;
         let by = ticks::check(ui, &mut has_stops, "stops");
@@ -45,6 +52,18 @@ fn stops(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     angle(ui, ("min", words[0]), (least, below), sink, |x| MatterChange::Stops(Stops::Least(x)));
     let above = [least.most.to_degrees() + APART, highest];
     angle(ui, ("max", words[1]), (most, above), sink, |x| MatterChange::Stops(Stops::Most(x)));
+}
+
+/// A net turns at each of its corners: all of them get stops by a button that says how many they are.
+fn all_stops(ui: &mut Ui, all: usize, sink: &mut Sink<'_>) {
+    row(ui, "joints", |ui, _| {
+        let by = ui.button(format!("stops for all {all}")).on_hover_text("they turn so far and no further, as a knee");
+        *sink.previews_stops = by.hovered();
+        if by.clicked() {
+            sink.set(&by, MatterChange::Stops(Stops::Some));
+        }
+    });
+    ui.label(RichText::new(ONE_CORNER).color(colors(ui).weak));
 }
 
 /// An angle in degrees of a range, of numbers in radians.

@@ -17,14 +17,85 @@ pub(super) const HEIGHT: f32 = CAP + 24.0;
 /// Its width before it was shown `[points]`.
 const WIDTH: f32 = 120.0;
 
-/// Shows them at the lower edge of a room, in the middle of the window or as near to that as the room has place for them.
-pub(super) fn show(context: &egui::Context, room: Rect, facts: &Facts, wishes: &mut Vec<Wish>) {
+/// Where along the lower edge they lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Side {
+    #[default]
+    Middle,
+    Left,
+    Right,
+}
+
+/// In so many frames panels and the view find their places after keys came.
+const SETTLING: u8 = 8;
+
+/// Where along the lower edge the keys lie: it is found once for those that there are, so that they stay where they are pressed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::app) struct HeldAt {
+    keys: Vec<Key>,
+    side: Side,
+    /// For so many frames more it is found anew.
+    left: u8,
+}
+
+impl HeldAt {
+    /// Whether it is found for these keys.
+    pub(in crate::app) fn is_found(&self, keys: &[(Key, bool)]) -> bool {
+        self.left == 0 && self.is_of(keys)
+    }
+
+    fn is_of(&self, keys: &[(Key, bool)]) -> bool {
+        self.keys.iter().eq(keys.iter().map(|(key, _)| key))
+    }
+
+    /// Where they lie of some places, the first of which covers nothing of what they drive, or least.
+    fn find(&mut self, keys: &[(Key, bool)], places: [(Side, Rect); 3], driven: Option<Rect>) -> Side {
+        if !self.is_of(keys) {
+            *self = HeldAt { keys: keys.iter().map(|(key, _)| *key).collect(), left: SETTLING, ..HeldAt::default() };
+        }
+        if self.left > 0 {
+            let covers = |place: Rect| driven.map_or(0.0, |driven| covered(place.intersect(driven)));
+            let best = places.into_iter().min_by(|a, b| covers(a.1).total_cmp(&covers(b.1)));
+            self.side = best.map_or(Side::Middle, |(side, _)| side);
+            self.left -= 1;
+        }
+        self.side
+    }
+}
+
+/// How much a part of the window is, without fractions `[points^2]`.
+fn covered(part: Rect) -> f32 {
+    if part.is_positive() { part.area().round() } else { 0.0 }
+}
+
+/// Shows them at the lower edge of a room: in the middle of the window or as near to that as the room has place for them, or at an end of that
+/// edge, where they would cover what they drive.
+pub(super) fn show(
+    context: &egui::Context,
+    (room, held_at): (Rect, &mut HeldAt),
+    facts: &Facts,
+    wishes: &mut Vec<Wish>,
+) {
     if facts.keys.is_empty() {
         return;
     }
     let mut pressed = None;
-    let half = 0.5 * context.memory(|memory| memory.area_rect(area_id())).map_or(WIDTH, |rect| rect.width()) + APART;
-    let middle = context.content_rect().center().x.min(room.right() - half).max(room.left() + half);
+    let known = context.memory(|memory| memory.area_rect(area_id()));
+    let half = 0.5 * known.map_or(WIDTH, |rect| rect.width()) + APART;
+    let ends = [room.left() + half, room.right() - half];
+    let center = context.content_rect().center().x.min(ends[1]).max(ends[0]);
+    let at = |side: Side| match side {
+        Side::Middle => center,
+        Side::Left => ends[0],
+        Side::Right => ends[1].max(ends[0]),
+    };
+    let place = |side: Side| {
+        let low = pos2(at(side) - half, room.bottom() - HEIGHT);
+        (side, Rect::from_min_max(low, pos2(at(side) + half, room.bottom())))
+    };
+    // Their width is known from the second frame on.
+    let places = [Side::Middle, Side::Left, Side::Right].map(place);
+    let middle = at(known.map_or(Side::Middle, |_| held_at.find(&facts.keys, places, facts.driven_at)));
     let place = Area::new(area_id()).pivot(Align2::CENTER_BOTTOM);
     place.fixed_pos(pos2(middle, room.bottom() - 4.0)).show(context, |ui| {
         floating(ui).show(ui, |ui| {
@@ -110,7 +181,7 @@ mod tests {
         let mut harness = Harness::builder().with_size([600.0, 300.0]).build_ui_state(
             |ui, (facts, held): &mut (Facts, Vec<Option<Key>>)| {
                 let mut wishes = Vec::new();
-                show(ui.ctx(), ui.max_rect(), facts, &mut wishes);
+                show(ui.ctx(), (ui.max_rect(), &mut HeldAt::default()), facts, &mut wishes);
                 for wish in wishes {
                     let Wish::Hold(key) = wish else { continue };
                     facts.key_by_mouse = key;
@@ -131,5 +202,51 @@ mod tests {
             harness.run_steps(5);
         }
         assert_eq!(harness.state().1, [Some(keys[1]), None]);
+    }
+
+    #[test]
+    fn keys_lie_in_the_middle_unless_they_would_cover_what_they_drive_and_then_stay() {
+        let keys: Vec<(Key, bool)> =
+            ["left", "right"].into_iter().filter_map(Key::of).map(|key| (key, false)).collect();
+        let box_at = |x: f32| Rect::from_center_size(pos2(x, 560.0), vec2(160.0, 100.0));
+        // Where they lie in a window of 1000 by 600 after what they drive was seen in these places.
+        let lies = |seen: &[Option<Rect>], keys: &[(Key, bool)]| {
+            let (facts, at) = (Facts { keys: keys.to_vec(), ..Facts::default() }, HeldAt::default());
+            let mut harness = Harness::builder().with_size([1000.0, 600.0]).build_ui_state(
+                |ui, (facts, at): &mut (Facts, HeldAt)| show(ui.ctx(), (ui.max_rect(), at), facts, &mut Vec::new()),
+                (facts, at),
+            );
+            for driven in seen {
+                harness.state_mut().0.driven_at = *driven;
+                harness.run_steps(usize::from(SETTLING) + 4);
+            }
+            lie(&harness.ctx).map_or(0.0, |rect| rect.center().x)
+        };
+        assert!((lies(&[None], &keys) - 500.0).abs() < 2.0, "nothing is known of what they drive");
+        assert!((lies(&[Some(box_at(200.0))], &keys) - 500.0).abs() < 2.0, "it is elsewhere");
+        assert!(lies(&[Some(box_at(480.0))], &keys) < 120.0, "beside it");
+        let wide = Rect::from_min_max(pos2(0.0, 500.0), pos2(700.0, 600.0));
+        assert!(lies(&[Some(wide)], &keys) > 880.0);
+        assert!((lies(&[Some(box_at(200.0)), Some(box_at(480.0))], &keys) - 500.0).abs() < 2.0, "they stay");
+        let all = Rect::from_min_max(pos2(0.0, 500.0), pos2(1000.0, 600.0));
+        assert!((lies(&[Some(all)], &keys) - 500.0).abs() < 2.0, "there is no place beside it");
+    }
+
+    #[test]
+    fn other_keys_have_a_place_of_their_own() {
+        let of = |names: &[&str]| -> Vec<(Key, bool)> {
+            names.iter().filter_map(|name| Key::of(name)).map(|key| (key, false)).collect()
+        };
+        let place = |x: f32| Rect::from_min_size(pos2(x, 0.0), vec2(10.0, 10.0));
+        let places = [(Side::Middle, place(50.0)), (Side::Left, place(0.0)), (Side::Right, place(90.0))];
+        let mut at = HeldAt::default();
+        let mut settled = |names: &[&str], driven: Rect| {
+            (0..SETTLING).for_each(|_| _ = at.find(&of(names), places, Some(driven)));
+            (at.find(&of(names), places, None), at.is_found(&of(names)))
+        };
+        assert_eq!(settled(&["a"], place(52.0)), (Side::Left, true));
+        assert_eq!(settled(&["a"], place(0.0)), (Side::Left, true), "it stays");
+        assert_eq!(settled(&["a", "b"], place(0.0)), (Side::Middle, true));
+        assert!(!at.is_found(&of(&["a"])));
     }
 }

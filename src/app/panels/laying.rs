@@ -256,7 +256,7 @@ impl<'a> Laying<'a> {
         if let Some(at) = of_tool {
             strip.min.x = strip.left().max(at.right());
         }
-        held::show(&self.context, strip, self.facts, &mut self.wishes);
+        held::show(&self.context, (strip, &mut self.state.held_at), self.facts, &mut self.wishes);
     }
 
     /// What is said, and the titles of worlds side by side.

@@ -9,7 +9,7 @@ use egui::{
 use super::bonds::{breaks, kinds, limits};
 use super::settings::Setting;
 use super::theme::{as_high_as_buttons, colors, floating};
-use super::{Facts, PanelState, Wish, angles, described, ranged, swings, ticks, ways};
+use super::{Facts, PanelState, Wish, angles, described, motors, ranged, swings, ticks, ways};
 use crate::app::action::Action;
 use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, Overload, Preset, Span};
@@ -250,6 +250,9 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     let has_surface = matter.friction.is_some() || matter.radius.is_some() || matter.points > 0;
     let moves = facts.figures.velocity.is_some() || !matter.pins.is_empty();
     // What is set most often first.
+    if let Some(motors) = &matter.motors {
+        group(ui, "Motor", true, |ui| motors::show(ui, motors, sink));
+    }
     group(ui, "Angles and stops", has_angles, |ui| {
         // Angles come with it, and their rows below it.
         number(ui, ("bending", " N m²"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));
@@ -385,7 +388,8 @@ pub(super) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>,
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;
         for preset in Preset::ALL {
-            let by = swatch(ui, preset, (chosen == Some(preset), 0.0)).on_hover_text(preset.words());
+            let kind = (preset.name(), preset.color());
+            let by = swatch(ui, kind, (chosen == Some(preset), 0.0)).on_hover_text(preset.words());
             if by.clicked() {
                 clicked = (Some(by), Some(preset));
             }
@@ -394,11 +398,14 @@ pub(super) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>,
     clicked
 }
 
-/// A button for a matter, in its colour; so wide at least, and ringed where it is what is chosen.
-pub(super) fn swatch(ui: &mut Ui, preset: Preset, (is_chosen, width): (bool, f32)) -> Response {
-    let [red, green, blue] = preset.color();
+/// A button for a matter, with its name and in its colour; so wide at least, and ringed where it is what is chosen.
+pub(super) fn swatch(
+    ui: &mut Ui,
+    (name, [red, green, blue]): (&str, [u8; 3]),
+    (is_chosen, width): (bool, f32),
+) -> Response {
     let edge = if is_chosen { colors(ui).accent } else { Color32::TRANSPARENT };
-    let text = RichText::new(preset.name()).color(Color32::from_rgb(18, 22, 30));
+    let text = RichText::new(name).color(Color32::from_rgb(18, 22, 30));
     let button = Button::selectable(is_chosen, text)
         .fill(Color32::from_rgb(red, green, blue))
         .stroke(Stroke::new(2.0, edge))
@@ -423,7 +430,7 @@ pub(super) fn row<T>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui, Id) -> T
 }
 
 /// A number without an upper end, which says so where it is not the same everywhere.
-fn number(
+pub(super) fn number(
     ui: &mut Ui,
     (name, unit): (&str, &str),
     span: Option<Span>,

@@ -8,7 +8,7 @@ use egui::{Event, Pos2, Rect, Shape, vec2};
 use super::pointer::{button, click};
 use super::{Facts, PanelState, Wish, material};
 use crate::app::action::{Action, Tool};
-use crate::app::matter::{Among, Matter, MatterChange, Preset, Span, Stops};
+use crate::app::matter::{Among, Matter, MatterChange, MotorChange, Motors, Preset, Span, Stops};
 use crate::app::player::{Order, Shown, Stage};
 use crate::scene::{DriveKeys, KeyName, Scene};
 use crate::sim::PointId;
@@ -358,4 +358,39 @@ fn a_servo_is_ticked_and_each_of_its_numbers_is_typed() {
     );
     assert_eq!(with(alone, &mut |screen| screen.click("wave")), [], "then it would follow nothing");
     assert_eq!(with(alone, &mut |screen| screen.click("swings")), [Wish::Matter(MatterChange::Swings(None), false)]);
+}
+
+#[test]
+fn the_motors_of_what_is_selected_are_typed_in_its_panel() {
+    let one = |x: f64| Span { least: x, most: x };
+    let mut screen = Screen::new(Some(matter()));
+    assert!(!screen.frame(Vec::new()).1.iter().any(|(text, _)| text == "torque"), "it has none");
+    let motors = Some(Motors { speed: one(-6.0), torque: one(30.0), keys: Some([None; 2]) });
+    screen.facts.matter = Some(Arc::new(Matter { motors, ..(*matter()).clone() }));
+    screen.frame(Vec::new());
+    for (name, change) in [("speed", MotorChange::Speed(3.0)), ("torque", MotorChange::Torque(3.0))] {
+        let field = screen.place(name) + vec2(75.0, 0.0);
+        click(field).into_iter().for_each(|events| _ = screen.frame(events));
+        screen.frame(vec![Event::Text("3".to_owned())]);
+        let beside = Pos2::new(300.0, 700.0);
+        let wishes: Vec<Wish> =
+            click(beside).into_iter().chain([Vec::new()]).flat_map(|events| screen.frame(events).0).collect();
+        assert_eq!(wishes, [Wish::Matter(MatterChange::Motor(change), false)]);
+    }
+    screen.place("always on");
+}
+
+#[test]
+fn stops_for_many_joints_say_how_many_they_are() {
+    let of = |joints: [usize; 2]| Some(Arc::new(Matter { joints, ..(*matter()).clone() }));
+    let said = |screen: &mut Screen, words: &str| screen.frame(Vec::new()).1.iter().any(|(text, _)| text == words);
+    let mut figure = Screen::new(of([0, 9]));
+    assert!(said(&mut figure, "stops") && !said(&mut figure, "stops for all 9"));
+    let mut net = Screen::new(of([0, 84]));
+    assert!(!said(&mut net, "stops"), "no click gives them all unasked");
+    assert_eq!(net.click("stops for all 84"), [Wish::Matter(MatterChange::Stops(Stops::Some), false)]);
+    assert!(said(&mut net, "Ctrl+click a corner to give it stops alone"));
+    // What has some loses them by the tick.
+    let mut some = Screen::new(of([2, 84]));
+    assert_eq!(some.click("stops"), [Wish::Matter(MatterChange::Stops(Stops::None), false)]);
 }

@@ -37,6 +37,7 @@ mod low;
 mod material;
 #[cfg(test)]
 mod material_tests;
+mod motors;
 mod moving;
 mod notes;
 mod open_from;
@@ -76,21 +77,22 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::action::{Action, Primitive, Showing, Tool};
-use super::matter::{Bearings, Matter, MatterChange, Overload, Preset};
+use super::matter::{Bearings, Matter, MatterChange, Overload};
 use super::player::{Figures, Going, MethodSetting};
 use super::plots::Plots;
-use super::tools::{Brush, Drives, Links, PushWay};
+use super::tools::{Brush, BuiltOf, Drives, Links, PushWay};
 use super::trailing::TrailSettings;
 use crate::history::Do;
 use crate::render::{Look, Palette};
 use crate::scene::{BesideKeys, PrecisionName, SolverName};
-use crate::sim::Key;
+use crate::sim::{Key, PointId};
 pub(super) use asking::{Question, show as ask};
 pub(super) use beside::{Misfits, Neighbor, solvers};
 pub(super) use complaint::Cover;
 pub(super) use cut_off::Discards;
 pub(super) use finding::names as found_scenes;
 pub(super) use gallery::{THUMBNAIL, search_id};
+pub(super) use held::HeldAt;
 use icons::Icon;
 pub(super) use laying::show;
 pub(super) use lessons::{At, Lessons, Met};
@@ -132,12 +134,14 @@ pub(super) enum Wish {
     Hold(Option<Key>),
     /// The tools for muscles and motors make these from now on.
     Drives(Drives),
+    /// The hinge about this hub gets a motor.
+    GiveMotor(PointId),
     /// The tool for forces makes these from now on.
     Push(PushWay),
     /// Drawn bonds are made of something else.
     Links(Links),
-    /// What is built is made of something else.
-    BuildOf(Preset),
+    /// What is built is made of these.
+    BuildOf(BuiltOf),
     /// What is selected gets another matter; of the same drag as the last one.
     Matter(MatterChange, bool),
     /// The brush paints with this from now on.
@@ -240,6 +244,8 @@ pub(super) struct PanelState {
     pub(super) room: Room,
     /// The tool that was taken: one that is held for a while opens and closes no panel.
     pub(super) tool: Tool,
+    /// Where the keys lie that are to be held.
+    pub(super) held_at: HeldAt,
     /// What is plotted; `None`: the panel is closed, and nothing is measured.
     pub(super) plots: Option<Plots>,
     /// What was, of the same world, when it was closed.
@@ -314,8 +320,8 @@ pub(super) struct Facts {
     pub(super) no_motors: Option<String>,
     /// What the tool for forces makes.
     pub(super) push: PushWay,
-    /// What is made of boxes, discs, rims and loops.
-    pub(super) built_of: Preset,
+    /// What bodies are built of.
+    pub(super) built_of: BuiltOf,
     /// What drawn bonds are made of.
     pub(super) links: Links,
     /// What the brush paints with.
@@ -339,6 +345,8 @@ pub(super) struct Facts {
     /// The keys that drives of the scene have, and which of them are held; the one that the mouse holds.
     pub(super) keys: Vec<(Key, bool)>,
     pub(super) key_by_mouse: Option<Key>,
+    /// Where what they drive is seen, until those keys have a place `[points]`.
+    pub(super) driven_at: Option<egui::Rect>,
     /// How the world looks.
     pub(super) look: Look,
     /// In which colours.

@@ -12,12 +12,15 @@ use super::theme::{colors, floating};
 use super::{Facts, Wish, button, sheet};
 use crate::app::action::Action;
 use crate::app::warnings::seen;
+use crate::sim::PointId;
 
 /// What was just done is said so long, and what an edit warned of.
 const MOMENT: Duration = Duration::from_secs(4);
 const WARNING: Duration = Duration::from_secs(9);
 /// So is what was refused, unless something else is pressed before.
 const REFUSED: Duration = Duration::from_secs(9);
+/// A motor is offered so long, unless something else is done before.
+const MOTOR_OFFERED: Duration = Duration::from_secs(20);
 /// Warnings that are shown at most.
 const MOST_WARNINGS: usize = 3;
 /// In a warning of pins that are led too far apart, which is said only while that is so, and as they are led.
@@ -32,6 +35,8 @@ pub(in crate::app) struct Notes {
     over: Cover,
     /// A session that was cut off, which can be gone on with.
     pub(in crate::app) offer: Option<String>,
+    /// The hub of a wheel that just came without a motor, and when.
+    motor_for: Option<(PointId, Instant)>,
     /// What was just done.
     done: Option<Said>,
     /// What edits warned of, the newest first.
@@ -152,14 +157,21 @@ impl Notes {
         self.warnings.truncate(MOST_WARNINGS);
     }
 
+    /// Something else was done: a motor is offered for a wheel that came with it, and for no other.
+    pub(in crate::app) fn offer_motor(&mut self, hub: Option<PointId>) {
+        self.motor_for = hub.map(|hub| (hub, Instant::now()));
+    }
+
     /// Another scene: what was said of the last one goes.
     pub(in crate::app) fn begin(&mut self) {
+        self.motor_for = None;
         self.warnings.clear();
         self.caption_end = None;
     }
 
     /// An edit was undone: what was warned of goes, but for what is so still.
     pub(in crate::app) fn take_back(&mut self, is_so: impl Fn(&str) -> bool) {
+        self.motor_for = None;
         self.warnings.retain(|warning| is_so(&warning.line));
     }
 
@@ -173,12 +185,14 @@ impl Notes {
         let ends = |said: &Said, long| said.since.checked_add(long);
         let done = self.done.iter().filter_map(|done| ends(done, MOMENT));
         let refused = self.refused().and_then(|since| since.checked_add(REFUSED));
-        done.chain(refused).chain(self.warnings.iter().filter_map(|warning| ends(warning, WARNING))).min()
+        let motor = self.motor_for.and_then(|(_, since)| since.checked_add(MOTOR_OFFERED));
+        done.chain(refused).chain(motor).chain(self.warnings.iter().filter_map(|warning| ends(warning, WARNING))).min()
     }
 
     /// Says it below the buttons, one below another, where nothing else is; below a sheet, which makes way, what is said of that.
     pub(super) fn show(&mut self, context: &egui::Context, places: &Places, facts: &Facts, wishes: &mut Vec<Wish>) {
         self.done.take_if(|done| done.since.elapsed() >= MOMENT);
+        self.motor_for.take_if(|(_, since)| since.elapsed() >= MOTOR_OFFERED);
         if self.refused().is_some_and(|since| since.elapsed() >= REFUSED) {
             self.close();
         }
@@ -217,6 +231,14 @@ impl Notes {
         }
         if is_read {
             self.close();
+        }
+        if let Some((hub, _)) = self.motor_for.filter(|_| !facts.waits) {
+            let mut is_taken = false;
+            top = words(context, (places, top), MOTOR, |ui| is_taken = motor(ui));
+            if is_taken {
+                self.motor_for = None;
+                wishes.push(Wish::GiveMotor(hub));
+            }
         }
         // What lies over the world is done with first.
         if let Some(line) = self.offer.as_ref().filter(|_| !facts.waits) {
@@ -295,10 +317,14 @@ const DONE: &str = "done";
 const CAPTION: &str = "caption";
 const CANVAS: &str = "canvas of the scene";
 const OFFER: &str = "offer";
+const MOTOR: &str = "motor for a wheel";
+
+/// All that is said below the buttons.
+const ALL: [&str; 7] = [COMPLAINT, WARNED, DONE, CAPTION, CANVAS, OFFER, MOTOR];
 
 /// Whether something that floats is said here.
 pub(super) fn is_own(id: Id) -> bool {
-    [COMPLAINT, WARNED, DONE, CAPTION, CANVAS, OFFER, "hint"].into_iter().any(|name| Id::unique(name) == id)
+    ALL.into_iter().chain(["hint"]).any(|name| Id::unique(name) == id)
 }
 
 /// Whether something that is said lies in a place.
@@ -309,7 +335,7 @@ fn lies_on_words(context: &egui::Context, place: Rect) -> bool {
             memory.areas().is_visible(&layer) && memory.area_rect(layer.id).is_some_and(|rect| rect.intersects(place))
         })
     };
-    [COMPLAINT, WARNED, DONE, CAPTION, CANVAS, OFFER].into_iter().any(lies)
+    ALL.into_iter().any(lies)
 }
 
 /// What edits warned of, each with a button that closes it. Returns the place of one that is closed.
@@ -357,6 +383,16 @@ fn told(ui: &mut egui::Ui, line: &str) {
     ui.add(Label::new(RichText::new(line).color(colors(ui).accent)).wrap());
 }
 
+/// A wheel that was joined to a body can be driven. Returns whether it is to be.
+fn motor(ui: &mut egui::Ui) -> bool {
+    let said = "the wheel is joined and turns freely";
+    ui.add(Label::new(RichText::new(said).color(colors(ui).text)).wrap());
+    let give = Button::new(RichText::new("Give it a motor").color(colors(ui).on_accent)).fill(colors(ui).accent);
+    ui.add(give)
+        .on_hover_text("as the panel of this tool has it; once it is selected (6), its panel sets it too")
+        .clicked()
+}
+
 /// A session that was cut off.
 fn offer(ui: &mut egui::Ui, line: &str, wishes: &mut Vec<Wish>) {
     ui.add(Label::new(RichText::new(line).color(colors(ui).text)).wrap());
@@ -395,7 +431,7 @@ fn words_above(
 
 /// A few words in a frame, no wider than that. Returns where they lie `[points]`.
 fn framed(context: &egui::Context, place: Area, (name, width): (&str, f32), add: impl FnOnce(&mut egui::Ui)) -> Rect {
-    let can_be_pressed = [COMPLAINT, WARNED, CANVAS, OFFER].contains(&name);
+    let can_be_pressed = [COMPLAINT, WARNED, CANVAS, OFFER, MOTOR].contains(&name);
     let shown = place.interactable(can_be_pressed).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_max_width(width - 20.0);
@@ -409,6 +445,8 @@ fn framed(context: &egui::Context, place: Area, (name, width): (&str, f32), add:
 #[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
     use egui::pos2;
+    use egui_kittest::Harness;
+    use egui_kittest::kittest::Queryable as _;
 
     use super::super::Sheet;
     use super::*;
@@ -619,5 +657,31 @@ mod tests {
         assert_eq!(said(&notes), ["c"], "what an undo took back is said no more");
         notes.begin();
         assert_eq!(notes.until(), None);
+    }
+
+    #[test]
+    fn a_motor_is_offered_for_a_wheel_until_it_is_taken_or_something_else_is_done() {
+        let shown = |ui: &mut egui::Ui, (notes, wishes): &mut (Notes, Vec<Wish>)| {
+            let places = Places::new(ui.ctx().content_rect(), false);
+            notes.show(ui.ctx(), &places, &Facts::default(), wishes);
+        };
+        let hub = PointId(7);
+        let mut notes = Notes::default();
+        notes.offer_motor(Some(hub));
+        assert!(notes.until().is_some(), "it goes by itself");
+        let mut panel = Harness::builder().with_size([900.0, 600.0]).build_ui_state(shown, (notes, Vec::new()));
+        panel.run_steps(4);
+        panel.get_by_label("Give it a motor").click();
+        panel.run_steps(4);
+        assert_eq!(panel.state().1, [Wish::GiveMotor(hub)]);
+        assert!(panel.query_by_label("Give it a motor").is_none(), "it is taken");
+        let mut notes = Notes::default();
+        let other: [fn(&mut Notes); 3] =
+            [|notes| notes.offer_motor(None), |notes| notes.take_back(|_| true), Notes::begin];
+        for done in other {
+            notes.offer_motor(Some(hub));
+            done(&mut notes);
+            assert_eq!(notes.until(), None);
+        }
     }
 }

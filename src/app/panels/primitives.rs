@@ -10,7 +10,7 @@ use super::theme::{colors, floating};
 use super::{Facts, Wish, low, ticks};
 use crate::app::action::Primitive;
 use crate::app::matter::Preset;
-use crate::app::tools::{Link, is_of_space};
+use crate::app::tools::{Fibre, Link, is_of_space};
 
 /// What each makes, and how.
 fn words(primitive: Primitive) -> &'static str {
@@ -79,7 +79,8 @@ pub(super) fn show(
                     if facts.primitive == Primitive::Bonds {
                         links(ui, edge, facts, wishes);
                     }
-                    if facts.dimensions != 3 {
+                    // What else is built in space are obstacles.
+                    if facts.dimensions != 3 || matches!(facts.primitive, Primitive::Rope | Primitive::Cloth) {
                         matters(ui, edge, facts, wishes);
                     }
                 });
@@ -120,24 +121,51 @@ fn links(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
     }
 }
 
-/// Said of matters where what is built is of its own.
-const OF_ITS_OWN: &str = "for boxes, discs, rims and filled loops: what else is built is changed once it is there (6)";
+/// Said of matters where what is built is of none of them: of figures, and of all else.
+const OF_FIGURES: &str = "a figure has rigid limbs: soft ones would not hold its joints";
+const OF_ITS_OWN: &str = "for boxes, discs, rims and filled loops; ropes and cloths have others";
 
-/// What is built is made of. They stay where they are whatever is built: nothing that was about to be clicked goes away.
+/// What is built is made of: of a rope or a cloth a fibre, of all else a matter. As many stand there whatever is built: nothing that was about
+/// to be clicked goes away.
 fn matters(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
     ui.separator();
     ui.label(RichText::new("made of").color(colors(ui).weak));
-    let width = ui.min_rect().width();
-    // Ropes, cloths and figures are of their own; a loop of bonds is filled with Shift too.
-    let is_of_any = matches!(facts.primitive, Primitive::Box | Primitive::Disc | Primitive::Rim | Primitive::Bonds);
+    let sides = (edge, ui.min_rect().width());
+    let mut of = facts.built_of;
+    match facts.primitive {
+        Primitive::Rope => fibres(ui, sides, Primitive::Rope, &mut of.rope),
+        Primitive::Cloth => fibres(ui, sides, Primitive::Cloth, &mut of.cloth),
+        other => presets(ui, sides, other, &mut of.filled),
+    }
+    if of != facts.built_of {
+        wishes.push(Wish::BuildOf(of));
+    }
+}
+
+/// What a rope or a cloth is made of.
+fn fibres(ui: &mut Ui, (edge, width): (f32, f32), of: Primitive, chosen: &mut Fibre) {
+    for fibre in Fibre::ALL {
+        let button = swatch(ui, (fibre.name(of), fibre.color()), (*chosen == fibre, width));
+        say(&button, edge, fibre.words());
+        if button.clicked() {
+            *chosen = fibre;
+        }
+    }
+}
+
+/// What is filled is made of.
+fn presets(ui: &mut Ui, (edge, width): (f32, f32), of: Primitive, chosen: &mut Preset) {
+    // A loop of bonds is filled with Shift too.
+    let is_of_any = matches!(of, Primitive::Box | Primitive::Disc | Primitive::Rim | Primitive::Bonds);
+    let why = if of == Primitive::Figure { OF_FIGURES } else { OF_ITS_OWN };
     // A cloth is something else that is built.
     for preset in Preset::ALL.into_iter().filter(|preset| *preset != Preset::Cloth) {
-        let is_chosen = is_of_any && facts.built_of == preset;
-        let button = ui.add_enabled_ui(is_of_any, |ui| swatch(ui, preset, (is_chosen, width))).inner;
+        let (kind, is_chosen) = ((preset.name(), preset.color()), is_of_any && *chosen == preset);
+        let button = ui.add_enabled_ui(is_of_any, |ui| swatch(ui, kind, (is_chosen, width))).inner;
         say(&button, edge, preset.words());
-        beside(Tooltip::for_disabled(&button), (button.rect, edge), OF_ITS_OWN);
+        beside(Tooltip::for_disabled(&button), (button.rect, edge), why);
         if button.clicked() {
-            wishes.push(Wish::BuildOf(preset));
+            *chosen = preset;
         }
     }
 }
@@ -227,6 +255,7 @@ mod tests {
     use egui_kittest::kittest::Queryable as _;
 
     use super::*;
+    use crate::app::tools::BuiltOf;
 
     /// What is said of each covers neither the others nor the panel that they stand in.
     #[test]
@@ -245,5 +274,43 @@ mod tests {
             let panel = harness.ctx.memory(|memory| memory.area_rect(Id::unique("primitives"))).unwrap();
             assert!(!said.intersects(panel), "{}: {said} over {panel}", primitive.name());
         }
+    }
+
+    /// The panel while this is built, and what was asked of it.
+    fn panel(primitive: Primitive, dimensions: usize) -> Harness<'static, Vec<Wish>> {
+        let facts = Facts { dimensions, primitive, ..Facts::default() };
+        let tools = Rect::from_min_size(Pos2::new(10.0, 100.0), egui::vec2(50.0, 400.0));
+        let room = Rect::from_min_size(Pos2::ZERO, egui::vec2(1280.0, 720.0));
+        let shown = move |ui: &mut Ui, wishes: &mut Vec<Wish>| show(ui.ctx(), (tools, room, false), &facts, wishes);
+        let mut harness = Harness::builder().with_size(room.size()).build_ui_state(shown, Vec::new());
+        harness.run_steps(6);
+        harness
+    }
+
+    #[test]
+    fn ropes_and_cloths_have_a_choice_of_their_own_where_matters_stand() {
+        let rubber = |primitive: Primitive| match primitive {
+            Primitive::Rope => BuiltOf { rope: Fibre::Rubber, ..BuiltOf::default() },
+            Primitive::Cloth => BuiltOf { cloth: Fibre::Rubber, ..BuiltOf::default() },
+            _ => BuiltOf { filled: Preset::Rubber, ..BuiltOf::default() },
+        };
+        for (primitive, dimensions, others) in [
+            (Primitive::Box, 2, ["Jelly", "Wood"]),
+            (Primitive::Rope, 2, ["Cord", "Thread"]),
+            (Primitive::Rope, 3, ["Cord", "Thread"]),
+            (Primitive::Cloth, 2, ["Linen", "Gauze"]),
+            (Primitive::Cloth, 3, ["Linen", "Gauze"]),
+        ] {
+            let mut panel = panel(primitive, dimensions);
+            others.into_iter().for_each(|name| _ = panel.get_by_label(name));
+            panel.get_by_label("Rubber").click();
+            panel.run_steps(3);
+            assert_eq!(*panel.state(), [Wish::BuildOf(rubber(primitive))], "{primitive:?} in {dimensions}");
+        }
+        let mut figure = panel(Primitive::Figure, 2);
+        figure.get_by_label("Rubber").click();
+        figure.run_steps(3);
+        assert!(figure.state().is_empty(), "its limbs are rigid");
+        assert!(panel(Primitive::SolidCircle, 3).query_by_label("Rubber").is_none(), "it is an obstacle");
     }
 }

@@ -189,9 +189,13 @@ impl Session {
             }
             Wish::Push(way) => self.hand.set_push_way(way),
             Wish::Links(links) => self.hand.set_links(links),
-            Wish::BuildOf(matter) => self.hand.set_matter(matter),
+            Wish::BuildOf(of) => self.hand.build_of(of),
             Wish::Hold(key) => self.hold_by_mouse(key),
             Wish::Drives(drives) => self.hand.set_drives(drives),
+            Wish::GiveMotor(hub) => {
+                let deed = self.with_scope(|hand, scope| hand.give_motor(scope, hub));
+                self.do_deed(deed);
+            }
             Wish::Set(setting) => self.set(setting),
             Wish::Matter(change, goes_on) => self.change_matter(change, goes_on),
             Wish::Brush(brush) => self.hand.set_brush(brush),
@@ -392,6 +396,9 @@ impl Session {
             let over = self.lies_over();
             self.panels.notes.say_of_tool(words, over);
             self.touch();
+        }
+        if deed.edit.is_some() {
+            self.panels.notes.offer_motor(deed.motor_for);
         }
         if let Some(among) = deed.painted.clone() {
             let brush = self.hand.brush();

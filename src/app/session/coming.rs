@@ -7,7 +7,7 @@ use super::fresh::seeded_as;
 use super::{Framing, Session};
 use crate::app::action::Tool;
 use crate::app::leftovers::title;
-use crate::app::panels::{At, Opening};
+use crate::app::panels::{At, HeldAt, Opening};
 use crate::app::player::{Player, too_many_to_meet};
 use crate::app::tools::Chosen;
 use crate::app::warnings::seen;
@@ -142,6 +142,7 @@ impl Session {
         self.scene = scene;
         self.call_window();
         self.plot_anew();
+        self.panels.held_at = HeldAt::default();
         self.frame_as(Framing::Opening);
         // Of what was done all is seen.
         if self.player.is_resumed() && !self.sees_all() {

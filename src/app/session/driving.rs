@@ -6,8 +6,9 @@ use winit::keyboard::{Key as Pressed, NamedKey, PhysicalKey};
 use super::{Framing, Session};
 use crate::app::keyboard::Keyboard;
 use crate::app::keys::taken;
+use crate::app::tools::Scope;
 use crate::history::Do;
-use crate::sim::Key;
+use crate::sim::{Key, PointId};
 
 /// What holds a key of drives down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -110,6 +111,26 @@ impl Session {
     /// The key that the mouse holds.
     pub(super) fn key_by_mouse(&self) -> Option<Key> {
         self.driving.iter().find(|(by, _)| *by == Holder::Mouse).map(|(_, key)| *key)
+    }
+
+    /// Where the bodies are seen that keys drive, as long as those have no place yet `[points]`.
+    pub(super) fn driven_seen(&self) -> Option<egui::Rect> {
+        if self.panels.held_at.is_found(&self.keys_to_hold()) {
+            return None;
+        }
+        let camera = self.camera_here();
+        let scope = Scope { shown: self.shown(), camera: &camera, scale: 1.0, free: Scope::ANYWHERE };
+        let mut points: Vec<PointId> = Vec::new();
+        for &point in &scope.shown.scenery.driven {
+            if scope.is_there(point) && points.binary_search(&point).is_err() {
+                points.extend(scope.body(point));
+                points.sort_unstable();
+            }
+        }
+        let seen =
+            points.into_iter().filter_map(|point| scope.pixel(point)).map(|pixel| self.point_of(pixel.to_array()));
+        let around = seen.fold(egui::Rect::NOTHING, |around, at| around.union(egui::Rect::from_min_max(at, at)));
+        around.is_finite().then_some(around)
     }
 
     /// Looks which motors stall, which is said beside them.

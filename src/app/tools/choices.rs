@@ -1,8 +1,8 @@
 //! Which tool is in the hand, and what the tools make.
 
-use super::{Brush, Drives, Hand, Links, PushWay};
+use super::{Brush, BuiltOf, Deed, Drives, Hand, Links, PushWay, Scope};
 use crate::app::action::{Primitive, Tool};
-use crate::app::matter::Preset;
+use crate::sim::PointId;
 
 impl Hand {
     /// The tool that the next press uses.
@@ -50,14 +50,14 @@ impl Hand {
         self.maker.links = links;
     }
 
-    /// What boxes, discs, rims and loops are made of.
-    pub(in crate::app) fn matter(&self) -> Preset {
-        self.maker.matter
+    /// What bodies are built of.
+    pub(in crate::app) fn built_of(&self) -> BuiltOf {
+        self.maker.of
     }
 
-    /// They are made of something else from now on.
-    pub(in crate::app) fn set_matter(&mut self, matter: Preset) {
-        self.maker.matter = matter;
+    /// They are built of something else from now on.
+    pub(in crate::app) fn build_of(&mut self, of: BuiltOf) {
+        self.maker.of = of;
     }
 
     /// Another primitive is to be built: with the tool for that.
@@ -75,6 +75,11 @@ impl Hand {
     /// They make something else from now on.
     pub(in crate::app) fn set_drives(&mut self, drives: Drives) {
         self.drives = drives;
+    }
+
+    /// The hinge about a hub gets the motor that the tool makes.
+    pub(in crate::app) fn give_motor(&self, scope: Scope<'_>, hub: PointId) -> Deed {
+        self.drives.give_motor(scope, hub)
     }
 
     /// What the tool for forces makes.

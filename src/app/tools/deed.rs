@@ -2,6 +2,7 @@
 
 use crate::app::matter::Among;
 use crate::history::Do;
+use crate::sim::PointId;
 
 /// Commands, and what they are called when they are undone.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -10,6 +11,8 @@ pub(in crate::app) struct Deed {
     pub(in crate::app) edit: Option<&'static str>,
     /// Why there are none, where that is not seen; or how what they do is taken back.
     pub(in crate::app) words: Option<String>,
+    /// The hub of a wheel that comes without a motor, and is offered one.
+    pub(in crate::app) motor_for: Option<PointId>,
     /// What is to be of the matter that the brush paints with.
     pub(in crate::app) painted: Option<Among>,
 }

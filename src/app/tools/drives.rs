@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::Deed;
 use super::hinge::{Hinge, IN_SPACE, Meant, pins};
-use super::hub::Hub;
+use super::hub::{Hub, Hubs};
 use super::marks::{Mark, Role};
 use super::muscles::{MuscleChoice, no_muscles};
 use super::pick::Scope;
@@ -14,7 +14,7 @@ use crate::app::action::Tool;
 use crate::history::{DeleteKeys, Do};
 use crate::scene::{AddKeys, DriveKeys, KeyName};
 use crate::sim::drive::RATE;
-use crate::sim::{Angle, AngleDrive, Driving};
+use crate::sim::{Angle, AngleDrive, Driving, PointId};
 
 /// A motor that is this much stronger or weaker than another is the same `[1]`.
 const SAME_TORQUE: f64 = 0.1;
@@ -26,6 +26,9 @@ const HINGED: &str = "a hinge is here already: tick \"motor\" to give it one, Sh
 
 /// Said where two bodies overlap that are hinged elsewhere.
 const JOINED: &str = "these two are hinged already, at the ring: Shift+click takes that hinge away";
+
+/// Said where a hinge that a motor was offered for is gone, or has one.
+const NO_HINGE: &str = "no hinge is here any more that could get a motor";
 
 /// Said of a hinge that no other body holds.
 const TO_BACKGROUND: &str = "its axle is pinned to the background, so what it is on turns in place; clicked where two bodies overlap it joins them";
@@ -104,10 +107,28 @@ impl Drives {
                 if let Some(why) = no_motors(scope.shown.driving).filter(|_| hinge.has_motor) {
                     return Deed::words(why);
                 }
+                let can_turn = hinge.joins_a_wheel(scope) && no_motors(scope.shown.driving).is_none();
+                let motor_for = can_turn.then_some(PointId(scope.shown.point_count() as u32));
                 let name = if hinge.has_motor { "motor" } else { "hinge" };
                 let words = hinge.struts.is_empty().then(|| format!("{name}: {TO_BACKGROUND}"));
-                Deed { commands: hinge.commands(scope, &self.motor), edit: Some(name), words, ..Deed::default() }
+                Deed {
+                    commands: hinge.commands(scope, &self.motor),
+                    edit: Some(name),
+                    words,
+                    motor_for,
+                    ..Deed::default()
+                }
             }
+        }
+    }
+
+    /// The hinge about a hub gets the motor of the panel, whatever the switch there says.
+    pub(super) fn give_motor(&self, scope: Scope<'_>, hub: PointId) -> Deed {
+        let motor = MotorChoice { is_on: Some(true), ..self.motor };
+        let hubs = scope.is_there(hub).then(|| Hubs::of(scope, hub));
+        match hubs.as_ref().and_then(|hubs| hubs.at(hub)).filter(|hub| hub.motors.is_empty()) {
+            Some(hub) => Drives { motor, ..*self }.change(scope, hub, false).1,
+            None => Deed::words(NO_HINGE.to_owned()),
         }
     }
 

@@ -10,7 +10,7 @@ use super::pick::Scope;
 use super::tests::{scope, shown};
 use super::{Deed, Drives, Hand};
 use crate::app::action::Tool;
-use crate::app::player::{Order, Shown, Stage};
+use crate::app::player::{Note, Order, Shown, Stage};
 use crate::history::Do;
 use crate::render::Camera;
 use crate::scene::{KeyName, Scene};
@@ -190,6 +190,42 @@ fn a_click_on_a_hinge_that_is_there_switches_its_motor_and_with_shift_takes_it_a
         assert!(said(&seen, &hand, at(&seen, 0.0)).contains("takes the hinge away"));
         assert_eq!(click(&mut seen, &mut hand, 0.0), ("hinge away", [0, all]), "and the body is as it was");
     }
+}
+
+#[test]
+fn a_wheel_that_is_joined_without_a_motor_is_offered_one_which_comes_as_a_step_of_its_own() {
+    let mut seen = shown(Scene::parse(WHEELS, "x.json").unwrap());
+    let at = |x: f64, y: f64| DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap());
+    let [joined, alone] = [at(-2.0, 0.0), at(3.0, -3.0)];
+    let press = |is_on: Option<bool>, at: DVec2| {
+        let mut hand = hand(Tool::Motor);
+        let drives = hand.drives();
+        hand.set_drives(Drives { motor: MotorChoice { is_on, ..drives.motor }, ..drives });
+        hand.press(scope(&seen), at)
+    };
+    let hub = PointId(seen.0.point_count() as u32);
+    assert_eq!(press(Some(true), joined).motor_for, None, "it has one");
+    assert_eq!(press(Some(false), alone).motor_for, None, "it swings about a pin");
+    let deed = press(None, joined);
+    assert_eq!((deed.edit, deed.motor_for), (Some("hinge"), Some(hub)));
+    let mut stage = stage();
+    give(&mut stage, deed);
+    stage.show(&mut seen.0);
+    let whole = counts(&stage);
+    let hand = hand(Tool::Motor);
+    let deed = hand.give_motor(scope(&seen), hub);
+    assert_eq!(deed.edit, Some("motor"));
+    give(&mut stage, deed);
+    stage.show(&mut seen.0);
+    assert_eq!(counts(&stage), [3, whole[1]]);
+    assert!(hand.give_motor(scope(&seen), hub).is_empty(), "it has one now");
+    for (name, left) in [("motor", whole), ("hinge", [0, whole[1] - 1])] {
+        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(undone, _)) if undone == name));
+        assert_eq!(counts(&stage), left, "{name}");
+    }
+    stage.show(&mut seen.0);
+    let late = hand.give_motor(scope(&seen), hub);
+    assert!(late.is_empty() && late.words.is_some(), "the hinge is gone: {late:?}");
 }
 
 #[test]

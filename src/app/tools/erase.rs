@@ -203,9 +203,9 @@ impl Sweep {
         };
         let name = match [keys.points.is_empty(), keys.bonds.is_empty(), keys.obstacles.is_empty()] {
             [true, true, true] => return Deed::words("nothing lies here that could be taken away".to_owned()),
-            [true, false, true] => "delete a bond",
-            [true, true, false] => "delete an obstacle",
-            _ => "delete",
+            [true, false, true] => "erase a bond",
+            [true, true, false] => "erase an obstacle",
+            _ => "erase",
         };
         Deed::edit(name, Do::Delete(keys))
     }

@@ -79,6 +79,11 @@ fn round_by(scope: Scope<'_>, body: &[PointId], share: f64) -> Option<(DVec2, f6
     (least >= share * most).then_some((middle, most))
 }
 
+/// Whether the body that these points are of is round.
+fn is_round(scope: Scope<'_>, side: &[PointId]) -> bool {
+    side.first().is_some_and(|&point| round(scope, &Hubs::of(scope, point).piece(point)).is_some())
+}
+
 /// What a click with the tool for motors means.
 pub(super) enum Meant {
     /// A hinge that is there.
@@ -172,13 +177,16 @@ impl Hinge {
 
     /// One that is there: what is round turns, or what has the most bonds.
     pub(super) fn of(scope: Scope<'_>, hub: &Hub) -> Self {
-        let is_round = |side: &Vec<PointId>| {
-            side.first().is_some_and(|&point| round(scope, &Hubs::of(scope, point).piece(point)).is_some())
-        };
-        let turning = hub.sides.iter().position(is_round).unwrap_or(0);
+        let turning = hub.sides.iter().position(|side| is_round(scope, side)).unwrap_or(0);
         let side = |k: usize| hub.sides.get(k).cloned().unwrap_or_default();
         let struts = if hub.is_pinned { Vec::new() } else { side(if turning == 0 { 1 } else { 0 }) };
         Hinge { at: place(scope, hub.point), spokes: side(turning), struts, has_motor: true }
+    }
+
+    /// Whether it is to join a wheel to another body without turning it.
+    pub(super) fn joins_a_wheel(&self, scope: Scope<'_>) -> bool {
+        let sides = [&self.spokes, &self.struts];
+        !self.has_motor && !self.struts.is_empty() && sides.into_iter().any(|side| is_round(scope, side))
     }
 
     /// What a motor on the background pushes against: a pin in the hub, so near that both are seen and meant as one `[m]`.

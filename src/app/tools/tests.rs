@@ -239,6 +239,7 @@ fn a_stroke_of_the_eraser_takes_all_that_it_goes_over_but_the_ground_as_one_step
     let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     assert_eq!(keys.points, (0..18).collect::<Vec<u32>>(), "two of three boxes");
     assert_eq!((keys.bonds.len(), keys.obstacles.as_slice()), (1, &[1][..]), "a bond of the rope, and the box");
+    assert_eq!(deed.edit, Some("erase"), "undo calls it by its tool");
     // Esc leaves all of it.
     hand.press(scope(&seen), at(-5.0, 0.0));
     hand.trace(scope(&seen), at(3.0, 0.0));
@@ -254,6 +255,7 @@ fn a_stroke_of_the_eraser_takes_all_that_it_goes_over_but_the_ground_as_one_step
     let deed = hand.release(scope(&seen), at(-4.0, -3.1));
     let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     assert_eq!((keys.points.len(), keys.obstacles.as_slice()), (0, &[0][..]));
+    assert_eq!(deed.edit, Some("erase an obstacle"));
 }
 
 #[test]

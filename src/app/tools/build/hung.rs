@@ -3,9 +3,9 @@
 
 use glam::DVec2;
 
+use super::fibre::BuiltOf;
 use super::form::{Form, Round};
 use super::grid::Grid;
-use crate::app::matter::Preset;
 use crate::app::tools::knot::{NEAR, loose_ropes};
 use crate::app::tools::pick::{Scope, distance_to_segment};
 use crate::sim::triangles::outer_sides;
@@ -25,7 +25,7 @@ struct Cover {
 
 impl Cover {
     fn of(form: &Form) -> Option<Self> {
-        let shape = form.keys(0, Preset::default()).shape(0).filter(|shape| !shape.triangles.is_empty())?;
+        let shape = form.keys(0, BuiltOf::default()).shape(0).filter(|shape| !shape.triangles.is_empty())?;
         let places = shape.places.into_iter().map(DVec2::from).collect();
         let sides = outer_sides(shape.triangles.iter().copied()).into_iter().map(|side| side.ends).collect();
         Some(Cover { places, triangles: shape.triangles, sides })

@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
+use super::fibre::{BuiltOf, Fibre};
 use super::figure::Figure;
 use super::form::{End, Form, Hold, Round, chain};
 use super::grid::Grid;
@@ -33,19 +34,19 @@ const SECTORS: u64 = 18;
 pub(super) const FRICTION: f64 = 0.5;
 
 impl Form {
-    /// The keys that bring it into a world where the next point gets the number `next`; what is filled, and rims, are of this matter.
-    pub(super) fn keys(&self, next: u32, of: Preset) -> AddKeys {
+    /// The keys that bring it into a world where the next point gets the number `next`; bodies are of these matters.
+    pub(super) fn keys(&self, next: u32, of: BuiltOf) -> AddKeys {
         let body = |body: BodyKeys| AddKeys { bodies: vec![body], ..AddKeys::default() };
         let obstacle = |obstacle: ObstacleKeys| AddKeys {
             obstacles: vec![ObstacleKeys { friction: Some(FRICTION), ..obstacle }],
             ..AddKeys::default()
         };
         match self {
-            Form::Box(grid) => body(block(grid, of)),
-            Form::Disc(round) => body(disc(round, of)),
-            Form::Rope { ends, pieces, slack } => rope(ends, (*pieces, *slack), next),
-            Form::Cloth { grid, hangs } => body(cloth(grid, *hangs)),
-            Form::Rim(round) => body(rim(round, of)),
+            Form::Box(grid) => body(block(grid, of.filled)),
+            Form::Disc(round) => body(disc(round, of.filled)),
+            Form::Rope { ends, pieces, slack } => rope(ends, (*pieces, *slack, of.rope), next),
+            Form::Cloth { grid, hangs } => body(cloth(grid, *hangs, of.cloth)),
+            Form::Rim(round) => body(rim(round, of.filled)),
             Form::Figure(figure) => body(of_figure(figure)),
             Form::SolidBox([low, high]) => {
                 let keys = BoxKeys { min: vector(*low), max: vector(*high), angle: None, rotation: None };
@@ -126,7 +127,7 @@ fn of_figure(figure: &Figure) -> BodyKeys {
 }
 
 /// Its rows run from above.
-fn cloth(grid: &Grid, hangs: bool) -> BodyKeys {
+fn cloth(grid: &Grid, hangs: bool, of: Fibre) -> BodyKeys {
     let size = grid.size();
     let columns = grid.cells[0] + 1;
     BodyKeys {
@@ -137,25 +138,37 @@ fn cloth(grid: &Grid, hangs: bool) -> BodyKeys {
         diagonals: Some(DiagonalsName::None),
         origin: Some(vector(grid.low + DVec2::new(0.0, size.y))),
         pinned: if hangs { vec![0, columns - 1] } else { Vec::new() },
-        material: Some(rigid(CLOTH_MASS * size.x * size.y)),
+        material: Some(of.cloth(size.x * size.y)),
         ..BodyKeys::default()
     }
 }
 
+/// A bond as those of a body of a material are.
+pub(super) fn like(material: &Material, ends: BondKeys) -> BondKeys {
+    let &Material { kind, stiffness, damping, break_strain, .. } = material;
+    BondKeys { kind, stiffness, damping, break_strain, ..ends }
+}
+
+/// The material of a part of a rope, as stiff as the whole and as heavy as its share `[1]`.
+pub(super) fn part(whole: &Material, share: f64) -> Material {
+    Material { mass: whole.mass.map(|mass| share * mass), ..whole.clone() }
+}
+
 /// A chain of pieces of one length. A piece that ends on a point of the world is a bond to it, as long as it is far when the command is
 /// done: a body that moves meanwhile is not jerked.
-fn rope(&[from, to]: &[End; 2], (pieces, slack): (u32, f64), next: u32) -> AddKeys {
+fn rope(&[from, to]: &[End; 2], (pieces, slack, of): (u32, f64, Fibre), next: u32) -> AddKeys {
     let corners = chain([from.at, to.at], pieces, slack);
     let bonded = |end: End| if let Hold::Point(point) = end.hold { Some(point) } else { None };
     let (at_first, at_last) = (bonded(from), bonded(to));
     let count = pieces + 1 - u32::from(at_first.is_some()) - u32::from(at_last.is_some());
     let own = &corners[usize::from(at_first.is_some())..][..count as usize];
     let (first, way) = (own[0], own[own.len() - 1] - own[0]);
-    let bond = |a: u32, b: u32| BondKeys { kind: Some(KindName::Rigid), ..BondKeys::new(a, b) };
+    let piece = corners[0].distance(corners[1]);
+    let whole = of.rope(f64::from(pieces) * piece, pieces);
+    let bond = |a: u32, b: u32| like(&whole, BondKeys::new(a, b));
     let at_first = at_first.map(|point| bond(point.0, next));
     let at_last = at_last.map(|point| bond(next + count - 1, point.0));
     let pins = [(from, 0), (to, count - 1)].into_iter().filter(|(end, _)| end.hold == Hold::Pin);
-    let piece = corners[0].distance(corners[1]);
     let long = f64::from(count - 1) * piece;
     // What lies on a part of the arc hangs by a part of its slack.
     let own_slack = (slack > 0.0).then(|| long / way.length() - 1.0);
@@ -168,7 +181,7 @@ fn rope(&[from, to]: &[End; 2], (pieces, slack): (u32, f64), next: u32) -> AddKe
             slack: own_slack.filter(|slack| *slack > 0.0),
             origin: Some(vector(first)),
             pinned: pins.map(|(_, point)| point).collect(),
-            material: Some(rigid(ROPE_MASS * long)),
+            material: Some(part(&whole, f64::from(count - 1) / f64::from(pieces))),
             ..BodyKeys::default()
         }],
         ..AddKeys::default()

@@ -3,14 +3,17 @@
 
 use glam::DVec2;
 
+use super::fibre::{BuiltOf, Fibre};
 use super::links::{Link, Links};
 use super::tests::{Seen, added, at, hand};
 use crate::app::action::Primitive;
-use crate::app::matter::Preset;
-use crate::app::player::{Order, Stage};
+use crate::app::matter::{Among, Preset};
+use crate::app::player::{Order, Shown, Stage};
 use crate::app::tools::tests::{scope, shown};
 use crate::app::tools::{Deed, Hand, Mark};
+use crate::history::{Do, OneOrEach, SetKeys};
 use crate::scene::{ColorKey, KindName, Material, Scene};
+use crate::sim::PointId;
 
 /// A floor on which bodies meet.
 const ROOM: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "bounds": {"min": [-6, -4], "max": [6, 4], "friction": 0.5},
@@ -22,7 +25,7 @@ fn room() -> Seen {
 
 fn of(primitive: Primitive, matter: Preset) -> Hand {
     let mut hand = hand(primitive);
-    hand.set_matter(matter);
+    hand.build_of(BuiltOf { filled: matter, ..BuiltOf::default() });
     hand
 }
 
@@ -61,6 +64,104 @@ fn boxes_discs_and_rims_are_of_what_was_chosen_and_ropes_cloths_and_figures_of_t
         let [plain, steel] =
             [Preset::Jelly, Preset::Steel].map(|of_it| drag(&seen, &mut of(primitive, of_it), corners));
         assert_eq!(plain, steel, "{primitive:?}");
+    }
+}
+
+/// A hand that builds ropes and cloths of this.
+fn with(primitive: Primitive, fibre: Fibre) -> Hand {
+    let mut hand = hand(primitive);
+    hand.build_of(BuiltOf { rope: fibre, cloth: fibre, ..BuiltOf::default() });
+    hand
+}
+
+#[test]
+fn ropes_and_cloths_are_of_what_was_chosen_for_them_and_plain_at_first() {
+    let seen = room();
+    for (primitive, from, to, size, plain) in [
+        (Primitive::Rope, [0.0, 3.5], [0.0, 1.5], 0.15 * 2.0, 0.15 * 2.0),
+        (Primitive::Cloth, [-1.0, 3.0], [1.0, 1.0], 4.0, 0.3 * 4.0),
+    ] {
+        let close = |found: Option<f64>, wanted: f64| (found.unwrap() / wanted - 1.0).abs() < 1e-9;
+        let of = |fibre: Fibre| material(&drag(&seen, &mut with(primitive, fibre), [from, to]));
+        let usual = material(&drag(&seen, &mut hand(primitive), [from, to]));
+        assert_eq!((of(Fibre::Plain), usual.kind, usual.color), (usual.clone(), Some(KindName::Rigid), None));
+        assert!(close(usual.mass, plain), "{usual:?}");
+        let steel = of(Fibre::Steel);
+        assert!(steel.kind == Some(KindName::Rigid) && close(steel.mass, 7.8 * size), "{steel:?}");
+        let rubber = of(Fibre::Rubber);
+        assert!(rubber.kind == Some(KindName::Spring) && close(rubber.mass, 1.1 * size), "{rubber:?}");
+        let thin = of(Fibre::Thin);
+        assert_eq!((thin.kind, thin.break_strain), (Some(KindName::Spring), Some(0.35)));
+        assert!(close(thin.mass, 0.3 * size) && thin.stiffness > rubber.stiffness, "{thin:?}");
+        // The panel of what is selected calls it the same.
+        for (fibre, preset) in
+            [(Fibre::Thin, Preset::Cloth), (Fibre::Rubber, Preset::Rubber), (Fibre::Steel, Preset::Steel)]
+        {
+            let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+            let deed = drag(&seen, &mut with(primitive, fibre), [from, to]);
+            assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+            let count = stage.history().world().point_count() as u32;
+            let points = (0..count).map(PointId).collect();
+            stage.obey(Order::Inspect(Among { points, ..Among::default() }));
+            let mut shown = Shown::default();
+            stage.show(&mut shown);
+            assert_eq!(shown.matter.unwrap().preset(), Some(preset), "{primitive:?}");
+        }
+    }
+}
+
+/// How far the loose end of a rope of 2 m that hangs from a pin gets down within two seconds `[m]`, with so much on it `[kg]`.
+fn sinks(fibre: Fibre, load: f64) -> f64 {
+    let seen = room();
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    let deed = drag(&seen, &mut with(Primitive::Rope, fibre), [[0.0, 3.5], [0.0, 1.5]]);
+    assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+    let end = stage.history().world().point_count() - 1;
+    let mass = Some(OneOrEach::One(load));
+    let keys = SetKeys { points: Some(vec![end as u32]), mass, ..SetKeys::default() };
+    stage.obey(Order::Give(vec![Do::Set(Box::new(keys))], None));
+    assert_eq!(stage.history().world().masses()[end], load);
+    let high = |stage: &Stage| stage.history().world().positions().get(2 * end + 1);
+    let first = high(&stage);
+    let mut lowest = first;
+    for _ in 0..120 {
+        stage.obey(Order::Advance { wall: 1.0 / 60.0, cursor: None, back: false });
+        lowest = lowest.min(high(&stage));
+    }
+    first - lowest
+}
+
+#[test]
+fn rubber_is_drawn_out_by_what_it_bears_cord_and_steel_are_not_and_thread_tears() {
+    // On a spring it swings as far below its rest as it began above it.
+    let stretched = 2.0 * 9.81 / (0.05 * 2500.0 * 1.1 * 0.15 * 2.0);
+    let rubber = sinks(Fibre::Rubber, 1.0);
+    assert!((0.8 * stretched..1.4 * stretched).contains(&rubber), "{rubber} m of {stretched} m");
+    for fibre in [Fibre::Plain, Fibre::Steel] {
+        assert!(sinks(fibre, 30.0) < 0.02, "{fibre:?}: {} m", sinks(fibre, 30.0));
+    }
+    assert!(sinks(Fibre::Thin, 1.0) < 0.2, "{} m", sinks(Fibre::Thin, 1.0));
+    assert!(sinks(Fibre::Thin, 30.0) > 2.0, "it tears: {} m", sinks(Fibre::Thin, 30.0));
+}
+
+/// Space with a floor.
+const SPACE: &str = r#"{"wobble": 1, "dimensions": 3, "gravity": [0, -9.81, 0],
+    "obstacles": [{"plane": {"point": [0, -2, 0], "normal": [0, 1, 0]}}],
+    "view": {"target": [0, 0, 0], "distance": 9, "yaw": 0.6, "pitch": 0.3}}"#;
+
+#[test]
+fn ropes_and_cloths_in_space_are_of_it_too() {
+    let seen = shown(Scene::parse(SPACE, "x.json").unwrap());
+    for primitive in [Primitive::Rope, Primitive::Cloth] {
+        let of = |fibre: Fibre| drag(&seen, &mut with(primitive, fibre), [[-0.8, 1.2], [0.8, 0.4]]);
+        let [plain, rubber] = [Fibre::Plain, Fibre::Rubber].map(|fibre| material(&of(fibre)));
+        assert_eq!((plain.kind, rubber.kind), (Some(KindName::Rigid), Some(KindName::Spring)));
+        assert_eq!((rubber.friction, rubber.restitution), (None, None), "skins are of the plane");
+        for fibre in Fibre::ALL {
+            let (mut stage, deed) = (Stage::new(seen.2.clone().into()).unwrap(), of(fibre));
+            assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None, "{fibre:?}");
+            assert!(stage.history().world().bonds().len() > 3);
+        }
     }
 }
 

@@ -4,6 +4,7 @@ mod chain;
 mod corners;
 #[cfg(test)]
 mod drawn_tests;
+mod fibre;
 mod figure;
 mod fill;
 mod form;
@@ -16,6 +17,7 @@ mod matter;
 mod matter_tests;
 mod outline;
 mod path;
+mod plumb;
 mod polygon;
 mod space;
 #[cfg(test)]
@@ -29,11 +31,11 @@ use super::knot;
 use super::marks::Mark;
 use super::pick::Scope;
 use crate::app::action::Primitive;
-use crate::app::matter::Preset;
 use crate::app::tools::room::coming;
 use crate::history::{Do, SetKeys};
 use crate::scene::{AddKeys, Meeting};
 use crate::sim::PointId;
+pub(in crate::app) use fibre::{BuiltOf, Fibre};
 pub(super) use form::short;
 use form::{End, Form, Hold};
 pub(in crate::app) use links::{Link, Links};
@@ -70,8 +72,8 @@ pub(super) enum Step {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Maker {
     pub(super) primitive: Primitive,
-    /// What is made of boxes, discs, rims and loops.
-    pub(super) matter: Preset,
+    /// What bodies are made of.
+    pub(super) of: BuiltOf,
     /// What drawn bonds are made of.
     pub(super) links: Links,
     /// What hangs otherwise, ropes and cloths, is pinned nowhere.
@@ -133,7 +135,7 @@ impl Maker {
         }
         match self.form(scope, Some(drag), at) {
             Ok(form) => {
-                let keys = form.keys(scope.shown.point_count() as u32, self.matter);
+                let keys = form.keys(scope.shown.point_count() as u32, self.of);
                 let outcome = coming(scope, &keys);
                 if let Some(why) = outcome.refused {
                     return Deed::words(why.to_owned());

@@ -2,9 +2,9 @@
 
 use glam::DVec2;
 
+use super::fibre::BuiltOf;
 use super::form::{End, Form, Hold, Round, chain};
 use super::matter::INNER;
-use crate::app::matter::Preset;
 use crate::app::tools::knot;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::{self, Scope};
@@ -22,7 +22,7 @@ const LETTER: DVec2 = DVec2::new(7.5, 22.0);
 /// The outline where it will be, what it puts beside itself, the ropes and the points that it is tied to, those that it is drawn from and to being
 /// `held`, and its size; `None`: it is tied to nothing.
 pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2, held: Option<Vec<PointId>>) -> Vec<Mark> {
-    let keys = form.keys(scope.shown.point_count() as u32, Preset::default());
+    let keys = form.keys(scope.shown.point_count() as u32, BuiltOf::default());
     let outcome = coming(scope, &keys);
     let held = held.filter(|_| outcome.refused.is_none());
     let knots = held.map_or_else(Vec::new, |held| knot::knots(scope, &keys, (outcome.way, Some(&held[..]))));

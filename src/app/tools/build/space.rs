@@ -2,19 +2,21 @@
 
 use glam::{DVec2, DVec3};
 
+use super::fibre::{BuiltOf, Fibre};
 use super::form::{ALL_PIECES, CLOTH, Hold, PIECES, short};
 use super::grid::Grid;
 use super::laid::{Lies, Solids, is_hidden, surface};
-use super::matter::{CLOTH_MASS, FRICTION, ROPE_MASS, rigid};
-use super::{CLICK, Drag, LEAST, Maker, OF_THE_PLANE, TOO_SMALL, outline, pinned_ends, usual_size};
+use super::matter::{FRICTION, like, part};
+use super::{CLICK, Drag, LEAST, Maker, OF_THE_PLANE, TOO_SMALL, outline, pinned_ends, plumb, usual_size};
 use crate::app::action::Primitive;
 use crate::app::tools::Deed;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::Scope;
 use crate::history::Do;
+use crate::picture::Coat;
 use crate::scene::{
-    AddKeys, BodyKeys, BondKeys, BoxKeys, CircleKeys, DiagonalsName, KindName, MakerName, MassKeys, ObstacleKeys,
-    PointKeys, Vector,
+    AddKeys, BodyKeys, BondKeys, BoxKeys, CircleKeys, ColorKey, DiagonalsName, MakerName, MassKeys, Material,
+    ObstacleKeys, PointKeys, SkinKeys, Vector,
 };
 use crate::sim::{BOX_EDGES, PointId};
 
@@ -54,7 +56,7 @@ pub(super) fn build(maker: Maker, scope: Scope<'_>, drag: &Drag, at: DVec2) -> D
     match form(maker, scope, Some(drag), at) {
         Ok((_, Lies::Within)) => Deed::words(WITHIN.to_owned()),
         Ok((form, _)) => {
-            let keys = form.keys(scope.shown.point_count() as u32);
+            let keys = form.keys(scope.shown.point_count() as u32, maker.of);
             let words = form.pins().map(str::to_owned);
             Deed { words, ..Deed::edit(maker.primitive.name(), Do::Add(Box::new(keys))) }
         }
@@ -66,8 +68,12 @@ pub(super) fn build(maker: Maker, scope: Scope<'_>, drag: &Drag, at: DVec2) -> D
 pub(super) fn marks(maker: Maker, scope: Scope<'_>, drag: Option<&Drag>, at: DVec2) -> Vec<Mark> {
     match form(maker, scope, drag, at) {
         Ok((form, lies)) => {
-            let mut marks = form.lines(scope);
-            marks.push(outline::off(&marks, scope, at, format!("{}{}", form.words(), lies.words())));
+            let lines = form.lines(scope);
+            let words = outline::off(&lines, scope, at, format!("{}{}", form.words(), lies.words()));
+            // Below the outline, as it is seen.
+            let mut marks = plumb::marks(scope, &form, below(scope));
+            marks.extend(lines);
+            marks.push(words);
             marks
         }
         Err(words) => vec![outline::label(scope, at, words)],
@@ -202,8 +208,8 @@ fn vector(at: DVec3) -> Vector {
 }
 
 impl Form {
-    /// The keys that bring it into a world where the next point gets the number `next`.
-    fn keys(&self, next: u32) -> AddKeys {
+    /// The keys that bring it into a world where the next point gets the number `next`, of these matters.
+    fn keys(&self, next: u32, of: BuiltOf) -> AddKeys {
         let obstacle = |keys: ObstacleKeys| AddKeys {
             obstacles: vec![ObstacleKeys { friction: Some(FRICTION), ..keys }],
             ..AddKeys::default()
@@ -229,12 +235,12 @@ impl Form {
                     diagonals: Some(DiagonalsName::None),
                     origin: Some(vector(*corner)),
                     pinned: if *hangs { vec![0, *columns] } else { Vec::new() },
-                    material: Some(rigid(CLOTH_MASS * area)),
+                    material: Some(bare(of.cloth.cloth(area))),
                     ..BodyKeys::default()
                 };
                 AddKeys { bodies: vec![body], ..AddKeys::default() }
             }
-            Form::Rope { corners, holds, is_bent } => of_rope((corners, *is_bent), *holds, next),
+            Form::Rope { corners, holds, is_bent } => of_rope((corners, *is_bent, of.rope), *holds, next),
         }
     }
 
@@ -301,12 +307,20 @@ fn length(corners: &[DVec3]) -> f64 {
     corners.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
 }
 
+/// A material without what the skins of the plane alone have.
+fn bare(material: Material) -> Material {
+    Material { friction: None, restitution: None, ..material }
+}
+
 /// A chain of pieces of one length; one that ends on a point of the world is a bond to it.
-fn of_rope((corners, is_bent): (&[DVec3], bool), holds: [Hold; 2], next: u32) -> AddKeys {
+fn of_rope((corners, is_bent, of): (&[DVec3], bool, Fibre), holds: [Hold; 2], next: u32) -> AddKeys {
     let [at_first, at_last] = holds.map(|hold| if let Hold::Point(point) = hold { Some(point) } else { None });
     let own = &corners[usize::from(at_first.is_some())..corners.len() - usize::from(at_last.is_some())];
     let count = own.len() as u32;
-    let bond = |a: u32, b: u32| BondKeys { kind: Some(KindName::Rigid), ..BondKeys::new(a, b) };
+    let (pieces, long) = (corners.len() as u32 - 1, length(corners));
+    let whole = bare(of.rope(long, pieces));
+    let own_part = part(&whole, length(own) / long);
+    let bond = |a: u32, b: u32| like(&whole, BondKeys::new(a, b));
     let tied = [at_first.map(|point| bond(point.0, next)), at_last.map(|point| bond(next + count - 1, point.0))];
     let tied = tied.into_iter().flatten();
     let pins = [(holds[0], 0), (holds[1], count - 1)].into_iter().filter(|(hold, _)| *hold == Hold::Pin);
@@ -314,13 +328,15 @@ fn of_rope((corners, is_bent): (&[DVec3], bool), holds: [Hold; 2], next: u32) ->
     if is_bent {
         let points = PointKeys {
             position: own.iter().copied().map(vector).collect(),
-            mass: Some(MassKeys::Same(ROPE_MASS * length(own) / f64::from(count))),
+            mass: own_part.mass.map(|mass| MassKeys::Same(mass / f64::from(count))),
             velocity: None,
             // Points are numbered over the world, those of a body within it.
             pinned: pinned.into_iter().map(|point| next + point).collect(),
         };
         let pieces = (1..count).map(|k| bond(next + k - 1, next + k));
-        return AddKeys { points: Some(points), bonds: pieces.chain(tied).collect(), ..AddKeys::default() };
+        let skin = |ColorKey(color)| SkinKeys::of_coat((next..next + count).collect(), Coat::of_color(color));
+        let skins = own_part.color.map(skin).into_iter().collect();
+        return AddKeys { points: Some(points), bonds: pieces.chain(tied).collect(), skins, ..AddKeys::default() };
     }
     let way = own[own.len() - 1] - own[0];
     let body = BodyKeys {
@@ -329,7 +345,7 @@ fn of_rope((corners, is_bent): (&[DVec3], bool), holds: [Hold; 2], next: u32) ->
         to: Some(vector(way)),
         origin: Some(vector(own[0])),
         pinned,
-        material: Some(rigid(ROPE_MASS * way.length())),
+        material: Some(own_part),
         ..BodyKeys::default()
     };
     AddKeys { bonds: tied.collect(), bodies: vec![body], ..AddKeys::default() }
