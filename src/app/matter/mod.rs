@@ -1,6 +1,8 @@
 //! What bodies are made of, as it is shown and changed: of what is selected, or of what a brush went over.
 
 mod bending;
+#[cfg(test)]
+mod bending_tests;
 mod borne;
 mod called;
 mod change;
@@ -8,6 +10,8 @@ mod extent;
 mod facts;
 mod former;
 mod joints;
+#[cfg(test)]
+mod joints_tests;
 mod led;
 mod motors;
 mod overload;

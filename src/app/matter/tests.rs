@@ -1,21 +1,21 @@
 //! Matter of worlds: what is shown is what there is, and what is changed is that alone.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-use super::{Among, Coloring, Matter, MatterChange, MotorChange, NEVER, Preset, Stops};
+use super::{Among, Coloring, Matter, MatterChange, NEVER, Preset};
 use crate::app::player::{Note, Order, Shown, Stage};
-use crate::history::{Do, DriveOrNone, SetKeys};
-use crate::scene::{DriveKeys, KeyName, Scene};
-use crate::sim::{AngleDrive, BondKind, PointId};
+use crate::history::Do;
+use crate::scene::Scene;
+use crate::sim::{BondKind, PointId};
 
 /// A box of springs of 1 m^2, a rigid triangle, a rope, an obstacle.
-const SCENE: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": {"friction": 0.4},
+pub(super) const SCENE: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "contact": {"friction": 0.4},
     "points": {"position": [[5, 0], [6, 0], [5.5, 1]]}, "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 0}],
     "triangles": [[0, 1, 2]],
     "bodies": [{"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.5, "material": {"kind": "spring", "stiffness": 300,
         "damping": 1, "mass": 4}}, {"make": "rope", "count": 6, "to": [1, 0], "origin": [0, 3], "material": {"kind": "rigid", "mass": 1}}],
     "obstacles": [{"box": {"min": [0, -3], "max": [2, -2]}, "friction": 0.7}]}"#;
 
-fn stage() -> Stage {
+pub(super) fn stage() -> Stage {
     Stage::new(Scene::parse(SCENE, "x.json").unwrap().into()).unwrap()
 }
 
@@ -408,7 +408,7 @@ fn ground_is_made_soft_while_it_runs_and_hard_again_by_undo() {
     assert!(refused(&mut meets, &ground).contains("contact"));
 }
 
-fn stage_of(text: &str) -> Stage {
+pub(super) fn stage_of(text: &str) -> Stage {
     Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap()
 }
 
@@ -461,304 +461,4 @@ fn what_was_only_just_built_is_as_stiff_at_once_as_it_is_made() {
     fresh.obey(Order::Step(None));
     let springs = fresh.history().world().bonds().iter().filter(|bond| matches!(bond.kind, BondKind::Spring { .. }));
     assert_eq!(springs.count(), 0, "it is rigid from the first frame on");
-}
-
-/// Two bars that share a point, and two angles of a beam, one of which is a joint with stops.
-const KNEES: &str = r#"{"wobble": 1,
-    "points": {"position": [[1, 0], [0, 0], [0, 1], [4, 0], [5, 0], [6, 0], [7, 0]]},
-    "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 3, "b": 4}, {"a": 4, "b": 5}, {"a": 5, "b": 6}],
-    "angles": [{"points": [3, 4, 5], "stiffness": 2}, {"points": [4, 5, 6], "stiffness": 3, "min": 2, "max": 4}]}"#;
-
-#[test]
-fn a_knee_gets_stops_and_an_angle_at_rest_each_in_a_step_of_undo() {
-    let mut stage = Stage::new(Scene::parse(KNEES, "x.json").unwrap().into()).unwrap();
-    let degrees = |span: super::Span| [span.least.to_degrees(), span.most.to_degrees()].map(f64::round);
-    let ends = |stage: &mut Stage, among: &Among| matter(stage, among).stops.map(|both| both.map(degrees));
-    let leg = among(0..3);
-    let before = matter(&mut stage, &leg);
-    assert_eq!((before.joints, before.stops, before.rest_angle), ([0, 1], None, None), "two bonds alone may be a knee");
-    change(&mut stage, &leg, MatterChange::Stops(Stops::Some));
-    assert_eq!((matter(&mut stage, &leg).joints, ends(&mut stage, &leg)), ([1, 1], Some([[30.0; 2], [150.0; 2]])));
-    change(&mut stage, &leg, MatterChange::Stops(Stops::Least(0.5)));
-    change(&mut stage, &leg, MatterChange::Stops(Stops::Most(2.5)));
-    assert_eq!(stage.history().world().angles().last().unwrap().range, Some([0.5, 2.5]));
-    for _ in 0..3 {
-        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "stops"));
-    }
-    assert_eq!(matter(&mut stage, &leg), before);
-
-    // Of several those change that have stops, and what differs says so.
-    let beam = among(3..7);
-    assert_eq!((matter(&mut stage, &beam).joints, ends(&mut stage, &beam)), ([1, 2], Some([[115.0; 2], [229.0; 2]])));
-    change(&mut stage, &beam, MatterChange::Stops(Stops::Some));
-    assert_eq!(ends(&mut stage, &beam), Some([[115.0, 120.0], [229.0, 240.0]]));
-    change(&mut stage, &beam, MatterChange::Stops(Stops::Most(3.5)));
-    let ranges = |stage: &Stage| stage.history().world().angles().iter().map(|angle| angle.range).collect::<Vec<_>>();
-    assert_eq!(ranges(&stage)[1], Some([2.0, 3.5]));
-    assert!(matches!(ranges(&stage)[0], Some([least, most]) if (least - 2.0944).abs() < 1e-3 && most == 3.5));
-    let refused = Order::Change { among: beam.clone(), change: MatterChange::Stops(Stops::Most(1.0)), goes_on: false };
-    assert!(matches!(stage.obey(refused), Some(Note::Refused(why)) if why.contains("below the largest")));
-    change(&mut stage, &beam, MatterChange::Stops(Stops::None));
-    assert_eq!(ranges(&stage), [None, None]);
-    change(&mut stage, &beam, MatterChange::RestAngle(2.0));
-    let rest = matter(&mut stage, &beam).rest_angle.unwrap();
-    assert_eq!((rest.same(), matter(&mut stage, &among(0..7)).rest_angle), (Some(2.0), Some(rest)));
-    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "rest angle"));
-}
-
-#[test]
-fn stops_that_were_taken_from_a_figure_come_back_as_they_were_and_push_nothing() {
-    let text = r#"{"wobble": 1, "gravity": [0, 0], "bodies": [{"make": "ragdoll"}]}"#;
-    let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
-    let all = among(0..stage.history().world().point_count() as u32);
-    let ranges = |stage: &Stage| stage.history().world().angles().iter().map(|angle| angle.range).collect::<Vec<_>>();
-    let drawn = |stage: &Stage| crate::render::joints(stage.history().world());
-    let (before, joints) = (ranges(&stage), drawn(&stage));
-    assert!(before.len() > 8 && before.iter().all(Option::is_some) && !joints.is_empty());
-    matter(&mut stage, &all);
-    change(&mut stage, &all, MatterChange::Stops(Stops::None));
-    assert!(ranges(&stage).iter().all(Option::is_none));
-    assert_eq!(drawn(&stage), joints, "it is drawn as a figure still");
-    let coming: Vec<_> = matter(&mut stage, &all).coming_stops.iter().map(|(_, range)| Some(*range)).collect();
-    let energy = stage.history().world().energy();
-    change(&mut stage, &all, MatterChange::Stops(Stops::Some));
-    let is_same = |a: &[Option<[f64; 2]>]| {
-        let off = |(a, b): (&Option<[f64; 2]>, &Option<[f64; 2]>)| {
-            (0..2).any(|k| (a.unwrap()[k] - b.unwrap()[k]).abs() > 1e-9)
-        };
-        a.len() == before.len() && !a.iter().zip(&before).any(off)
-    };
-    assert!(is_same(&ranges(&stage)) && is_same(&coming), "{before:?}, {coming:?}, {:?}", ranges(&stage));
-    assert!((stage.history().world().energy() - energy).abs() < 1e-9);
-}
-
-#[test]
-fn a_corner_of_a_net_that_is_selected_alone_gets_stops_alone() {
-    let text = r#"{"wobble": 1, "gravity": [0, 0], "bodies": [{"make": "lattice", "columns": 5, "rows": 5, "spacing": 0.2,
-        "material": {"kind": "spring", "stiffness": 100, "mass": 1}}], "angles": [{"points": [6, 7, 8], "stiffness": 1},
-        {"points": [2, 7, 12], "stiffness": 1}, {"points": [7, 8, 9], "stiffness": 1}]}"#;
-    let mut stage = stage_of(text);
-    let (corner, net) = (among(7..8), among(0..25));
-    assert_eq!([&corner, &net].map(|among| matter(&mut stage, among).joints), [[0, 2], [0, 3]]);
-    assert_eq!(matter(&mut stage, &among(6..8)).joints, [0, 0], "of two points none is a corner");
-    change(&mut stage, &corner, MatterChange::Stops(Stops::Some));
-    let has =
-        |stage: &Stage| stage.history().world().angles().iter().map(|angle| angle.range.is_some()).collect::<Vec<_>>();
-    assert_eq!(has(&stage), [true, true, false]);
-    change(&mut stage, &corner, MatterChange::Stops(Stops::Least(1.0)));
-    let least = |k: usize| stage.history().world().angles()[k].range.map(|range| range[0]);
-    assert_eq!([least(0), least(1)], [Some(1.0); 2]);
-    change(&mut stage, &corner, MatterChange::Stops(Stops::None));
-    assert_eq!(has(&stage), [false; 3]);
-}
-
-#[test]
-fn stops_reach_to_where_a_joint_stands() {
-    let text = KNEES.replace(r#""stiffness": 2}"#, r#""rest": 1.5}"#);
-    let mut stage = Stage::new(Scene::parse(&text, "x.json").unwrap().into()).unwrap();
-    change(&mut stage, &among(3..6), MatterChange::Stops(Stops::Some));
-    let [least, most] = stage.history().world().angles()[0].range.unwrap();
-    assert!((least - (1.5 - std::f64::consts::FRAC_PI_3)).abs() < 1e-9, "{least}");
-    assert!((most - std::f64::consts::PI).abs() < 1e-9, "{most}: it is straight");
-}
-
-#[test]
-fn selected_bonds_get_another_length_at_rest() {
-    let mut stage = Stage::new(Scene::parse(KNEES, "x.json").unwrap().into()).unwrap();
-    let one = Among { bonds: Some(vec![3]), ..among(4..6) };
-    change(&mut stage, &one, MatterChange::RestLength(1.5));
-    let lengths =
-        |stage: &Stage| stage.history().world().bonds().iter().map(|bond| bond.rest_length).collect::<Vec<_>>();
-    assert_eq!(lengths(&stage), [1.0, 1.0, 1.0, 1.5, 1.0]);
-    assert_eq!(matter(&mut stage, &one).rest_length.unwrap().same(), Some(1.5));
-    let beam = matter(&mut stage, &among(3..7)).rest_length.unwrap();
-    assert_eq!((beam.least, beam.most, beam.same()), (1.0, 1.5, None));
-    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "rest length"));
-    assert_eq!(lengths(&stage), [1.0; 5]);
-}
-
-#[test]
-fn muscles_stay_springs_as_their_body_gets_rigid() {
-    for given in [MatterChange::Rigid, MatterChange::Preset(Preset::Steel)] {
-        let mut stage = stage();
-        let soft = among(3..12);
-        let muscle = soft.bonds_of(stage.history().world())[0].0;
-        let drive = DriveOrNone::This(DriveKeys { amplitude: Some(0.2), period: Some(1.0), ..DriveKeys::default() });
-        let keys = SetKeys { bonds: Some(vec![muscle]), drive: Some(drive), ..SetKeys::default() };
-        assert_eq!(stage.obey(Order::Give(vec![Do::Set(Box::new(keys))], Some("muscle"))), None);
-        change(&mut stage, &soft, given);
-        let bonds = soft.bonds_of(stage.history().world());
-        let springs: Vec<u32> =
-            bonds.iter().filter(|(_, bond)| bond.kind != BondKind::Rigid).map(|(number, _)| *number).collect();
-        assert_eq!(springs, [muscle], "{given:?}");
-    }
-}
-
-/// What turns about a hub with two motors, which push against a point that hangs on nothing.
-const DRIVEN: &str = r#"{"wobble": 1, "points": {"position": [[-1, 0], [0, 0], [1, 0], [0, 1]], "pinned": [0, 1]},
-    "bonds": [{"a": 1, "b": 2}, {"a": 1, "b": 3}, {"a": 2, "b": 3}],
-    "angles": [{"points": [0, 1, 2], "drive": {"speed": -6, "torque": 10}},
-      {"points": [0, 1, 3], "drive": {"speed": -6, "torque": 20, "key": "right", "rate": 2}}]}"#;
-
-#[test]
-fn motors_are_shown_by_their_hinges_and_changed_each_in_a_step_of_undo() {
-    let (mut stage, wheel) = (stage_of(DRIVEN), among(1..4));
-    let shown = |stage: &mut Stage| matter(stage, &wheel).motors.unwrap();
-    let before = shown(&mut stage);
-    assert_eq!((before.speed.same(), before.torque.same(), before.keys), (Some(-6.0), Some(30.0), None));
-    assert_eq!(matter(&mut stage, &among(2..4)).motors, None, "its hub is not meant");
-    let torques = |stage: &Stage| {
-        let angles = stage.history().world().angles();
-        let torque = |drive: Option<AngleDrive>| match drive {
-            Some(AngleDrive::Motor { torque, .. }) => torque,
-            _ => 0.0,
-        };
-        [0, 1].map(|k| torque(angles[k].drive))
-    };
-    let undo = |stage: &mut Stage| {
-        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "motor"))
-    };
-    change(&mut stage, &wheel, MatterChange::Motor(MotorChange::Speed(4.0)));
-    let faster = shown(&mut stage);
-    assert_eq!((faster.speed.same(), faster.torque, faster.keys), (Some(4.0), before.torque, None));
-    assert_eq!(torques(&stage), [10.0, 20.0]);
-    undo(&mut stage);
-    change(&mut stage, &wheel, MatterChange::Motor(MotorChange::Torque(60.0)));
-    assert_eq!((shown(&mut stage).torque.same(), torques(&stage)), (Some(60.0), [30.0, 30.0]));
-    assert_eq!(shown(&mut stage).keys, None, "each has its own still");
-    undo(&mut stage);
-    for (keys, held) in [
-        ([Some(KeyName::Up), Some(KeyName::Down)], [Some(KeyName::Up), Some(KeyName::Down)]),
-        ([Some(KeyName::Up), Some(KeyName::Up)], [Some(KeyName::Up), None]),
-        ([None, Some(KeyName::Down)], [None, None]),
-    ] {
-        change(&mut stage, &wheel, MatterChange::Motor(MotorChange::Keys(keys[0], keys[1])));
-        let now = shown(&mut stage);
-        assert_eq!((now.keys, now.speed, now.torque), (Some(held), before.speed, before.torque));
-        undo(&mut stage);
-    }
-    assert_eq!(shown(&mut stage), before);
-}
-
-/// A rope along x that its first two points clamp: 1 m of it, and 1 kg, stand out. It was built without bending.
-const CLAMPED: &str = r#"{"wobble": 1, "gravity": [0, -0.1], "drag_rate": 8, "bodies": [{"make": "rope", "count": 12,
-    "spacing": 0.1, "origin": [-0.1, 0], "pinned": [0, 1], "material": {"mass": 1.1}}]}"#;
-
-/// The bits of all places.
-fn bits(stage: &Stage) -> Vec<u64> {
-    let world = stage.history().world();
-    (0..2 * world.point_count()).map(|k| world.positions().get(k).to_bits()).collect()
-}
-
-/// How far the end of the rope of [`CLAMPED`] is below its beginning after 5 s `[m]`.
-fn droop(stage: &mut Stage) -> f64 {
-    while stage.history().world().time() < 5.0 {
-        stage.obey(Order::Step(None));
-    }
-    -stage.history().world().positions().get(2 * 11 + 1)
-}
-
-#[test]
-fn a_rope_that_gets_bending_droops_as_a_clamped_beam_does_and_undo_takes_it_away_to_the_bit() {
-    let (mut stage, rope) = (stage_of(CLAMPED), among(0..12));
-    let (before, at_first) = (matter(&mut stage, &rope), bits(&stage));
-    assert_eq!(before.bending.unwrap().same(), Some(0.0), "it could bend");
-    change(&mut stage, &rope, MatterChange::Bending(2.0));
-    assert_eq!(stage.history().world().angles().len(), 10);
-    assert_eq!(bits(&stage), at_first, "nothing leaps");
-    let shown = matter(&mut stage, &rope).bending.unwrap();
-    assert!((shown.same().unwrap() - 2.0).abs() < 1e-6, "{shown:?}");
-    // w L^4/(8 E I), with w = 0.1 N/m; the clamp gives way as half a piece in front of it would.
-    let expected = 0.1 * 1.05_f64.powi(4) / (8.0 * 2.0);
-    let stiff = droop(&mut stage);
-    assert!((stiff / expected - 1.0).abs() < 0.03, "{stiff} m, {expected} m by the closed form");
-
-    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "bending"));
-    assert_eq!((matter(&mut stage, &rope), bits(&stage)), (before, at_first));
-    assert!(stage.history().world().angles().is_empty());
-    let (mut other, limp) = (stage_of(CLAMPED), droop(&mut stage));
-    assert!(limp > 4.0 * stiff, "{limp} m without it");
-    assert_eq!((droop(&mut other), bits(&other)), (limp, bits(&stage)));
-}
-
-#[test]
-fn bending_comes_by_the_law_of_files_along_skins_and_chains_and_is_set_and_taken_away_in_one_unit() {
-    let (mut stage, soft) = (stage(), among(3..12));
-    let angles = |stage: &Stage| stage.history().world().angles().to_vec();
-    let shown = |stage: &mut Stage, among: &Among| matter(stage, among).bending.map(|span| span.same());
-    let before = matter(&mut stage, &soft);
-    change(&mut stage, &soft, MatterChange::Bending(2.0));
-    let made = stage_of(&SCENE.replace(r#""damping": 1,"#, r#""damping": 1, "bending": 2,"#));
-    assert_eq!(angles(&stage), angles(&made));
-    // All around the block, and not at the point within it; 2 N m^2 over 0.5 m.
-    let middles: Vec<u32> = angles(&stage).iter().map(|angle| angle.points[1].0).collect();
-    assert_eq!(middles, [3, 4, 5, 6, 8, 9, 10, 11]);
-    assert!(angles(&stage).iter().all(|angle| (angle.stiffness, angle.damping) == (4.0, 0.0)));
-    assert_eq!(shown(&mut stage, &soft), Some(Some(2.0)));
-    change(&mut stage, &soft, MatterChange::Bending(3.0));
-    assert_eq!((angles(&stage)[0].stiffness, shown(&mut stage, &soft)), (6.0, Some(Some(3.0))));
-    change(&mut stage, &soft, MatterChange::Bending(0.0));
-    assert_eq!((angles(&stage).len(), shown(&mut stage, &soft)), (8, Some(Some(0.0))), "they stay");
-    for _ in 0..3 {
-        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "bending"));
-    }
-    assert_eq!((matter(&mut stage, &soft), angles(&stage).len()), (before, 0));
-    // A chain in the selection is another body: the skin bends beside it.
-    change(&mut stage, &among(3..18), MatterChange::Bending(2.0));
-    assert_eq!(angles(&stage).len(), 8 + 4);
-    assert_eq!(shown(&mut stage, &among(3..18)), Some(Some(2.0)), "however far apart their points are");
-    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(..))));
-    // Where some of it bends, the rest gets as much.
-    change(&mut stage, &soft, MatterChange::Bending(2.0));
-    assert_eq!(shown(&mut stage, &among(3..18)), Some(None), "mixed");
-    change(&mut stage, &among(3..18), MatterChange::Bending(5.0));
-    let all = shown(&mut stage, &among(3..18)).flatten().unwrap();
-    assert!(angles(&stage).len() == 8 + 4 && (all - 5.0).abs() < 1e-9, "{all}");
-    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(..))));
-    assert_eq!((angles(&stage).len(), shown(&mut stage, &soft)), (8, Some(Some(2.0))), "one step of undo");
-}
-
-#[test]
-fn what_cannot_bend_has_no_bending_and_says_why() {
-    let refused = |stage: &mut Stage, among: &Among, words: &str| {
-        assert_eq!(matter(stage, among).bending, None, "{words}");
-        let order = Order::Change { among: among.clone(), change: MatterChange::Bending(2.0), goes_on: false };
-        let note = stage.obey(order);
-        assert!(matches!(&note, Some(Note::Refused(why)) if why.contains(words)), "{words}: {note:?}");
-        assert!(!stage.history().world().angles().iter().any(|angle| angle.stiffness > 0.0));
-    };
-    let rigid = "a skin that is not rigid";
-    refused(&mut stage(), &among(0..3), rigid);
-    refused(&mut stage(), &among(12..14), "a chain");
-    let mut figure = stage_of(r#"{"wobble": 1, "bodies": [{"make": "ragdoll"}]}"#);
-    let count = figure.history().world().point_count() as u32;
-    refused(&mut figure, &among(0..count), rigid);
-    let space = r#"{"wobble": 1, "dimensions": 3, "bodies": [{"make": "rope", "count": 5, "to": [1, 0, 0]}]}"#;
-    refused(&mut stage_of(space), &among(0..5), "space");
-    let large = r#"{"wobble": 1, "bodies": [{"make": "rope", "count": 4100, "spacing": 0.1}]}"#;
-    refused(&mut stage_of(large), &among(0..4100), "too slow");
-    // Zero where there is nothing to take away.
-    let order = Order::Change { among: among(3..12), change: MatterChange::Bending(0.0), goes_on: false };
-    assert!(matches!(stage().obey(order), Some(Note::Refused(why)) if why.contains("taken away")));
-}
-
-#[test]
-fn bending_leaves_hinges_and_joints_free() {
-    // A block about a hub, whose spokes are none of its bending.
-    let wheel = r#"{"wobble": 1, "points": {"position": [[0.3, 0.3]], "pinned": [0]},
-        "bonds": [{"a": 0, "b": 1}, {"a": 0, "b": 2}, {"a": 0, "b": 4}, {"a": 0, "b": 5}],
-        "bodies": [{"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.5,
-            "material": {"kind": "spring", "stiffness": 300, "mass": 4}}]}"#;
-    let mut stage = stage_of(wheel);
-    change(&mut stage, &among(0..10), MatterChange::Bending(1.0));
-    let angles = stage.history().world().angles();
-    assert!(angles.len() == 8 && !angles.iter().any(|angle| angle.points.contains(&PointId(0))), "{angles:?}");
-    // A beam with one joint in it bends at its other points.
-    let beam = r#"{"wobble": 1, "points": {"position": [[0, 0], [1, 0], [2, 0], [3, 0], [4, 0]]},
-        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}, {"a": 3, "b": 4}],
-        "angles": [{"points": [1, 2, 3], "min": 2, "max": 4}]}"#;
-    let mut stage = stage_of(beam);
-    change(&mut stage, &among(0..5), MatterChange::Bending(1.0));
-    let middles: Vec<u32> = stage.history().world().angles().iter().map(|angle| angle.points[1].0).collect();
-    assert_eq!(middles, [2, 1, 3]);
 }
