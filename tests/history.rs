@@ -283,7 +283,7 @@ fn a_reset_of_a_scene_that_began_empty_leads_to_what_was_built() {
     assert_eq!((hash(&history), points(&history), drag), (built.clone(), 6, Some(2.0)));
     // Once more, after a while; then it is undone, done again, and saved.
     play(&mut history, 25);
-    assert_eq!(history.reset(), GoneBack { is_built: true, kept: 1, ..GoneBack::default() });
+    assert_eq!(history.reset(), GoneBack { is_built: true, ..GoneBack::default() });
     let again = hash(&history);
     let opened = History::new(Start::from(as_log(&history.recording()).recording().unwrap())).map(|mut opened| {
         opened.go_to(f64::from_bits(again.1));

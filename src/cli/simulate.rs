@@ -409,11 +409,9 @@ fn made(
         ));
     }
     if counters.hand_overs > 0 && is_asked_for(scene) {
-        warnings.push(format!(
-            "bodies were handed to the live step {} times, which has substeps of its own, for the method that is asked for took more work than a \
-             frame may or did not hold: who, since when and why is in `moved_by`: `--budget none` keeps the method",
-            counters.hand_overs
-        ));
+        let words = "bodies were handed to the live step, which has substeps of its own: what is asked for took more work than a frame may, or \
+             did not hold: who, since when and why is in `moved_by`: `--budget none` keeps it";
+        warnings.push(words.to_owned());
     }
     if counters.frozen > 0 {
         let what = if counters.frozen == 1 { "an island".to_owned() } else { format!("{} islands", counters.frozen) };
