@@ -210,6 +210,7 @@ impl<S: Real, const D: usize> Group<S, D> {
     fn take_robustly(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) {
         let Group { points, pull, engine, robust, work, .. } = self;
         counters.work += work.robust;
+        let meets = engine.meets_surfaces() && pull.contacts.has_surfaces();
         let by = match robust {
             Some(robust) => {
                 robust.refresh();
@@ -217,7 +218,6 @@ impl<S: Real, const D: usize> Group<S, D> {
             }
             None => engine,
         };
-        let meets = by.meets_surfaces() && pull.contacts.has_surfaces();
         let before = (meets && is_left_alone(points, pull, around, t)).then(|| Energy::of(points, pull, h));
         let mut holds = by.step(points, pull, around, (t, h), counters) || !meets;
         if holds && robust.is_some() {
