@@ -21,3 +21,24 @@ fn a_corner_that_friction_holds_stays_where_it_landed() {
         assert!((corner[0] - landed).abs() < 1e-9 && corner[1].abs() < 1e-9, "{corner:?} at {t} s");
     }
 }
+
+/// A rod lands on a rough floor and slides: however fine the substep that is asked for, its foot is where a coarse one puts it, and nobody
+/// else moves it.
+#[test]
+fn the_finest_substeps_are_no_worse_than_coarse_ones() {
+    let foot = |substep: f64| {
+        let scene = json!({"wobble": 1, "gravity": [0, -9.81], "method": {"substep": substep},
+            "points": {"position": [[0, 0.2], [0.54030230586814, 1.041470984807896]], "velocity": [[1, 0], [1, 0]], "mass": [1, 2]},
+            "bonds": [{"a": 0, "b": 1}], "bounds": {"min": [-900, 0], "max": [900, 900], "friction": 0.4, "restitution": 0.3}});
+        let mut world = world(&scene);
+        world.step_until(0.5);
+        assert_eq!(world.counters().hand_overs, 0, "{substep} s");
+        world.sample(0.5).position[0]
+    };
+    let coarse = foot(1e-3);
+    for substep in [1e-4, 3e-5, 1e-5] {
+        let fine = foot(substep);
+        let off = (fine[0] - coarse[0]).hypot(fine[1] - coarse[1]);
+        assert!(off < 1e-4, "{off} m off by {substep} s");
+    }
+}
