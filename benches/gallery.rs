@@ -1,6 +1,10 @@
 //! Every scene of the gallery but `million-cloth` for ten seconds under a mouse that jumps, grabs and flings, on one core: prints what a frame
 //! takes, the median, the slowest of a hundred and the worst, each the best of three runs; without the drawing. `WOBBLE_SCENE=NAME` runs one.
-#![allow(missing_docs, reason = "criterion's macros make public functions without docs")]
+#![allow(
+    missing_docs,
+    unreachable_pub,
+    reason = "criterion's macros make public functions without docs, and tests share a file"
+)]
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a bench that cannot go on stops, and says what it found")]
 
 #[path = "../tests/common/jumping.rs"]

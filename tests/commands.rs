@@ -910,3 +910,37 @@ fn a_scale_along_each_axis_and_a_turn_are_one_map_of_points_bonds_angles_and_obs
     let motion = Motion { points: numbers(0..1), obstacles: Vec::new(), ..motion };
     assert!(space.apply(&Command::Move(motion)).is_err(), "of the plane alone");
 }
+
+/// A scene whose hand takes hold of a point and goes from one place to another within half a second, and how many bonds it tore after three.
+fn torn_by_hand(scene: &Scene, point: u32, [from, to]: [[f64; 2]; 2]) -> u64 {
+    let mut world = scene.world(None).unwrap();
+    world.step_until(0.5);
+    let now = world.time();
+    let cursor = |to: [f64; 2], by: f64| Command::Cursor { to: Some(Cursor::at(to)), by };
+    world.apply(&cursor(from, now)).unwrap();
+    world.apply(&Command::Grab(Reach::Points(vec![PointId(point)]))).unwrap();
+    world.apply(&cursor(to, now + 0.5)).unwrap();
+    world.step_until(now + 3.0);
+    assert!(world.is_finite());
+    world.counters().bonds_torn
+}
+
+/// A point weighs ten grams: what its weight bounds would never tear the thread that it hangs by.
+#[test]
+fn a_hand_that_pulls_far_enough_tears_what_can_tear() {
+    let pinned: Vec<u32> = (0..11).collect();
+    let cloth = |breaks: &str| {
+        let text = format!(
+            r#"{{"wobble": 1, "gravity": [0, -9.81], "contact": true, "bounds": {{"min": [-4, -4], "max": [4, 3]}},
+            "bodies": [{{"make": "cloth", "columns": 11, "rows": 11, "spacing": 0.2, "origin": [-1, 2], "pinned": {pinned:?},
+            "material": {{"kind": "spring", "stiffness": 1800, "damping": 36, "mass": 1.2{breaks}}}}}]}}"#
+        );
+        Scene::parse(&text, "cloth").unwrap()
+    };
+    let (thin, far, near) = (r#", "break_strain": 0.35"#, [[1.0, 0.0], [2.5, -2.5]], [[1.0, 0.0], [1.3, -0.3]]);
+    assert!(torn_by_hand(&cloth(thin), 120, far) > 0);
+    assert_eq!(torn_by_hand(&cloth(thin), 120, near), 0, "a hand that plays with it tears nothing");
+    assert_eq!(torn_by_hand(&cloth(""), 120, far), 0, "what cannot tear does not");
+    let space = Scene::load("cloth-space").unwrap();
+    assert!(torn_by_hand(&space, 120, [[-1.0, -0.4], [-3.5, -2.5]]) > 0, "as its caption says");
+}

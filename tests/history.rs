@@ -313,6 +313,65 @@ fn a_reset_of_a_scene_that_began_empty_leads_to_what_was_built() {
     assert_eq!((history.reset(), history.world().time()), (GoneBack::default(), 0.0));
 }
 
+/// An edit that goes on while time goes by, as a drag does: back where it began to build, what it set later holds from there, in a log whose
+/// times ascend, and in none before it was done.
+#[test]
+fn a_reset_after_an_edit_that_went_on_is_a_log_that_can_be_read() {
+    let empty = r#"{"wobble": 1, "gravity": [0, -9.81]}"#;
+    let dragged = || {
+        let mut history = History::new(Scene::parse(empty, "empty.json").unwrap().into()).unwrap();
+        play(&mut history, 30);
+        let points =
+            r#"{"points": {"position": [[0, 1], [1, 1], [2, 1]]}, "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}]}"#;
+        history.give(vec![Do::Add(Box::new(serde_json::from_str(points).unwrap()))], Some("Built")).unwrap();
+        play(&mut history, 30);
+        let bend = r#"{"angles": [{"points": [0, 1, 2], "stiffness": 1}]}"#;
+        history.give(vec![Do::Add(Box::new(serde_json::from_str(bend).unwrap()))], Some("Bending")).unwrap();
+        let at = history.world().time();
+        for stiffness in [2.0, 3.0] {
+            play(&mut history, 15);
+            let keys = format!(r#"{{"angles": [0], "stiffness": {stiffness}}}"#);
+            history.give_on(vec![Do::Set(Box::new(serde_json::from_str(&keys).unwrap()))], "Bending").unwrap();
+        }
+        (history, at)
+    };
+    let stiffness = |history: &History| history.world().angles()[0].stiffness;
+    let (mut history, at) = dragged();
+    play(&mut history, 20);
+    let late = hash(&history);
+    assert!(history.reset().is_built);
+    assert_eq!((history.world().time(), stiffness(&history)), (at, 3.0));
+    play(&mut history, 20);
+    let mut again = History::new(Start::from(as_log(&history.recording()).recording().unwrap())).unwrap();
+    again.go_to(history.world().time());
+    assert_eq!(hash(&again), hash(&history));
+    history.undo().unwrap();
+    assert_eq!(hash(&history), late);
+    // Within it, what was not done yet is not done there.
+    let (mut history, at) = dragged();
+    history.go_to(at + 1e-6);
+    history.reset();
+    assert_eq!((history.world().time(), stiffness(&history)), (at, 1.0));
+}
+
+/// Time goes by in a recording of a scene that is empty until something comes.
+#[test]
+fn nothing_rests_as_long_as_something_is_to_come() {
+    let empty = r#"{"wobble": 1, "gravity": [0, -9.81]}"#;
+    let mut history = History::new(Scene::parse(empty, "empty.json").unwrap().into()).unwrap();
+    assert!(history.rests());
+    history.go_to(0.0);
+    (0..20).for_each(|_| history.step());
+    let point = r#"{"points": {"position": [[0, 1]]}}"#;
+    history.give(vec![Do::Add(Box::new(serde_json::from_str(point).unwrap()))], Some("Built")).unwrap();
+    let mut again = History::new(Start::from(as_log(&history.recording()).recording().unwrap())).unwrap();
+    assert!(again.world().is_asleep() && !again.rests());
+    while again.world().point_count() == 0 {
+        again.step();
+    }
+    assert_eq!(again.world().time(), history.world().time());
+}
+
 /// What was built before time went by is where a scene that was empty begins.
 #[test]
 fn a_reset_leads_to_the_start_where_anything_was_built_there() {

@@ -66,6 +66,8 @@ fn found(folder: &Path) -> Vec<Leftover> {
                 let called = left.called();
                 found.push(Leftover { left, start, called, is_new });
             }
+            // What was done stays in its file, though it is not offered.
+            Err(_) if left.is_begun() => {}
             // Not even its beginning is whole: nobody can go on with it.
             Err(_) => left.discard().unwrap_or_default(),
         }
@@ -150,6 +152,18 @@ mod tests {
         assert_eq!(said(called.clone()), format!("swing ({}), 0 s long", entry.title));
         let file = Some("/home/toys/my swing.json".into());
         assert_eq!(said(Called { file, ..called }), format!("my swing.json ({}), 0 s long", entry.title));
+    }
+
+    #[test]
+    fn what_cannot_be_read_though_its_header_is_whole_stays_in_its_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("session-1-0.jsonl");
+        let scene = r#"{"wobble": 1, "points": {"position": [[0, 0]]}}"#;
+        let log = format!(
+            "{{\"wobble_recording\": 1, \"scene\": {scene}}}\n{{\"at\": 2, \"do\": \"clear\"}}\n{{\"at\": 1, \"do\": \"clear\"}}\n"
+        );
+        std::fs::write(&file, log).unwrap();
+        assert!(found(folder.path()).is_empty() && file.exists());
     }
 
     #[test]

@@ -176,6 +176,12 @@ impl Left {
         Ok(Log::open(&self.path)?.recording()?.into())
     }
 
+    /// Whether its header is whole: then something was done that may be read by other means, though [`Left::start`] cannot.
+    pub fn is_begun(&self) -> bool {
+        let text = fs::read_to_string(&self.path).unwrap_or_default();
+        text.lines().next().is_some_and(|line| serde_json::from_str::<serde_json::Map<_, _>>(line).is_ok())
+    }
+
     /// Its state when it was last written, to be shown until [`Left::start`] has been run through; `None` where there is none, or it is damaged.
     pub fn last(&self) -> Option<Replay> {
         Left::last_of(&self.path)

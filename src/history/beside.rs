@@ -276,9 +276,10 @@ impl History {
         all_are_there
     }
 
-    /// Whether nothing moves: neither the world nor what stands beside it.
+    /// Whether nothing moves and nothing is to come: neither of the world nor of what stands beside it.
     pub fn rests(&self) -> bool {
         let is_still = self.frame.world.is_asleep() && self.frame.eased.is_empty();
-        is_still && self.companions.iter().all(|companion| companion.world().is_asleep())
+        let has_more = !self.is_free && self.frame.place < self.tree.len(self.branch);
+        is_still && !has_more && self.companions.iter().all(|companion| companion.world().is_asleep())
     }
 }

@@ -154,6 +154,12 @@ impl Tree {
     /// A command is given at the end of a branch. Marks of its time and later ones were of a motion without it.
     pub(super) fn push(&mut self, branch: usize, entry: Entry) {
         let Branch { own, edits, marks, .. } = &mut self.branches[branch];
+        // A file whose times do not ascend is refused.
+        debug_assert!(
+            own.last().is_none_or(|last| last.at <= entry.at),
+            "a command at {} s comes after later ones",
+            entry.at
+        );
         marks.truncate(marks.partition_point(|mark| mark.at < entry.at));
         edits.extend(entry.edit.map(|_| own.len()));
         own.push(entry);

@@ -214,10 +214,17 @@ impl History {
         let building: Vec<usize> = edits.filter(builds).collect();
         match building[..] {
             [last, ..] if building.iter().all(|&place| self.before(here.branch, place).time > start.time) => {
-                Spot { place: self.last_of(last) + 1, ..self.before(here.branch, last) }
+                self.after_all_at_once(here, last)
             }
             _ => start,
         }
+    }
+
+    /// After a command and those of its edit that were given with it: others of that edit came later, as those of a drag do.
+    fn after_all_at_once(&self, here: Spot, first: usize) -> Spot {
+        let of = |place: usize| self.tree.entry(here.branch, place).map(|entry| (entry.edit, entry.at));
+        let last = (first..here.place).take_while(|&place| of(place) == of(first)).last().unwrap_or(first);
+        self.after(here.branch, last)
     }
 
     /// What of later edits holds from `start` `[s]` on, where the world stands now, after what was `built` there: what can be done there. Of a

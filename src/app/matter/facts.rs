@@ -5,7 +5,7 @@ use super::bending;
 use super::called::name_of;
 use super::extent::{areas, place};
 use super::former::Former;
-use super::joints::{Joint, coming, held, swings};
+use super::joints::{Joint, coming, held, swing_apart, swings};
 use super::motors::{self, Motors};
 use super::preset::Preset;
 use crate::picture::Tint;
@@ -114,6 +114,8 @@ pub struct Matter {
     pub(in crate::app) angle_damping: Option<Span>,
     /// What moves angles that resist, as of the first that something moves, or `Some(None)`: nothing does.
     pub(in crate::app) swings: Option<Option<DriveKeys>>,
+    /// Some of these angles have other servos than others, or none.
+    pub(in crate::app) swing_apart: bool,
     /// Joints that have stops, and that may have some: what two bonds alone make is one.
     pub(in crate::app) joints: [usize; 2],
     /// The least and the largest angles of those that have stops `[rad]`.
@@ -227,6 +229,7 @@ impl Matter {
             rest_angle: Span::of(held(&angles).map(|angle| angle.rest)),
             angle_damping: Span::of(angles.iter().map(|angle| angle.damping)),
             swings: swings(&angles),
+            swing_apart: swing_apart(&angles),
             joints: [ranges().count(), angles.len() + usize::from(is_knee)],
             stops: least.zip(most).map(|(least, most)| [least, most]),
             coming_stops: coming((world, former), among, &angles),

@@ -161,3 +161,9 @@ pub(super) fn swings(angles: &[Angle]) -> Option<Option<DriveKeys>> {
     held(angles).next()?;
     Some(held(angles).find_map(|angle| angle.drive).map(DriveKeys::from))
 }
+
+/// Whether some of the angles that resist have other servos than others, or none.
+pub(super) fn swing_apart(angles: &[Angle]) -> bool {
+    let first = held(angles).next().map(|angle| angle.drive);
+    held(angles).any(|angle| Some(angle.drive) != first)
+}

@@ -113,7 +113,7 @@ impl Preset {
             },
             Preset::Cloth => Stuff {
                 density: 0.3,
-                springs: Some([4000.0, 0.01]),
+                springs: Some([1500.0, 0.02]),
                 breaks: Some(0.35),
                 friction: 0.6,
                 restitution: 0.0,

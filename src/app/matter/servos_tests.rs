@@ -96,3 +96,16 @@ fn a_brush_paints_bending_width_and_whether_it_is_drawn_as_one_step_of_undo() {
     assert_eq!(undone(&mut stage), "brush");
     assert_eq!(matter(&mut stage, &all), before);
 }
+
+#[test]
+fn servos_that_differ_are_told_apart() {
+    let beam = r#"{"wobble": 1, "points": {"position": [[0, 0], [1, 0], [2, 0], [3, 0]]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}],
+        "angles": [{"points": [0, 1, 2], "stiffness": 2, "drive": {"amplitude": 0.5, "period": 1}}, {"points": [1, 2, 3], "stiffness": 2}]}"#;
+    let (mut stage, all) = (stage(beam), among(0..4));
+    let now = matter(&mut stage, &all);
+    assert!(now.swing_apart && now.swings.flatten().is_some(), "one of two");
+    assert!(!matter(&mut stage, &among(0..3)).swing_apart && !matter(&mut stage, &among(1..4)).swing_apart);
+    change(&mut stage, &all, MatterChange::Swings(None));
+    assert!(!matter(&mut stage, &all).swing_apart);
+}

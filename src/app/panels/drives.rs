@@ -86,10 +86,13 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     if ticks::check(ui, &mut is_on, "motor").changed() {
         motor.is_on = Some(is_on);
     }
-    if motor.is_on.is_none() {
-        let said = "if this is left alone, a wheel on the background gets one, and two bodies are only hinged";
-        ui.add(Label::new(RichText::new(said).color(colors(ui).weak)).wrap());
-    }
+    // As many lines whatever is ticked: nothing moves under the pointer.
+    let said = match motor.is_on {
+        None => "if this is left alone, a wheel on the background gets one, and two bodies are only hinged",
+        Some(true) => "whatever is hinged next gets one, and so does a hinge that is there, by a click on it",
+        Some(false) => "nothing that is hinged next gets one, and a hinge that is there loses it by a click on it",
+    };
+    ui.add(Label::new(RichText::new(said).color(colors(ui).weak)).wrap());
     if motor.is_on != Some(false) {
         let said = "below 0 clockwise, as a wheel rolls to the right";
         slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s").on_hover_text(said);

@@ -490,3 +490,45 @@ fn labels_come_are_written_anew_put_elsewhere_and_go_each_in_one_step_of_undo() 
     let labels = shown(&mut stage).labels;
     assert_eq!((labels.len(), labels[0].text.as_str(), labels[0].at), (1, "first", first.1));
 }
+
+/// Words that are left by a click on a button of another label: both are done, as one edit.
+#[test]
+fn words_that_are_left_for_a_button_are_taken_with_what_that_does() {
+    let text = r#"{"wobble": 1, "points": {"position": [[0, 1]]},
+        "labels": [{"at": [0, 1], "text": "one"}, {"at": [0, 2], "text": "two"}]}"#;
+    for (button, expected) in [("×", &["two more"][..]), ("add a label", &["one", "two more", "a label"])] {
+        let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        let mut screen = Screen::new(&mut stage);
+        screen.state.settings_search = "labels".to_owned();
+        screen.facts.settings.labels = shown(&mut stage).labels;
+        (0..3).for_each(|_| _ = screen.frame(Vec::new()));
+        let at = screen.find(button).unwrap();
+        screen.click("two");
+        let end = Event::Key {
+            key: egui::Key::End,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers: egui::Modifiers::NONE,
+        };
+        screen.frame(vec![end]);
+        screen.frame(vec![Event::Text(" more".to_owned())]);
+        // A click within one frame, as on a machine that stalls.
+        let at_once = super::pointer::click(at).into_iter().flatten().collect();
+        let mut sets = screen.frame(at_once).0;
+        sets.extend(screen.frame(Vec::new()).0);
+        let [Setting { act: Do::Set(keys), .. }] = &sets[..] else { panic!("{button}: {sets:?}") };
+        let words: Vec<&str> = keys.labels.iter().flatten().map(|label| label.text.as_str()).collect();
+        assert_eq!(words, expected, "{button}");
+    }
+}
+
+/// What lies beyond the reach of the fields stays where it is as they are shown.
+#[test]
+fn labels_far_away_stay_there() {
+    let text = r#"{"wobble": 1, "points": {"position": [[0, 1]]}, "labels": [{"at": [2e6, 1], "text": "far"}]}"#;
+    let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+    let mut screen = Screen::new(&mut stage);
+    screen.facts.settings.labels = shown(&mut stage).labels;
+    assert_eq!((0..4).flat_map(|_| screen.frame(Vec::new()).0).collect::<Vec<_>>(), []);
+}

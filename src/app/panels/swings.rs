@@ -29,7 +29,9 @@ pub(super) fn show(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
             sink.set(&by, MatterChange::Swings(swings.then_some(first)));
         }
     });
-    if let Some(before) = now {
+    if matter.swing_apart {
+        row(ui, "", |ui, _| ui.weak("mixed: each has its own"));
+    } else if let Some(before) = now {
         let mut drive = before;
         let by = rows(ui, &mut drive);
         if let Some(by) = by.filter(|_| drive != before) {

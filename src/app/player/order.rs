@@ -150,6 +150,7 @@ impl Order {
             Order::Redo(_) => Some("Redoing".to_owned()),
             Order::GoTo(time, _) => Some(format!("Going to {time:.1} s")),
             Order::ToBranch(..) => Some("Going to the other timeline".to_owned()),
+            Order::Reset => Some("Going back".to_owned()),
             _ => None,
         }
     }

@@ -1,7 +1,7 @@
 //! What is grabbed: which points, of which groups, and where the cursor leads them.
 
 use super::{Applied, CommandError, done, invalid};
-use crate::sim::bond::PointId;
+use crate::sim::bond::{Bond, BondKind, PointId};
 use crate::sim::command::Reach;
 use crate::sim::dynamics::GrabView;
 use crate::sim::environment::Lead;
@@ -108,13 +108,14 @@ impl<S: Real, const D: usize> World<S, D> {
             if slots.is_empty() {
                 continue;
             }
-            let body_mass = self.mass_around(own);
+            let (body_mass, tearing) = (self.mass_around(own), self.tearing_at(own));
             let lead = |slot: &u32| self.plan.groups[*group].most_lead(*slot);
             let most_lead = slots.first().and_then(lead).map_or(f64::INFINITY, |most| GRAB_LEAD * most);
             self.touch(*group);
             self.plan.groups[*group].grabbed = Some(Grabbed {
                 slots,
                 body_mass,
+                tearing,
                 offset: crate::sim::vector::truncate(offset),
                 most_lead,
                 lead: None,
@@ -131,9 +132,9 @@ impl<S: Real, const D: usize> World<S, D> {
             let slot = |point: &PointId| self.slot(point.index()).is_some_and(|[group, _]| group == place);
             if self.plan.groups[place].grabbed.is_some() {
                 let own: Vec<PointId> = self.grabbed.iter().copied().filter(slot).collect();
-                let mass = self.mass_around(&own);
+                let (mass, tearing) = (self.mass_around(&own), self.tearing_at(&own));
                 if let Some(grabbed) = &mut self.plan.groups[place].grabbed {
-                    grabbed.body_mass = mass;
+                    (grabbed.body_mass, grabbed.tearing) = (mass, tearing);
                 }
             }
         }
@@ -159,6 +160,20 @@ impl<S: Real, const D: usize> World<S, D> {
         roots.dedup();
         let is_of = |&i: &usize| w[i] > 0.0 && roots.binary_search(&sets.find(i as u32)).is_ok();
         (0..self.count()).filter(is_of).map(|i| self.model.mass[i]).sum()
+    }
+
+    /// What breaks all springs at points that may break `[N]`.
+    fn tearing_at(&self, points: &[PointId]) -> f64 {
+        let mut own = points.to_vec();
+        own.sort_unstable();
+        let is_held = |end: PointId| own.binary_search(&end).is_ok();
+        let of = |bond: Bond| match bond.kind {
+            BondKind::Spring { stiffness, .. } => stiffness * bond.rest_length * bond.break_strain,
+            _ => 0.0,
+        };
+        let held =
+            self.bonds.iter().filter(|bond| bond.break_strain.is_finite() && (is_held(bond.a) || is_held(bond.b)));
+        held.map(of).sum()
     }
 
     /// What is grabbed, to be drawn.

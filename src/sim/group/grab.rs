@@ -7,8 +7,8 @@
 //! ```
 //!
 //! where the last term feeds a steady load forward, so that nothing sags. The force is that of the mass that is led: the body's, as
-//! far as a substep can bear it, and at most [`MOST_G`] times the weight of what is held. It is the same for all points
-//! per mass, constant within a substep. Bodies that may meet are led no faster than half an edge in the longest of their substeps,
+//! far as a substep can bear it, and at most [`MOST_G`] times the weight of what is held, or what tears that off. It is the same for all
+//! points per mass, constant within a substep. Bodies that may meet are led no faster than half an edge in the longest of their substeps,
 //! so that what is grabbed finds what is in its way.
 
 use super::Group;
@@ -30,6 +30,8 @@ const LONGEST: f64 = 1.0 / 480.0;
 const MOST_G: f64 = 50.0;
 /// The same of bodies that may meet others, in weights of all that hangs together with them.
 const MOST_G_OF_BODY: f64 = 10.0;
+/// What tears is torn by a hand that pulls far enough: force beside that which breaks all springs at what is held `[1]`.
+const TEARING: f64 = 1.5;
 /// Gravity that the bound is measured in `[m/s^2]`.
 const G: f64 = 9.81;
 /// Most of what the damper changes of a velocity in a substep: 2 would be the edge of stability.
@@ -42,6 +44,8 @@ pub(crate) struct Grabbed<const D: usize> {
     pub(crate) slots: Vec<u32>,
     /// Mass of what hangs together with them `[kg]`.
     pub(crate) body_mass: f64,
+    /// What breaks the springs at these points that may break, together `[N]`.
+    pub(crate) tearing: f64,
     /// From the cursor to where these points belong `[m]`: 0 where all that is grabbed is of one group.
     pub(crate) offset: [f64; D],
     /// The fastest that it is led `[m/s]`, and where it is led to now `[m]`: a jump of the cursor is followed no faster.
@@ -175,7 +179,7 @@ impl<const D: usize> Grabbed<D> {
         let size = length(wanted);
         // What may press others is not to press them flat.
         let of_body = if self.most_lead.is_finite() { MOST_G_OF_BODY * self.body_mass / mass } else { f64::INFINITY };
-        let most = MOST_G.min(of_body) * G;
+        let most = (MOST_G.min(of_body) * G).max(TEARING * self.tearing / mass);
         if size <= most {
             self.acceleration = wanted;
             self.steady = add(self.steady, scale(away, 0.125 * w * w * w * h));
