@@ -19,7 +19,11 @@ pub static TABLE: &[Binding] = &[
     ),
     binding(".", "one frame on", &[(Writes("."), Action::Step)]),
     binding(",", "held: time runs back", &[(Writes(","), Action::Rewind)]),
-    binding("R", "back to the start: what was done goes, what was set stays", &[(Writes("r"), Action::Reset)]),
+    binding(
+        "R",
+        "back to the start, or to where the last thing was built; settings stay",
+        &[(Writes("r"), Action::Reset)],
+    ),
     binding("-, +", "half or twice the pace", &[(Writes("-"), Action::Slower), (Writes("+"), Action::Faster)]),
     binding(
         "PgUp, PgDn",
@@ -152,7 +156,7 @@ pub fn by_mouse() -> [[&'static str; 2]; 11] {
         ["select, while plots are shown: click a point or a bond", "put a probe on it, or take it off"],
         [
             "right or middle drag",
-            "pan; in space the right button orbits, above the floor, in cloths of the plane it cuts",
+            "pan; the right button cuts cloths in the plane, and turns the view in space, never below the floor",
         ],
         ["wheel", "zoom at the cursor"],
         ["wheel while a rope is drawn", "more or less slack"],
