@@ -370,6 +370,11 @@ fn nothing_rests_as_long_as_something_is_to_come() {
         again.step();
     }
     assert_eq!(again.world().time(), history.world().time());
+    let clear = vec![Do::Clear];
+    history.give(clear, Some("Cleared")).unwrap();
+    let mut again = History::new(Start::from(as_log(&history.recording()).recording().unwrap())).unwrap();
+    again.go_to(history.world().time());
+    assert!(again.world().point_count() == 0 && again.rests(), "nothing is to come");
 }
 
 /// What was built before time went by is where a scene that was empty begins.

@@ -18,7 +18,7 @@ use crate::common::panels::harness;
 const SIZE: [f32; 2] = [2800.0, 2600.0];
 
 /// A soft block that meets others.
-const SOFT: &str = r#"{"wobble": 1, "gravity": [0, -5], "drag_rate": 2, "contact": {"friction": 0.5},
+const SOFT: &str = r#"{"wobble": 1, "gravity": [0, -5], "drag_rate": 2, "contact": {"friction": 0.5, "restitution": 0.5},
     "wind": {"velocity": [1, 0]}, "bounds": {"min": [-9, -9], "max": [9, 9]},
     "bodies": [{"make": "lattice", "columns": 3, "rows": 3, "spacing": 0.5, "material": {"kind": "spring", "stiffness": 300,
         "damping": 2, "mass": 4}}]}"#;

@@ -5,7 +5,7 @@
 //! the lines are run through.
 
 use std::fs::{self, File, OpenOptions};
-use std::io;
+use std::io::{self, BufRead as _};
 use std::path::{Path, PathBuf};
 
 use super::error::HistoryError;
@@ -178,8 +178,10 @@ impl Left {
 
     /// Whether its header is whole: then something was done that may be read by other means, though [`Left::start`] cannot.
     pub fn is_begun(&self) -> bool {
-        let text = fs::read_to_string(&self.path).unwrap_or_default();
-        text.lines().next().is_some_and(|line| serde_json::from_str::<serde_json::Map<_, _>>(line).is_ok())
+        let mut line = Vec::new();
+        let read = File::open(&self.path).and_then(|file| io::BufReader::new(file).read_until(b'\n', &mut line));
+        // What cannot be read now may be another time.
+        read.is_err() || serde_json::from_slice::<serde_json::Map<_, _>>(&line).is_ok()
     }
 
     /// Its state when it was last written, to be shown until [`Left::start`] has been run through; `None` where there is none, or it is damaged.

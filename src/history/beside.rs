@@ -279,7 +279,6 @@ impl History {
     /// Whether nothing moves and nothing is to come: neither of the world nor of what stands beside it.
     pub fn rests(&self) -> bool {
         let is_still = self.frame.world.is_asleep() && self.frame.eased.is_empty();
-        let has_more = !self.is_free && self.frame.place < self.tree.len(self.branch);
-        is_still && !has_more && self.companions.iter().all(|companion| companion.world().is_asleep())
+        is_still && !self.has_more() && self.companions.iter().all(|companion| companion.world().is_asleep())
     }
 }

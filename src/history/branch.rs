@@ -119,8 +119,8 @@ impl Tree {
             _ => self.fork(spot),
         };
         let (taken_along, origin, edits) = (own.len(), Some(origin), edits_of(&own));
-        let from = std::mem::take(&mut self.branches[branch]);
-        self.branches[branch] = Branch { origin, own, edits, taken_along, anew: branch, ..from };
+        let forked = std::mem::take(&mut self.branches[branch]);
+        self.branches[branch] = Branch { origin, own, edits, taken_along, anew: branch, ..forked };
         branch
     }
 
@@ -151,15 +151,17 @@ impl Tree {
         }
     }
 
+    /// Whether the last command of a branch was at that time `[s]`, or before.
+    fn ends_by(&self, branch: usize, time: f64) -> bool {
+        let last = self.len(branch).checked_sub(1).and_then(|last| self.entry(branch, last));
+        last.is_none_or(|last| last.at <= time)
+    }
+
     /// A command is given at the end of a branch. Marks of its time and later ones were of a motion without it.
     pub(super) fn push(&mut self, branch: usize, entry: Entry) {
-        let Branch { own, edits, marks, .. } = &mut self.branches[branch];
         // A file whose times do not ascend is refused.
-        debug_assert!(
-            own.last().is_none_or(|last| last.at <= entry.at),
-            "a command at {} s comes after later ones",
-            entry.at
-        );
+        debug_assert!(self.ends_by(branch, entry.at), "a command at {} s comes after later ones", entry.at);
+        let Branch { own, edits, marks, .. } = &mut self.branches[branch];
         marks.truncate(marks.partition_point(|mark| mark.at < entry.at));
         edits.extend(entry.edit.map(|_| own.len()));
         own.push(entry);
@@ -403,7 +405,7 @@ mod tests {
     #[test]
     fn edits_before_and_after_a_place_are_found_along_all_branches() {
         let (mut tree, mut branch) = nested(12);
-        let aside = Entry { edit: None, ..entry(0.0) };
+        let aside = Entry { edit: None, ..entry(20.0) };
         for round in 0..6 {
             (0..3).for_each(|_| tree.push(branch, aside.clone()));
             branch = tree.fork(Spot { branch, place: tree.len(branch) - round % 2, time: 20.0 });

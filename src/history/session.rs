@@ -164,10 +164,14 @@ impl History {
         if self.is_free { time } else { self.tree.end(self.branch).max(time) }
     }
 
-    /// Whether commands of the log are still to come, which steps follow.
+    /// Whether the log goes on from here, which steps follow.
     pub fn has_future(&self) -> bool {
-        !self.is_free
-            && (self.frame.place < self.tree.len(self.branch) || self.tree.end(self.branch) > self.world().time())
+        self.has_more() || !self.is_free && self.tree.end(self.branch) > self.world().time()
+    }
+
+    /// Whether commands of the log are still to come.
+    pub(super) fn has_more(&self) -> bool {
+        !self.is_free && self.frame.place < self.tree.len(self.branch)
     }
 
     /// Bytes that the keyframes take.

@@ -49,7 +49,9 @@ fn is_look(keys: &AddKeys) -> bool {
 
 /// What is set, of what a world has at its start, and there at once. How fast points are is no setting.
 fn numbers_at_start(keys: &SetKeys, [points, bonds, _]: [u32; 3]) -> Option<SetKeys> {
-    let keys = SetKeys { over: None, velocity: None, ..keys.clone() };
+    let mut keys = SetKeys { over: None, velocity: None, ..keys.clone() };
+    // Those that go along with what is not there would have all of them refused.
+    keys.labels.iter_mut().for_each(|labels| labels.retain(|label| label.point.is_none_or(|point| point < points)));
     let (named, next) = match (&keys.points, &keys.bonds) {
         (Some(named), _) => (named, points),
         (None, Some(named)) => (named, bonds),

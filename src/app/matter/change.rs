@@ -212,11 +212,11 @@ pub(in crate::app) fn commands(
         MatterChange::Width(width) => vec![coated(&points, Coat { width: Some(width), ..Coat::default() })],
         MatterChange::Visible(is) => vec![coated(&points, Coat { visible: Some(is), ..Coat::default() })],
         MatterChange::Rigid => {
-            let bonds = made_rigid(&among.bonds_of(world), |bond| bond.kind != BondKind::Rigid);
+            let bonds = without_muscles(&among.bonds_of(world), |bond| bond.kind != BondKind::Rigid);
             vec![set(SetKeys { bonds: Some(bonds), kind: Some(KindName::Rigid), ..SetKeys::default() })]
         }
         MatterChange::Relaxed => {
-            let bonds = made_rigid(&among.bonds_of(world), |bond| !matches!(bond.kind, BondKind::Relaxed { .. }));
+            let bonds = without_muscles(&among.bonds_of(world), |bond| !matches!(bond.kind, BondKind::Relaxed { .. }));
             vec![set(SetKeys { bonds: Some(bonds), kind: Some(KindName::Relaxed), ..SetKeys::default() })]
         }
         MatterChange::Springy => {
@@ -259,7 +259,7 @@ fn numbers(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<u32> 
 }
 
 /// Those that are made rigid or relaxed: muscles stay springs, for in a rigid body they would work against all others, unless there is nothing else.
-fn made_rigid(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<u32> {
+fn without_muscles(bonds: &[(u32, Bond)], is_meant: impl Fn(&Bond) -> bool) -> Vec<u32> {
     let others = bonds.iter().any(|(_, bond)| bond.drive.is_none());
     numbers(bonds, |bond| is_meant(bond) && (bond.drive.is_none() || !others))
 }
@@ -368,7 +368,7 @@ fn of_preset(world: &dyn Dynamics, (points, among): (&[PointId], &Among), preset
     let of_bonds = match springs {
         Some(springs) => springy(world, bonds, of_point, springs),
         None => {
-            let rigid = Some(made_rigid(&bonds, |_| true));
+            let rigid = Some(without_muscles(&bonds, |_| true));
             Some(SetKeys { bonds: rigid, kind: Some(KindName::Rigid), ..SetKeys::default() })
         }
     };

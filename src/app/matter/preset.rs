@@ -113,8 +113,8 @@ impl Preset {
             },
             Preset::Cloth => Stuff {
                 density: 0.3,
-                springs: Some([1500.0, 0.02]),
-                breaks: Some(0.35),
+                springs: Some([600.0, 0.03]),
+                breaks: Some(0.3),
                 friction: 0.6,
                 restitution: 0.0,
                 color: [240, 220, 168],

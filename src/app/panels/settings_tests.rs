@@ -496,7 +496,8 @@ fn labels_come_are_written_anew_put_elsewhere_and_go_each_in_one_step_of_undo() 
 fn words_that_are_left_for_a_button_are_taken_with_what_that_does() {
     let text = r#"{"wobble": 1, "points": {"position": [[0, 1]]},
         "labels": [{"at": [0, 1], "text": "one"}, {"at": [0, 2], "text": "two"}]}"#;
-    for (button, expected) in [("×", &["two more"][..]), ("add a label", &["one", "two more", "a label"])] {
+    let buttons = [("×", &["two more"][..]), ("add a label", &["one", "two more", "a label"])];
+    for ((button, expected), at_once) in buttons.into_iter().flat_map(|case| [(case, true), (case, false)]) {
         let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
         let mut screen = Screen::new(&mut stage);
         screen.state.settings_search = "labels".to_owned();
@@ -513,14 +514,32 @@ fn words_that_are_left_for_a_button_are_taken_with_what_that_does() {
         };
         screen.frame(vec![end]);
         screen.frame(vec![Event::Text(" more".to_owned())]);
-        // A click within one frame, as on a machine that stalls.
-        let at_once = super::pointer::click(at).into_iter().flatten().collect();
-        let mut sets = screen.frame(at_once).0;
-        sets.extend(screen.frame(Vec::new()).0);
-        let [Setting { act: Do::Set(keys), .. }] = &sets[..] else { panic!("{button}: {sets:?}") };
+        // A click within one frame, as on a machine that stalls, or in several, of which the world has seen nothing yet.
+        let click = super::pointer::click(at);
+        let frames = if at_once { vec![click.concat()] } else { click.to_vec() };
+        let sets: Vec<Setting> = frames.into_iter().flat_map(|events| screen.frame(events).0).collect();
+        let Some(Setting { act: Do::Set(keys), .. }) = sets.last() else { panic!("{button}: {sets:?}") };
         let words: Vec<&str> = keys.labels.iter().flatten().map(|label| label.text.as_str()).collect();
-        assert_eq!(words, expected, "{button}");
+        assert_eq!(words, expected, "{button}, at once: {at_once}");
+        assert!(!at_once || sets.len() == 1, "one edit: {sets:?}");
     }
+}
+
+/// What is typed after a label was added is its words.
+#[test]
+fn a_label_that_was_added_is_written_at_once() {
+    let mut stage =
+        Stage::new(Scene::parse(r#"{"wobble": 1, "points": {"position": [[0, 1]]}}"#, "x.json").unwrap().into());
+    let mut screen = Screen::new(stage.as_mut().unwrap());
+    screen.state.settings_search = "labels".to_owned();
+    (0..3).for_each(|_| _ = screen.frame(Vec::new()));
+    assert_eq!(screen.click("add a label").len(), 1);
+    screen.frame(Vec::new());
+    screen.frame(vec![Event::Text("Hello".to_owned())]);
+    let sets: Vec<Setting> =
+        super::pointer::click(pos2(200.0, 700.0)).into_iter().flat_map(|events| screen.frame(events).0).collect();
+    let [Setting { act: Do::Set(keys), .. }] = &sets[..] else { panic!("{sets:?}") };
+    assert_eq!(keys.labels.as_ref().unwrap()[0].text, "Hello");
 }
 
 /// What lies beyond the reach of the fields stays where it is as they are shown.

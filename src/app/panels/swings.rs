@@ -50,7 +50,9 @@ fn rows(ui: &mut Ui, drive: &mut DriveKeys) -> Option<Response> {
         drive.amplitude = Some(degrees.to_radians());
     }
     all.extend(wave(ui, drive));
+    let held = [drive.key, drive.back];
     let both = keys(ui, &mut drive.key, &mut drive.back);
+    let is_held_anew = held != [drive.key, drive.back];
     let is_held = drive.key.is_some();
     // What follows nothing would be no servo; a key goes one way alone.
     drive.back = drive.back.filter(|back| is_held && Some(*back) != drive.key);
@@ -63,7 +65,7 @@ fn rows(ui: &mut Ui, drive: &mut DriveKeys) -> Option<Response> {
         all.push(number(ui, ("comes, goes", " /s"), (&mut rate, speed), RATES[0]..=RATES[1]));
         drive.rate = Some(rate);
     }
-    all.into_iter().find(Response::changed).or(Some(both))
+    all.into_iter().find(Response::changed).or(is_held_anew.then_some(both))
 }
 
 /// Whether it follows a wave, and which. It must where no key is held.

@@ -113,7 +113,7 @@ impl Escort {
         if history.companions().is_empty() {
             return 0.0;
         }
-        let moves = pace.playing && !history.world().is_asleep();
+        let moves = pace.is_moving(history);
         self.waits &= moves;
         if self.waits {
             self.is_there = false;

@@ -107,7 +107,8 @@ impl Drives {
                 if let Some(why) = no_motors(scope.shown.driving).filter(|_| hinge.has_motor) {
                     return Deed::words(why);
                 }
-                let can_turn = hinge.joins_a_wheel(scope) && no_motors(scope.shown.driving).is_none();
+                let is_wanted = self.motor.is_on != Some(false);
+                let can_turn = is_wanted && hinge.joins_a_wheel(scope) && no_motors(scope.shown.driving).is_none();
                 let motor_for = can_turn.then_some(PointId(scope.shown.point_count() as u32));
                 let name = if hinge.has_motor { "motor" } else { "hinge" };
                 let words = hinge.struts.is_empty().then(|| format!("{name}: {TO_BACKGROUND}"));

@@ -162,7 +162,7 @@ impl<S: Real, const D: usize> World<S, D> {
         (0..self.count()).filter(is_of).map(|i| self.model.mass[i]).sum()
     }
 
-    /// What breaks all springs at points that may break `[N]`.
+    /// What breaks all springs that hold points to others, of those springs that may break `[N]`.
     fn tearing_at(&self, points: &[PointId]) -> f64 {
         let mut own = points.to_vec();
         own.sort_unstable();
@@ -171,8 +171,7 @@ impl<S: Real, const D: usize> World<S, D> {
             BondKind::Spring { stiffness, .. } => stiffness * bond.rest_length * bond.break_strain,
             _ => 0.0,
         };
-        let held =
-            self.bonds.iter().filter(|bond| bond.break_strain.is_finite() && (is_held(bond.a) || is_held(bond.b)));
+        let held = self.bonds.iter().filter(|bond| bond.break_strain.is_finite() && is_held(bond.a) != is_held(bond.b));
         held.map(of).sum()
     }
 

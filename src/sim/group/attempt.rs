@@ -210,7 +210,9 @@ impl<S: Real, const D: usize> Group<S, D> {
     fn take_robustly(&mut self, around: &Environment<D>, (t, h): (f64, f64), counters: &mut Counters) {
         let Group { points, pull, engine, robust, work, .. } = self;
         counters.work += work.robust;
-        let meets = engine.meets_surfaces() && pull.contacts.has_surfaces();
+        let has_surfaces = pull.contacts.has_surfaces();
+        let is_watched = engine.meets_surfaces() && has_surfaces && is_left_alone(points, pull, around, t);
+        let before = is_watched.then(|| Energy::of(points, pull, h));
         let by = match robust {
             Some(robust) => {
                 robust.refresh();
@@ -218,8 +220,8 @@ impl<S: Real, const D: usize> Group<S, D> {
             }
             None => engine,
         };
-        let before = (meets && is_left_alone(points, pull, around, t)).then(|| Energy::of(points, pull, h));
-        let mut holds = by.step(points, pull, around, (t, h), counters) || !meets;
+        let may_miss = !(by.meets_surfaces() && has_surfaces);
+        let mut holds = by.step(points, pull, around, (t, h), counters) || may_miss;
         if holds && robust.is_some() {
             pull.project(points, counters);
         }

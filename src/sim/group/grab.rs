@@ -26,12 +26,14 @@ const FREQUENCY: f64 = 20.0;
 const MOST_PHASE: f64 = 0.3;
 /// Longest substep of a group that is grabbed `[s]`.
 const LONGEST: f64 = 1.0 / 480.0;
-/// Most force, in weights of the points that are held: they are neither flung nor torn out.
+/// Most force, in weights of the points that are held: they are neither flung nor torn out of what does not tear.
 const MOST_G: f64 = 50.0;
 /// The same of bodies that may meet others, in weights of all that hangs together with them.
 const MOST_G_OF_BODY: f64 = 10.0;
-/// What tears is torn by a hand that pulls far enough: force beside that which breaks all springs at what is held `[1]`.
+/// What tears is torn by a hand that pulls far enough: force beside that which breaks all springs at what is held `[1]`, in so many weights of all
+/// that hangs together with them at most.
 const TEARING: f64 = 1.5;
+const MOST_G_TO_TEAR: f64 = 50.0;
 /// Gravity that the bound is measured in `[m/s^2]`.
 const G: f64 = 9.81;
 /// Most of what the damper changes of a velocity in a substep: 2 would be the edge of stability.
@@ -44,7 +46,7 @@ pub(crate) struct Grabbed<const D: usize> {
     pub(crate) slots: Vec<u32>,
     /// Mass of what hangs together with them `[kg]`.
     pub(crate) body_mass: f64,
-    /// What breaks the springs at these points that may break, together `[N]`.
+    /// What breaks the springs that hold these points to others, where they may break `[N]`.
     pub(crate) tearing: f64,
     /// From the cursor to where these points belong `[m]`: 0 where all that is grabbed is of one group.
     pub(crate) offset: [f64; D],
@@ -179,7 +181,8 @@ impl<const D: usize> Grabbed<D> {
         let size = length(wanted);
         // What may press others is not to press them flat.
         let of_body = if self.most_lead.is_finite() { MOST_G_OF_BODY * self.body_mass / mass } else { f64::INFINITY };
-        let most = (MOST_G.min(of_body) * G).max(TEARING * self.tearing / mass);
+        let tears = (TEARING * self.tearing).min(MOST_G_TO_TEAR * G * self.body_mass) / mass;
+        let most = (MOST_G.min(of_body) * G).max(tears);
         if size <= most {
             self.acceleration = wanted;
             self.steady = add(self.steady, scale(away, 0.125 * w * w * w * h));

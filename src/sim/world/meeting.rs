@@ -26,7 +26,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let most = points.chunk_by(|a, b| place(a) == place(b)).map(<[u32]>::len).max();
         if let Some(most) = most.filter(|most| *most >= CROWD) {
             self.warnings.push(format!(
-                "{most} points lie in one place, where each may meet all others: a frame takes long: spread them out"
+                "{most} points lie in one place, where each may meet all others, so a frame takes long: spread them out"
             ));
         }
     }
@@ -45,7 +45,7 @@ impl<S: Real, const D: usize> World<S, D> {
         bare.retain(|body| skinned.binary_search(body).is_err());
         if bare.len() > 1 {
             self.warnings.push(format!(
-                "{} bodies without triangles pass each other: in space edges do not meet edges: give those that are to meet a skin",
+                "{} bodies without triangles pass each other, for in space edges do not meet edges: give those that are to meet a skin",
                 bare.len()
             ));
         }

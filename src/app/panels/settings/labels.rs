@@ -1,5 +1,7 @@
 //! The words that stand in the world: each can be written anew, put elsewhere, held to a point, or taken away, and others come.
 
+use std::sync::Arc;
+
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{DragValue, Id, Key, Response, Role, TextEdit, Ui, WidgetInfo};
@@ -24,9 +26,9 @@ const FARTHEST: f64 = 1e6;
 /// All of them, and a button for another one. What is done in one frame, words that are left by a click elsewhere too, is one edit.
 pub(super) fn show(ui: &mut Ui, settings: &Settings, sink: &mut Sink<'_>) {
     let Settings { labels, middle, .. } = settings;
-    let mut all: Vec<LabelKeys> = labels.to_vec();
-    let mut by: Option<Response> = None;
-    let has_room = labels.len() < LabelKeys::MOST;
+    let now = asked(ui, labels).unwrap_or_else(|| labels.to_vec());
+    let (mut all, mut by) = (now.clone(), None);
+    let has_room = now.len() < LabelKeys::MOST;
     let added = ui.horizontal(|ui| {
         ui.strong("Labels");
         let button = ui.add_enabled_ui(has_room, |ui| ui.button("add a label")).inner;
@@ -39,7 +41,7 @@ pub(super) fn show(ui: &mut Ui, settings: &Settings, sink: &mut Sink<'_>) {
             gone = Some(place);
         }
         let seat = of_place(ui, (label, place), *middle, sink);
-        by = [words, cross.clicked().then_some(cross), seat].into_iter().flatten().last().or(by);
+        by = [words, cross.clicked().then_some(cross), seat].into_iter().flatten().last().or(by.take());
     }
     if let Some(gone) = gone {
         all.remove(gone);
@@ -50,9 +52,34 @@ pub(super) fn show(ui: &mut Ui, settings: &Settings, sink: &mut Sink<'_>) {
         all.push(LabelKeys { at: sink.vector(*middle), text: FIRST.to_owned(), point: None });
         by = Some(added.inner);
     }
-    if let Some(by) = by.filter(|_| all != **labels) {
+    if let Some(by) = by.filter(|_| all != now) {
+        let asked = Asked { of: Arc::clone(labels), all: all.clone(), until: ui.input(|input| input.time) + SOON };
+        ui.data_mut(|data| data.insert_temp(Id::unique(ASKED), asked));
         sink.scene(&by, NAME, SetKeys { labels: Some(all), ..SetKeys::default() });
     }
+}
+
+/// What was asked for last, of which labels, and until when these may still be shown `[s]`: a world that takes long has them later.
+#[derive(Clone)]
+struct Asked {
+    of: Arc<Vec<LabelKeys>>,
+    all: Vec<LabelKeys>,
+    until: f64,
+}
+
+/// Where that is kept, and how long it may take `[s]`.
+const ASKED: &str = "labels that were asked for";
+const SOON: f64 = 1.0;
+
+/// What was asked for of labels that are still shown; `None`: the world has it, or refused it.
+fn asked(ui: &Ui, labels: &Arc<Vec<LabelKeys>>) -> Option<Vec<LabelKeys>> {
+    let id = Id::unique(ASKED);
+    let asked = ui.data(|data| data.get_temp::<Asked>(id))?;
+    if asked.of == *labels && ui.input(|input| input.time) < asked.until {
+        return Some(asked.all);
+    }
+    ui.data_mut(|data| data.remove::<Asked>(id));
+    None
 }
 
 /// What a change is called when it is undone.
