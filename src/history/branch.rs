@@ -379,7 +379,7 @@ mod tests {
                 _ => tree.fork(spot),
             };
             for _ in 0..below(4) {
-                tree.push(branch, entry(f64::from(number)));
+                tree.push(branch, entry(5.0 + f64::from(number)));
             }
         }
         // What a command is: the branch that it was given on, and where.

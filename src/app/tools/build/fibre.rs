@@ -8,6 +8,8 @@ use crate::scene::Material;
 /// Springs of ropes and cloths of rubber are so many times as stiff as those of what is filled: a rope of the usual size that bears a box of
 /// jelly of the usual size is drawn out by an eighth, where one twenty times as stiff would look like cord.
 const OF_RUBBER: f64 = 0.05;
+/// The same of threads: one bears a kilogram and hardly gives.
+const OF_THREAD: f64 = 4.0;
 /// The colour of a button for what is drawn in colours of its own.
 const PLAIN: [u8; 3] = [200, 204, 212];
 
@@ -68,7 +70,8 @@ impl Fibre {
 
     /// Of a rope so long `[m]` that has so many pieces, which pull one behind another.
     pub(super) fn rope(self, long: f64, pieces: u32) -> Material {
-        let times = self.times() * f64::from(pieces);
+        let thread = if self == Fibre::Thin { OF_THREAD } else { 1.0 };
+        let times = thread * self.times() * f64::from(pieces);
         self.preset().map_or_else(|| rigid(ROPE_MASS * long), |of| of.rope(long, times))
     }
 
