@@ -53,6 +53,10 @@ impl HeldAt {
         if !self.is_of(keys) {
             *self = HeldAt { keys: keys.iter().map(|(key, _)| *key).collect(), left: SETTLING, ..HeldAt::default() };
         }
+        if keys.iter().any(|(_, is_held)| *is_held) {
+            // Nothing moves under what presses it.
+            self.left = 0;
+        }
         if self.left > 0 {
             let covers = |place: Rect| driven.map_or(0.0, |driven| covered(place.intersect(driven)));
             let best = places.into_iter().min_by(|a, b| covers(a.1).total_cmp(&covers(b.1)));
