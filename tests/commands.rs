@@ -911,7 +911,7 @@ fn a_scale_along_each_axis_and_a_turn_are_one_map_of_points_bonds_angles_and_obs
     assert!(space.apply(&Command::Move(motion)).is_err(), "of the plane alone");
 }
 
-/// A scene whose hand takes hold of a point and goes from one place to another within half a second, and how many bonds it tore after three.
+/// A scene whose hand takes hold of a point and goes from one place to another within half a second, and how many bonds it tore after six.
 fn torn_by_hand(scene: &Scene, point: u32, [from, to]: [[f64; 2]; 2]) -> u64 {
     let mut world = scene.world(None).unwrap();
     world.step_until(0.5);
@@ -920,7 +920,7 @@ fn torn_by_hand(scene: &Scene, point: u32, [from, to]: [[f64; 2]; 2]) -> u64 {
     world.apply(&cursor(from, now)).unwrap();
     world.apply(&Command::Grab(Reach::Points(vec![PointId(point)]))).unwrap();
     world.apply(&cursor(to, now + 0.5)).unwrap();
-    world.step_until(now + 3.0);
+    world.step_until(now + 6.0);
     assert!(world.is_finite());
     world.counters().bonds_torn
 }

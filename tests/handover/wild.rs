@@ -32,7 +32,7 @@ const GAIN: f64 = 0.01;
 /// Of so many scenes at least the energy is judged.
 const JUDGED: u64 = 17;
 /// The guard of the live step's energy acts in no more than this share of all substeps [1]: without the mouse it is 0.0004.
-const GUARDED: f64 = 0.02;
+const GUARDED: f64 = 0.04;
 
 /// What is counted over all scenes.
 #[derive(Default)]

@@ -211,7 +211,8 @@ impl<S: Real, const D: usize> Group<S, D> {
         let Group { points, pull, engine, robust, work, .. } = self;
         counters.work += work.robust;
         let has_surfaces = pull.contacts.has_surfaces();
-        let is_watched = engine.meets_surfaces() && has_surfaces && is_left_alone(points, pull, around, t);
+        let meets = engine.meets_surfaces();
+        let is_watched = meets && has_surfaces && is_left_alone(points, pull, around, t);
         let before = is_watched.then(|| Energy::of(points, pull, h));
         let by = match robust {
             Some(robust) => {
@@ -220,7 +221,7 @@ impl<S: Real, const D: usize> Group<S, D> {
             }
             None => engine,
         };
-        let may_miss = !(by.meets_surfaces() && has_surfaces);
+        let may_miss = !has_surfaces || !(meets || by.meets_surfaces());
         let mut holds = by.step(points, pull, around, (t, h), counters) || may_miss;
         if holds && robust.is_some() {
             pull.project(points, counters);
