@@ -3,6 +3,7 @@
 
 mod meeting;
 use crate::common::commands as random;
+use crate::common::physics::run_to;
 
 use random::Generator;
 use wobble::scene::Scene;
@@ -914,13 +915,13 @@ fn a_scale_along_each_axis_and_a_turn_are_one_map_of_points_bonds_angles_and_obs
 /// A scene whose hand takes hold of a point and goes from one place to another within half a second, and how many bonds it tore after six.
 fn torn_by_hand(scene: &Scene, point: u32, [from, to]: [[f64; 2]; 2]) -> u64 {
     let mut world = scene.world(None).unwrap();
-    world.step_until(0.5);
+    run_to(&mut *world, 0.5);
     let now = world.time();
     let cursor = |to: [f64; 2], by: f64| Command::Cursor { to: Some(Cursor::at(to)), by };
     world.apply(&cursor(from, now)).unwrap();
     world.apply(&Command::Grab(Reach::Points(vec![PointId(point)]))).unwrap();
     world.apply(&cursor(to, now + 0.5)).unwrap();
-    world.step_until(now + 6.0);
+    run_to(&mut *world, now + 6.0);
     assert!(world.is_finite());
     world.counters().bonds_torn
 }
@@ -949,7 +950,7 @@ fn a_hand_that_pulls_far_enough_tears_what_can_tear() {
     ] {
         world.apply(&command).unwrap();
     }
-    world.step_until(2.0);
+    run_to(&mut *world, 2.0);
     let [x, y, _] = world.grab().unwrap().force;
     assert!((1.0..1.01 * 50.0 * 9.81 * 1.2 / 121.0).contains(&x.hypot(y)), "{x}, {y} N");
     let space = Scene::load("cloth-space").unwrap();

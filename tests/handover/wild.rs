@@ -9,6 +9,7 @@ use wobble::scene::{Entry, Scene, SolverName, gallery};
 use wobble::sim::{BondKind, Command, Counters, Cursor, Dynamics, PointId, frame_of};
 
 use super::FRAME;
+use super::run_to;
 use crate::common::inside::deepest;
 use crate::common::jumping::{JumpingMouse, extent};
 use crate::common::{asked, is_asked};
@@ -255,12 +256,12 @@ fn a_thousand_rims_come_back_when_the_mouse_has_swept_through_them() {
         let [from, to] = [frame, frame + 1].map(|frame| f64::from(frame) / 60.0);
         let at = Cursor::at([-10.0 + 20.0 * (from / 1.2), 0.0]);
         world.apply(&Command::Cursor { to: Some(at), by: to }).unwrap();
-        world.step_until(to);
+        run_to(&mut *world, to);
         swept = swept.min(least_ring(&*world, &mut start));
     }
     world.apply(&Command::Cursor { to: None, by: world.time() }).unwrap();
     // They swing on, and give a little as they do.
-    world.step_until(3.2);
+    run_to(&mut *world, 3.2);
     let after = least_ring(&*world, &mut start);
     assert!(swept < 0.9 && after > 0.9, "{swept:.3} while it sweeps, {after:.3} two seconds later");
 }
