@@ -248,7 +248,9 @@ fn a_joint_that_starts_outside_its_stops_is_told_of() {
         let range = world.angles()[0].range.unwrap();
         assert!((range[0] - angle.min(1.0)).abs() < 1e-12 && (range[1] - angle.max(2.0)).abs() < 1e-12, "{range:?}");
         let start = world.energy();
-        world.step_until(1.0);
+        while world.time() < 1.0 {
+            world.step();
+        }
         assert!((world.energy() - start).abs() < 1e-9, "{} J, {start} J at the start", world.energy());
     }
 }
