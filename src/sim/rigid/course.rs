@@ -13,8 +13,6 @@ pub(super) const LYING: (f64, f64) = (1.0 / 960.0, 16.0);
 pub(super) const HANGING: (f64, f64) = (1.0 / 480.0, 8.0);
 pub(super) const DRIVEN: (f64, f64) = (1.0 / 240.0, 4.0);
 pub(super) const SHORTEST: f64 = 1.0 / 30_720.0;
-/// Parts are cut no shorter than this for their number alone `[s]`: those of a microsecond mend no gaps (`BRIEF` in slide.rs).
-const FINE: f64 = 1e-5;
 /// Phase of the mouse force that a part spans `[rad]`.
 pub(super) const PHASE: f64 = 0.25;
 /// How long a bounce takes that is none any more `[s]`: slower hits give nothing back.
@@ -275,7 +273,7 @@ pub(super) fn gives_back(restitution: f64, speed: f64, (gentle, is_over): (f64, 
     if speed > -gentle || (is_over && restitution < 1.0) { 0.0 } else { restitution }
 }
 
-/// The longest part of a step of `h` `[s]`, of so many at least, but for steps so short that each of these would be as good as nothing.
+/// The longest part of a step of `h` `[s]`, of so many at least.
 pub(super) fn within((longest, count): (f64, f64), h: f64) -> f64 {
-    longest.min((h / count).max(FINE.min(h)))
+    longest.min(h / count)
 }
