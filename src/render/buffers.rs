@@ -78,7 +78,7 @@ pub(super) struct WorldBuffers {
     topology: Option<u64>,
     /// Both states of an `f64` world as they lie on the GPU.
     staging: Staging,
-    /// How far between them what was uploaded lies `[1]`, and that, where it is neither.
+    /// How far between them what was uploaded lies `[1]`, and that, where it is not the second.
     mix: Option<f32>,
     mixed: Vec<f32>,
 }

@@ -1,8 +1,7 @@
 //! What is told of bodies that meet so many others that it takes long, and of those that meet none.
 
-use std::cmp::Ordering;
-
 use super::World;
+use super::nested::by_place;
 use crate::sim::real::Real;
 
 /// Points of bodies in one place from which on it is said how long that takes: a frame of 5,000 takes half a second.
@@ -17,13 +16,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let mut points: Vec<u32> = self.bonds.ends().iter().flatten().map(|end| end.0).collect();
         points.sort_unstable();
         points.dedup();
-        let place = |point: &u32| position[*point as usize];
-        let order = |a: &u32, b: &u32| {
-            let axes = place(a).into_iter().zip(place(b)).map(|(x, y)| x.total_cmp(&y));
-            axes.fold(Ordering::Equal, Ordering::then)
-        };
-        points.sort_unstable_by(order);
-        let most = points.chunk_by(|a, b| place(a) == place(b)).map(<[u32]>::len).max();
+        let most = by_place(&mut points, position).map(<[u32]>::len).max();
         if let Some(most) = most.filter(|most| *most >= CROWD) {
             self.warnings.push(format!(
                 "{most} points lie in one place, where each may meet all others, so a frame takes long: spread them out"

@@ -74,15 +74,10 @@ impl<S: Real, const D: usize> World<S, D> {
     /// Tells of bodies in space that have points where others have points: nothing says which side of the others they are on.
     fn warn_of_shared_places(&mut self, position: &[[f64; D]]) {
         let mut bodies = self.bonded();
-        let mut points: Vec<usize> = (0..position.len()).collect();
-        let order = |&a: &usize, &b: &usize| {
-            let axes = position[a].iter().zip(&position[b]).map(|(x, y)| x.total_cmp(y));
-            axes.fold(Ordering::Equal, Ordering::then)
-        };
-        points.sort_by(order);
+        let mut points: Vec<u32> = (0..position.len() as u32).collect();
         let mut shared: Vec<u32> = Vec::new();
-        for place in points.chunk_by(|a, b| position[*a] == position[*b]) {
-            let mut own: Vec<u32> = place.iter().map(|&point| bodies.find(point as u32)).collect();
+        for place in by_place(&mut points, position) {
+            let mut own: Vec<u32> = place.iter().map(|&point| bodies.find(point)).collect();
             own.sort_unstable();
             own.dedup();
             if own.len() > 1 {
@@ -144,6 +139,19 @@ impl<S: Real, const D: usize> World<S, D> {
             }
         }
     }
+}
+
+/// Points by the places `[m]` that they lie in, all of one place together.
+pub(super) fn by_place<'a, const D: usize>(
+    points: &'a mut [u32],
+    position: &'a [[f64; D]],
+) -> impl Iterator<Item = &'a [u32]> {
+    let place = |point: &u32| position[*point as usize];
+    points.sort_unstable_by(|a, b| {
+        let axes = place(a).into_iter().zip(place(b)).map(|(x, y)| x.total_cmp(&y));
+        axes.fold(Ordering::Equal, Ordering::then)
+    });
+    points.chunk_by(move |a, b| place(a) == place(b))
 }
 
 fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
