@@ -324,13 +324,28 @@ impl App<'_> {
         self.display.xdotool(&["getwindowname", &self.window])
     }
 
-    /// Waits until the window is called so.
-    fn wait_for_title(&self, title: &str) {
+    /// Whether the window comes to be called so within this time.
+    fn comes_to_be_called(&self, title: &str, within: Duration) -> bool {
         let start = Instant::now();
-        while self.title() != title {
-            assert!(start.elapsed() < Duration::from_secs(20), "it is called {:?}, not {title:?}", self.title());
+        while self.title() != title && start.elapsed() < within {
             std::thread::sleep(Duration::from_millis(50));
         }
+        self.title() == title
+    }
+
+    /// Waits until the window is called so.
+    fn wait_for_title(&self, title: &str) {
+        let is_called = self.comes_to_be_called(title, Duration::from_secs(20));
+        assert!(is_called, "it is called {:?}, not {title:?}", self.title());
+    }
+
+    /// Presses a key until the window is called so.
+    fn key_until_title(&self, key: &str, title: &str) {
+        let is_called = (0..4).any(|_| {
+            self.key(key);
+            self.comes_to_be_called(title, Duration::from_secs(5))
+        });
+        assert!(is_called, "it is called {:?}, not {title:?}", self.title());
     }
 }
 
@@ -678,6 +693,8 @@ impl App<'_> {
             assert!(start.elapsed() < Duration::from_secs(20), "{} is not written", path.display());
             std::thread::sleep(Duration::from_millis(100));
         }
+        // The sheet goes once the window knows of the file, and takes the keys until then.
+        std::thread::sleep(Duration::from_secs(1));
         let start = wobble::history::Start::load(path.to_str().unwrap()).unwrap();
         wobble::history::History::new(start).unwrap()
     }
@@ -702,12 +719,18 @@ fn the_first_minute_goes_from_a_throw_to_a_swing_that_is_saved() {
     app.wait_for_title("wobble · Net that tears");
     let net = wobble::scene::gallery().iter().find(|entry| entry.name == "tearable-net").unwrap();
     let whole = net.scene().unwrap().world(None).unwrap().bonds().len();
-    app.key("3");
-    app.drag([480, 300], [700, 320]);
-    let cut = app.saved(&folder.path().join("cut.json"));
-    assert!(cut.world().bonds().len() < whole, "{} of {whole} bonds are left", cut.world().bonds().len());
-    app.key("ctrl+n");
-    app.wait_for_title("wobble · Untitled");
+    let mut left = whole;
+    // A busy machine calls the window by the scene's name before it is there to be cut.
+    for trial in ["cut.json", "again cut.json", "at last cut.json"] {
+        app.key("3");
+        app.drag([480, 300], [700, 320]);
+        left = app.saved(&folder.path().join(trial)).world().bonds().len();
+        if left < whole {
+            break;
+        }
+    }
+    assert!(left < whole, "{left} of {whole} bonds are left");
+    app.key_until_title("ctrl+n", "wobble · Untitled");
     // A rope from above, and a seat under its end. The signs of what is built stand beside the tools.
     app.key("5");
     std::thread::sleep(Duration::from_secs(1));
