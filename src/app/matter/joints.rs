@@ -1,6 +1,6 @@
 //! Angles of a selection: where they are at rest, and the stops of joints.
 
-use super::{Among, Former};
+use super::{Among, Common, Former};
 use crate::app::alike::alike;
 use crate::history::{Do, DriveOrNone, OneOrEach, RangeOrNone, SetKeys};
 use crate::scene::{AddKeys, AngleKeys, DriveKeys, Row};
@@ -156,14 +156,7 @@ pub(super) fn swinging(world: &dyn Dynamics, among: &Among, drive: Option<DriveK
     Do::Set(Box::new(SetKeys { angles: Some(numbers), drive, ..SetKeys::default() }))
 }
 
-/// The servo of the first of some angles that has one; `Some(None)`: none has. `None` where no angle resists.
-pub(super) fn swings(angles: &[Angle]) -> Option<Option<DriveKeys>> {
-    held(angles).next()?;
-    Some(held(angles).find_map(|angle| angle.drive).map(DriveKeys::from))
-}
-
-/// Whether some of the angles that resist have other servos than others, or none.
-pub(super) fn swing_apart(angles: &[Angle]) -> bool {
-    let first = held(angles).next().map(|angle| angle.drive);
-    held(angles).any(|angle| Some(angle.drive) != first)
+/// The servo of each of the angles that resist, if it has one; `None` where none resists.
+pub(super) fn swings(angles: &[Angle]) -> Option<Common<Option<DriveKeys>>> {
+    Some(Common::of(held(angles).map(|angle| angle.drive))?.map(|drive| drive.map(DriveKeys::from)))
 }

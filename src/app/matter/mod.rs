@@ -6,6 +6,7 @@ mod bending_tests;
 mod borne;
 mod called;
 mod change;
+mod common;
 mod extent;
 mod facts;
 mod former;
@@ -25,7 +26,8 @@ mod wear;
 
 pub(super) use borne::Bearings;
 pub(super) use change::{MatterChange, commands, mean_velocity};
-pub(super) use facts::{Coloring, Matter, NEVER, Pin, Span};
+pub(super) use common::Common;
+pub(super) use facts::{Matter, NEVER, Pin, Span};
 pub(super) use former::Former;
 pub(super) use joints::{Joint, Stops, is_among};
 pub(super) use led::led;

@@ -12,7 +12,7 @@ use super::theme::{as_high_as_buttons, colors, floating};
 use super::{Facts, PanelState, Wish, angles, described, motors, ranged, swings, ticks, ways};
 use crate::app::action::Action;
 use crate::app::count::counted;
-use crate::app::matter::{Coloring, Matter, MatterChange, Overload, Preset, Span};
+use crate::app::matter::{Common, Matter, MatterChange, Overload, Preset, Span};
 use crate::history::Do;
 
 /// Width of the panel `[points]`.
@@ -556,8 +556,8 @@ fn visible(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
 /// The colour of its own, or that which it is drawn in.
 fn color(ui: &mut Ui, matter: &Matter, drawn: Option<[u8; 3]>, sink: &mut Sink<'_>) {
     let color = match matter.color {
-        Coloring::One(color) => color,
-        Coloring::Palette | Coloring::Mixed => drawn.unwrap_or([143, 166, 194]),
+        Common::One(Some(color)) => color,
+        Common::One(None) | Common::Mixed => drawn.unwrap_or([143, 166, 194]),
     };
     row(ui, "colour", |ui, label| {
         let words = "a picture is tinted by it: white leaves that as it is";
@@ -565,9 +565,9 @@ fn color(ui: &mut Ui, matter: &Matter, drawn: Option<[u8; 3]>, sink: &mut Sink<'
             sink.set(&by, MatterChange::Color(color));
         }
         match matter.color {
-            Coloring::Palette => _ = ui.label(RichText::new("its own").color(colors(ui).weak)),
-            Coloring::Mixed => _ = ui.label(RichText::new("mixed").color(colors(ui).weak)),
-            Coloring::One(_) => {}
+            Common::One(None) => _ = ui.label(RichText::new("its own").color(colors(ui).weak)),
+            Common::Mixed => _ = ui.label(RichText::new("mixed").color(colors(ui).weak)),
+            Common::One(Some(_)) => {}
         }
     });
 }

@@ -5,7 +5,7 @@ use egui::{DragValue, Response, Ui};
 use super::drives::keys;
 use super::material::{Sink, row, short};
 use super::{ranged, ticks};
-use crate::app::matter::{Matter, MatterChange};
+use crate::app::matter::{Common, Matter, MatterChange};
 use crate::scene::DriveKeys;
 use crate::sim::drive::{MOST_SWING, PERIODS, RATE, RATES};
 
@@ -21,7 +21,7 @@ const TURNS: f64 = 1e6;
 pub(super) fn show(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     let Some(now) = matter.swings else { return };
     row(ui, "", |ui, _| {
-        let mut swings = now.is_some();
+        let mut swings = now != Common::One(None);
         let words = "its angles at rest go to and fro, as servos turn them: by a wave, by a key, or by a wave while that is held";
         let by = ticks::check(ui, &mut swings, "swings").on_hover_text(words);
         if by.changed() {
@@ -29,13 +29,15 @@ pub(super) fn show(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
             sink.set(&by, MatterChange::Swings(swings.then_some(first)));
         }
     });
-    if matter.swing_apart {
-        row(ui, "", |ui, _| ui.weak("mixed: each has its own"));
-    } else if let Some(before) = now {
-        let mut drive = before;
-        let by = rows(ui, &mut drive);
-        if let Some(by) = by.filter(|_| drive != before) {
-            sink.set(&by, MatterChange::Swings(Some(drive)));
+    match now {
+        Common::Mixed => _ = row(ui, "", |ui, _| ui.weak("mixed: each has its own")),
+        Common::One(None) => {}
+        Common::One(Some(before)) => {
+            let mut drive = before;
+            let by = rows(ui, &mut drive);
+            if let Some(by) = by.filter(|_| drive != before) {
+                sink.set(&by, MatterChange::Swings(Some(drive)));
+            }
         }
     }
 }
