@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::Among;
 use super::extent::place;
 use super::facts::Span;
+use super::{Among, AngleAs};
 use crate::history::{Do, OneOrEach, SetKeys};
 use crate::picture::Tint;
 use crate::scene::{AddKeys, AngleKeys, Bend, MOST_BENT, Row, bends_along, share_of, stiffness_of};
@@ -22,24 +22,10 @@ const TOO_MANY: &str = "bending of so many bonds would be too slow: select less"
 const NOTHING: &str = "nothing of it bends: that takes a chain of bonds, or a skin that is not rigid";
 const NOT_YET: &str = "it has no bending that could be taken away";
 
-impl Among {
-    /// The angles among the points that bend: no joints and no motors.
-    fn bends_of(&self, world: &dyn Dynamics) -> Vec<Angle> {
-        let has = |point: &PointId| self.points.binary_search(point).is_ok();
-        let is_meant = |angle: &&Angle| is_bend(angle) && angle.points.iter().all(has);
-        world.angles().iter().filter(is_meant).copied().collect()
-    }
-}
-
-/// Whether an angle is no joint and no motor.
-fn is_bend(angle: &Angle) -> bool {
-    angle.range.is_none() && angle.drive.is_none()
-}
-
 /// E I of chains and skins among some points `[N m^2]`, by the stiffness of the angles that bend there; 0 where none does and some could.
 /// `None`: nothing of it could.
 pub(super) fn shown(world: &dyn Dynamics, among: &Among) -> Option<Span> {
-    let list = among.bends_of(world);
+    let list = among.angles_of(world, AngleAs::Bend);
     let of_one = |(angle, share): (&Angle, f64)| angle.stiffness / stiffness_of(1.0, share, angle.arms);
     let none_yet = coming(world, among, 1.0).is_ok().then_some(0.0);
     Span::of(list.iter().zip(shares(world, &list)).map(of_one).chain(none_yet)).map(Span::evened)
@@ -53,7 +39,7 @@ pub(super) fn shown(world: &dyn Dynamics, among: &Among) -> Option<Span> {
 ///
 /// Errors: in words, why nothing of it bends.
 pub(super) fn bent(world: &dyn Dynamics, among: &Among, bending: f64) -> Result<Vec<Do>, &'static str> {
-    let list = among.bends_of(world);
+    let list = among.angles_of(world, AngleAs::Bend);
     let coming = match coming(world, among, bending) {
         Err(why) if list.is_empty() => return Err(why),
         coming => coming.unwrap_or_default(),
@@ -80,7 +66,7 @@ fn keys(bend: &Bend) -> AngleKeys {
 
 /// The share of E I that each of some angles has, by how many of the world bend at its point `[1]`.
 fn shares(world: &dyn Dynamics, angles: &[Angle]) -> Vec<f64> {
-    let bending = world.angles().iter().filter(|angle| is_bend(angle));
+    let bending = world.angles().iter().filter(|angle| AngleAs::Bend.is(angle));
     let mut middles: Vec<PointId> = bending.map(|angle| angle.points[1]).collect();
     middles.sort_unstable();
     let count = |middle: PointId| {

@@ -7,7 +7,7 @@ use super::former::Former;
 use super::joints::{Joint, coming, held, swings};
 use super::motors::{self, Motors};
 use super::preset::Preset;
-use super::{Among, Common};
+use super::{Among, AngleAs, Common};
 use crate::picture::Tint;
 use crate::scene::DriveKeys;
 use crate::sim::{Bond, BondKind, Contact, Dynamics, Knots, Limit, Obstacle, PointId};
@@ -179,7 +179,7 @@ impl Matter {
         let is_layered = |point: &PointId| world.skin_of(*point).is_layer();
         let layered =
             world.contact().filter(meets_itself).map(|_| points.iter().filter(|point| is_layered(point)).count());
-        let angles = among.angles_of(world);
+        let angles = among.angles_of(world, AngleAs::Joint);
         let ranges = || angles.iter().filter_map(|angle| angle.range);
         let is_knee = among.knee_of(world).is_some();
         let [least, most] = [0, 1].map(|side| Span::of(ranges().map(|range| range[side])));

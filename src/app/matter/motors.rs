@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::facts::Span;
-use super::{Among, Common};
+use super::{Among, AngleAs, Common};
 use crate::app::alike::alike;
 use crate::history::{Do, DriveOrNone, SetKeys};
 use crate::scene::{DriveKeys, KeyName};
@@ -31,13 +31,11 @@ pub(in crate::app) struct Motors {
     pub(in crate::app) keys: Common<[Option<KeyName>; 2]>,
 }
 
-/// The angles with motors about each hub. What a motor on the background pushes against hangs on nothing, and is seldom meant too.
+/// The angles with motors about each hub.
 fn hinges(world: &dyn Dynamics, among: &Among) -> BTreeMap<PointId, Vec<Angle>> {
     let mut hinges: BTreeMap<PointId, Vec<Angle>> = BTreeMap::new();
-    let has = |point: &PointId| among.points.binary_search(point).is_ok();
-    let is_motor = |angle: &&Angle| matches!(angle.drive, Some(AngleDrive::Motor { .. }));
-    for angle in world.angles().iter().filter(is_motor).filter(|angle| angle.points[1..].iter().all(has)) {
-        hinges.entry(angle.points[1]).or_default().push(*angle);
+    for angle in among.angles_of(world, AngleAs::Motor) {
+        hinges.entry(angle.points[1]).or_default().push(angle);
     }
     hinges
 }
