@@ -8,6 +8,7 @@ use super::{Among, AngleAs};
 use crate::history::{Do, OneOrEach, SetKeys};
 use crate::picture::Tint;
 use crate::scene::{AddKeys, AngleKeys, Bend, MOST_BENT, Row, bends_along, share_of, stiffness_of};
+use crate::sim::bond::lower_first;
 use crate::sim::triangles::{Edges, skin};
 use crate::sim::vector::truncate;
 use crate::sim::{Angle, Bond, Dynamics, Limit, PointId, angle_at};
@@ -134,7 +135,7 @@ impl Web {
         triangles.iter().flatten().for_each(|&corner| is_covered[corner as usize] = true);
         let is_near = |end: PointId| is_meant[end.index()] || is_covered[end.index()];
         let rigid = world.bonds().iter().filter(|bond| bond.is_held() && is_near(bond.a) && is_near(bond.b));
-        let mut rigid: Vec<[u32; 2]> = rigid.map(|bond| sorted([bond.a.0, bond.b.0])).collect();
+        let mut rigid: Vec<[u32; 2]> = rigid.map(|bond| lower_first([bond.a.0, bond.b.0])).collect();
         rigid.sort_unstable();
         let mut web = Web { triangles, is_meant, is_covered, is_soft: none, rigid };
         let soft: Vec<[u32; 3]> = web.triangles.iter().filter(|corners| !web.is_rigid(**corners)).copied().collect();
@@ -144,7 +145,7 @@ impl Web {
 
     /// Whether rigid bonds lead along all three sides between some points.
     fn is_rigid(&self, [i, j, k]: [u32; 3]) -> bool {
-        [[i, j], [j, k], [k, i]].into_iter().all(|ends| self.rigid.binary_search(&sorted(ends)).is_ok())
+        [[i, j], [j, k], [k, i]].into_iter().all(|ends| self.rigid.binary_search(&lower_first(ends)).is_ok())
     }
 
     /// Whether rigid bonds hold an angle as it is: between its own points, or all around it in the triangles of a skin.
@@ -186,9 +187,4 @@ impl Web {
         }
         spokes.into_iter().map(|count| count >= SPOKES).collect()
     }
-}
-
-/// Two ends of a bond, the lower one first.
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }
