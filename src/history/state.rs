@@ -16,6 +16,7 @@ use super::dress::Dress;
 use super::eased::Eased;
 use super::frame::Frame;
 use super::pack::{AnyCore, Core, FIRST_WITH_HAND_OVERS, FIRST_WITH_TRIANGLES, Packed, put_world, take_world};
+use crate::sim::bond::lower_first;
 use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 
 /// How the numbers are laid out.
@@ -178,10 +179,10 @@ fn at_start(core: AnyCore, start: &dyn Dynamics) -> Result<SavedWorld, String> {
 fn cover<const D: usize>(saved: &mut Saved<D>, start: &dyn Dynamics, dress: &Dress) {
     let mut all = left_of(start.triangles(), start.bonds(), saved);
     // What came later is of pictures: every side is a bond.
-    let mut bonded: Vec<[PointId; 2]> = saved.model.bonds.ends().iter().copied().map(sorted).collect();
+    let mut bonded: Vec<[PointId; 2]> = saved.model.bonds.ends().iter().copied().map(lower_first).collect();
     bonded.sort_unstable();
     let is_left = |[a, b, c]: &[PointId; 3]| {
-        [[*a, *b], [*b, *c], [*c, *a]].into_iter().all(|side| bonded.binary_search(&sorted(side)).is_ok())
+        [[*a, *b], [*b, *c], [*c, *a]].into_iter().all(|side| bonded.binary_search(&lower_first(side)).is_ok())
     };
     all.extend(dress.added_triangles().map(|corners| corners.map(PointId)).filter(is_left));
     saved.model.triangles = all;
@@ -190,10 +191,6 @@ fn cover<const D: usize>(saved: &mut Saved<D>, start: &dyn Dynamics, dress: &Dre
 /// Gives a kept world that says nothing of a budget that of the start.
 fn budget_of<const D: usize>(saved: &mut Saved<D>, start: &Saved<D>) {
     saved.model.method.budget = start.model.method.budget;
-}
-
-fn sorted([a, b]: [PointId; 2]) -> [PointId; 2] {
-    [a.min(b), a.max(b)]
 }
 
 /// The triangles of a start that are left in a kept world, which began with these bonds.
@@ -237,9 +234,9 @@ fn replaced<const D: usize>(core: Core<D>, start: Saved<D>) -> Saved<D> {
         ..start
     };
     // What is left of angles and areas is not said: those of bonds and points that went go, as triangles do.
-    let ends: Vec<[PointId; 2]> = saved.model.bonds.ends().iter().copied().map(sorted).collect();
-    let was_bond = |side: [PointId; 2]| bonds_at_start.ends().iter().any(|&ends| sorted(ends) == side);
-    let is_left = |a: PointId, b: PointId| ends.contains(&sorted([a, b])) || !was_bond(sorted([a, b]));
+    let ends: Vec<[PointId; 2]> = saved.model.bonds.ends().iter().copied().map(lower_first).collect();
+    let was_bond = |side: [PointId; 2]| bonds_at_start.ends().iter().any(|&ends| lower_first(ends) == side);
+    let is_left = |a: PointId, b: PointId| ends.contains(&lower_first([a, b])) || !was_bond(lower_first([a, b]));
     let is_gone = |point: &PointId| saved.gone.binary_search(point).is_ok();
     saved.model.angles.list.retain(|angle| {
         let [i, j, k] = angle.points;

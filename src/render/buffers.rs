@@ -251,37 +251,14 @@ impl WorldBuffers {
         let Owns { rows, widest } = own::paint(view, &cover, &mut bonds);
         self.own.set(gpu, rows, counters)?;
         self.widest_own = widest;
-        let mut is_scenery = Vec::new();
-        if bonds.len().max(points.len()) >= LARGE {
-            self.covered_bond = median_rest_length(&bonds);
-            self.covers_all = points.iter().all(|&point| cover[point as usize] != 0);
-            points = self.sort(view, &mut bonds);
-            self.bare = [0, 0];
-        } else {
-            self.chunks = None;
-            self.covers_all = false;
-            // Lines between pins are a drawing, which has no joints to be seen.
-            let is_pinned = pins(view.pinned, point_count);
-            let bears = bearing(&bonds, &is_pinned);
-            is_scenery = scenery(&bonds, &is_pinned, &bears);
-            bars(&mut bonds, &bears);
-            points.retain(|point| !is_scenery[*point as usize]);
-            let is_in_row = ropes(view.bonds, cover.len()).into_iter().zip(view.bonds);
-            let is_in_row = is_in_row.filter(|(_, bond)| !bond.is_off()).map(|(is, _)| is);
-            let of_rows = bonds.iter_mut().zip(is_in_row).filter(|(bond, is)| *is && !is_rope(bond.form));
-            of_rows.for_each(|(bond, _)| bond.form = in_a_row(bond.form));
-            self.bare = bare_first(view, &cover, &mut bonds, &mut points);
-            self.covered_bond = median_rest_length(&bonds[self.bare[0] as usize..]);
-        }
-        // Points are sized by the bonds beside them: those that are covered say nothing of others, and neither does a drawing.
-        let bare = self.bare[0] as usize;
-        let beside = if bare > 0 { &bonds[..bare] } else { &bonds[..] };
-        self.typical_bond = match is_scenery.contains(&true) {
-            true => median_rest_length(
-                &beside.iter().copied().filter(|bond| !is_scenery[bond.a as usize]).collect::<Vec<_>>(),
-            ),
-            false => median_rest_length(beside),
+        let is_scenery = match bonds.len().max(points.len()) >= LARGE {
+            true => {
+                self.arrange_large(view, &cover, (&mut bonds, &mut points));
+                Vec::new()
+            }
+            false => self.arrange_small(view, &cover, (&mut bonds, &mut points)),
         };
+        self.typical_bond = beside_points(&bonds, self.bare[0] as usize, &is_scenery);
         self.forms = SeenForms::of(&bonds);
         let packed: Vec<PackedBond> = bonds.iter().map(PackedBond::from).collect();
         self.bonds.write(gpu, bytemuck::cast_slice(&packed), counters)?;
@@ -291,6 +268,38 @@ impl WorldBuffers {
         self.pin_count = is_pinned.iter().filter(|is| **is).count() as u32;
         (self.point_count, self.bond_count) = (points.len() as u32, bonds.len() as u32);
         Ok(())
+    }
+
+    /// Puts bonds and points of a large scene in the order of its parts.
+    fn arrange_large(&mut self, view: &View<'_>, cover: &[u32], (bonds, points): (&mut Vec<GpuBond>, &mut Vec<u32>)) {
+        self.covered_bond = median_rest_length(bonds);
+        self.covers_all = points.iter().all(|&point| cover[point as usize] != 0);
+        *points = self.sort(view, bonds);
+        self.bare = [0, 0];
+    }
+
+    /// Puts those that nothing covers first, of a small scene, and gives bonds the forms that come of what is about them. Returns whether
+    /// each point is of a drawing, which has no joints to be seen: lines between pins.
+    fn arrange_small(
+        &mut self,
+        view: &View<'_>,
+        cover: &[u32],
+        (bonds, points): (&mut Vec<GpuBond>, &mut Vec<u32>),
+    ) -> Vec<bool> {
+        self.chunks = None;
+        self.covers_all = false;
+        let is_pinned = pins(view.pinned, cover.len() as u32);
+        let bears = bearing(bonds, &is_pinned);
+        let is_scenery = scenery(bonds, &is_pinned, &bears);
+        bars(bonds, &bears);
+        points.retain(|point| !is_scenery[*point as usize]);
+        let is_in_row = ropes(view.bonds, cover.len()).into_iter().zip(view.bonds);
+        let is_in_row = is_in_row.filter(|(_, bond)| !bond.is_off()).map(|(is, _)| is);
+        let of_rows = bonds.iter_mut().zip(is_in_row).filter(|(bond, is)| *is && !is_rope(bond.form));
+        of_rows.for_each(|(bond, _)| bond.form = in_a_row(bond.form));
+        self.bare = bare_first(view, cover, bonds, points);
+        self.covered_bond = median_rest_length(&bonds[self.bare[0] as usize..]);
+        is_scenery
     }
 
     /// Sorts the bonds of a large scene along a curve, and returns the points along it, pinned ones last. The curve of
@@ -394,4 +403,15 @@ impl WorldBuffers {
         self.solid_count = (self.solids.len() / 4).saturating_sub(1) as u32;
         Ok(())
     }
+}
+
+/// Middle one of the rest lengths beside points, by which these are sized `[m]`; 0 without bonds. Bonds that are covered, all but the first
+/// `bare` where some are not, say nothing of others, and neither does a drawing.
+fn beside_points(bonds: &[GpuBond], bare: usize, is_scenery: &[bool]) -> f64 {
+    let beside = if bare > 0 { &bonds[..bare] } else { bonds };
+    if !is_scenery.contains(&true) {
+        return median_rest_length(beside);
+    }
+    let apart: Vec<GpuBond> = beside.iter().copied().filter(|bond| !is_scenery[bond.a as usize]).collect();
+    median_rest_length(&apart)
 }

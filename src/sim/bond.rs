@@ -29,6 +29,12 @@ impl BondId {
     }
 }
 
+/// Two ends of a bond or of a side, the lower one first: so that the same two are the same pair.
+#[inline]
+pub(crate) fn lower_first<T: Ord + Copy>([a, b]: [T; 2]) -> [T; 2] {
+    [a.min(b), a.max(b)]
+}
+
 /// How a bond resists a change of its length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BondKind {
@@ -129,14 +135,14 @@ pub(crate) struct Lengths(Vec<([PointId; 2], f64)>);
 
 impl Lengths {
     pub(crate) fn of(bonds: impl Iterator<Item = ([PointId; 2], f64)>) -> Self {
-        let mut list: Vec<([PointId; 2], f64)> = bonds.map(|([a, b], rest)| ([a.min(b), a.max(b)], rest)).collect();
+        let mut list: Vec<([PointId; 2], f64)> = bonds.map(|(ends, rest)| (lower_first(ends), rest)).collect();
         list.sort_unstable_by_key(|entry| entry.0);
         Lengths(list)
     }
 
     /// That of a bond between two points, where there is one.
-    pub(crate) fn between(&self, [from, to]: [PointId; 2]) -> Option<f64> {
-        let found = self.0.binary_search_by_key(&[from.min(to), from.max(to)], |entry| entry.0);
+    pub(crate) fn between(&self, ends: [PointId; 2]) -> Option<f64> {
+        let found = self.0.binary_search_by_key(&lower_first(ends), |entry| entry.0);
         found.ok().map(|found| self.0[found].1)
     }
 }

@@ -1,6 +1,6 @@
 //! What bodies cover: triangles between points, which go with what bears them.
 
-use super::bond::PointId;
+use super::bond::{PointId, lower_first};
 use super::vector::sub;
 
 /// The triangles none of whose corners is gone and along none of whose sides a bond went; `None`: all are left.
@@ -11,10 +11,9 @@ pub fn borne(
     gone: &[PointId],
     cut: impl IntoIterator<Item = [PointId; 2]>,
 ) -> Option<Vec<[PointId; 3]>> {
-    let sorted = |[a, b]: [PointId; 2]| [a.min(b), a.max(b)];
-    let mut cut: Vec<[PointId; 2]> = cut.into_iter().map(sorted).collect();
+    let mut cut: Vec<[PointId; 2]> = cut.into_iter().map(lower_first).collect();
     cut.sort_unstable();
-    let is_cut = |a: PointId, b: PointId| cut.binary_search(&sorted([a, b])).is_ok();
+    let is_cut = |a: PointId, b: PointId| cut.binary_search(&lower_first([a, b])).is_ok();
     let is_gone = |corner: &PointId| gone.binary_search(corner).is_ok();
     let is_borne = |corners: &&[PointId; 3]| {
         let [a, b, c] = **corners;
@@ -182,7 +181,7 @@ pub(crate) fn skin(triangles: &[[u32; 3]], bonds: impl Iterator<Item = [u32; 2]>
     covered.sort_unstable();
     covered.dedup();
     let is_bare = |ends: &[u32; 2]| ends.iter().any(|end| covered.binary_search(end).is_err());
-    let mut open: Vec<[u32; 2]> = bonds.map(|[a, b]| [a.min(b), a.max(b)]).filter(is_bare).collect();
+    let mut open: Vec<[u32; 2]> = bonds.map(lower_first).filter(is_bare).collect();
     open.sort_unstable();
     open.dedup();
     let closed = outer_sides(triangles.iter().copied()).into_iter().map(|Side { way: [from, to], .. }| [to, from]);

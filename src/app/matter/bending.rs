@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::Among;
 use super::extent::place;
 use super::facts::Span;
+use super::{Among, AngleAs};
 use crate::history::{Do, OneOrEach, SetKeys};
 use crate::picture::Tint;
 use crate::scene::{AddKeys, AngleKeys, Bend, MOST_BENT, Row, bends_along, share_of, stiffness_of};
+use crate::sim::bond::lower_first;
 use crate::sim::triangles::{Edges, skin};
 use crate::sim::vector::truncate;
 use crate::sim::{Angle, Bond, Dynamics, Limit, PointId, angle_at};
@@ -22,24 +23,10 @@ const TOO_MANY: &str = "bending of so many bonds would be too slow: select less"
 const NOTHING: &str = "nothing of it bends: that takes a chain of bonds, or a skin that is not rigid";
 const NOT_YET: &str = "it has no bending that could be taken away";
 
-impl Among {
-    /// The angles among the points that bend: no joints and no motors.
-    fn bends_of(&self, world: &dyn Dynamics) -> Vec<Angle> {
-        let has = |point: &PointId| self.points.binary_search(point).is_ok();
-        let is_meant = |angle: &&Angle| is_bend(angle) && angle.points.iter().all(has);
-        world.angles().iter().filter(is_meant).copied().collect()
-    }
-}
-
-/// Whether an angle is no joint and no motor.
-fn is_bend(angle: &Angle) -> bool {
-    angle.range.is_none() && angle.drive.is_none()
-}
-
 /// E I of chains and skins among some points `[N m^2]`, by the stiffness of the angles that bend there; 0 where none does and some could.
 /// `None`: nothing of it could.
 pub(super) fn shown(world: &dyn Dynamics, among: &Among) -> Option<Span> {
-    let list = among.bends_of(world);
+    let list = among.angles_of(world, AngleAs::Bend);
     let of_one = |(angle, share): (&Angle, f64)| angle.stiffness / stiffness_of(1.0, share, angle.arms);
     let none_yet = coming(world, among, 1.0).is_ok().then_some(0.0);
     Span::of(list.iter().zip(shares(world, &list)).map(of_one).chain(none_yet)).map(Span::evened)
@@ -53,7 +40,7 @@ pub(super) fn shown(world: &dyn Dynamics, among: &Among) -> Option<Span> {
 ///
 /// Errors: in words, why nothing of it bends.
 pub(super) fn bent(world: &dyn Dynamics, among: &Among, bending: f64) -> Result<Vec<Do>, &'static str> {
-    let list = among.bends_of(world);
+    let list = among.angles_of(world, AngleAs::Bend);
     let coming = match coming(world, among, bending) {
         Err(why) if list.is_empty() => return Err(why),
         coming => coming.unwrap_or_default(),
@@ -80,7 +67,7 @@ fn keys(bend: &Bend) -> AngleKeys {
 
 /// The share of E I that each of some angles has, by how many of the world bend at its point `[1]`.
 fn shares(world: &dyn Dynamics, angles: &[Angle]) -> Vec<f64> {
-    let bending = world.angles().iter().filter(|angle| is_bend(angle));
+    let bending = world.angles().iter().filter(|angle| AngleAs::Bend.is(angle));
     let mut middles: Vec<PointId> = bending.map(|angle| angle.points[1]).collect();
     middles.sort_unstable();
     let count = |middle: PointId| {
@@ -148,7 +135,7 @@ impl Web {
         triangles.iter().flatten().for_each(|&corner| is_covered[corner as usize] = true);
         let is_near = |end: PointId| is_meant[end.index()] || is_covered[end.index()];
         let rigid = world.bonds().iter().filter(|bond| bond.is_held() && is_near(bond.a) && is_near(bond.b));
-        let mut rigid: Vec<[u32; 2]> = rigid.map(|bond| sorted([bond.a.0, bond.b.0])).collect();
+        let mut rigid: Vec<[u32; 2]> = rigid.map(|bond| lower_first([bond.a.0, bond.b.0])).collect();
         rigid.sort_unstable();
         let mut web = Web { triangles, is_meant, is_covered, is_soft: none, rigid };
         let soft: Vec<[u32; 3]> = web.triangles.iter().filter(|corners| !web.is_rigid(**corners)).copied().collect();
@@ -158,7 +145,7 @@ impl Web {
 
     /// Whether rigid bonds lead along all three sides between some points.
     fn is_rigid(&self, [i, j, k]: [u32; 3]) -> bool {
-        [[i, j], [j, k], [k, i]].into_iter().all(|ends| self.rigid.binary_search(&sorted(ends)).is_ok())
+        [[i, j], [j, k], [k, i]].into_iter().all(|ends| self.rigid.binary_search(&lower_first(ends)).is_ok())
     }
 
     /// Whether rigid bonds hold an angle as it is: between its own points, or all around it in the triangles of a skin.
@@ -200,9 +187,4 @@ impl Web {
         }
         spokes.into_iter().map(|count| count >= SPOKES).collect()
     }
-}
-
-/// Two ends of a bond, the lower one first.
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }

@@ -1,5 +1,6 @@
 //! How large bodies are at rest, however they are pressed or drawn out now: what the mass of a matter goes by.
 
+use crate::sim::bond::lower_first;
 use crate::sim::vector::{cross3, length, sub};
 use crate::sim::{Bond, Dynamics, Limit, PointId};
 
@@ -22,12 +23,12 @@ pub(super) fn areas(world: &dyn Dynamics, points: &[PointId]) -> Vec<([PointId; 
     if triangles.is_empty() {
         return Vec::new();
     }
-    let ends = |a: PointId, b: PointId| [a.min(b), a.max(b)];
     let sides = world.bonds().iter().filter(|bond| bond.limit == Limit::Both && has(&bond.a) && has(&bond.b));
-    let mut sides: Vec<([PointId; 2], f64)> = sides.map(|bond| (ends(bond.a, bond.b), bond.rest_length)).collect();
+    let mut sides: Vec<([PointId; 2], f64)> =
+        sides.map(|bond| (lower_first([bond.a, bond.b]), bond.rest_length)).collect();
     sides.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let rest = |a: PointId, b: PointId| {
-        let found = sides.binary_search_by(|side| side.0.cmp(&ends(a, b)));
+        let found = sides.binary_search_by(|side| side.0.cmp(&lower_first([a, b])));
         found.ok().map(|place| sides[place].1)
     };
     let area = |corners: &[PointId; 3]| {

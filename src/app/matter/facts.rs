@@ -1,13 +1,13 @@
 //! What a selection is made of, in figures.
 
-use super::Among;
 use super::bending;
 use super::called::name_of;
 use super::extent::{areas, place};
 use super::former::Former;
-use super::joints::{Joint, coming, held, swing_apart, swings};
+use super::joints::{Joint, coming, held, swings};
 use super::motors::{self, Motors};
 use super::preset::Preset;
+use super::{Among, AngleAs, Common};
 use crate::picture::Tint;
 use crate::scene::DriveKeys;
 use crate::sim::{Bond, BondKind, Contact, Dynamics, Knots, Limit, Obstacle, PointId};
@@ -65,18 +65,6 @@ pub(in crate::app) struct Pin {
     pub(in crate::app) knots: Knots,
 }
 
-/// The colour of a selection.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::app) enum Coloring {
-    /// No point has one of its own.
-    #[default]
-    Palette,
-    /// All points have this.
-    One([u8; 3]),
-    /// They differ.
-    Mixed,
-}
-
 /// What a selection is made of. A span is `None` where nothing has such a number.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Matter {
@@ -112,10 +100,8 @@ pub struct Matter {
     pub(in crate::app) rest_angle: Option<Span>,
     /// Of angles, but for motors `[N m s]`.
     pub(in crate::app) angle_damping: Option<Span>,
-    /// What moves angles that resist, as of the first that something moves, or `Some(None)`: nothing does.
-    pub(in crate::app) swings: Option<Option<DriveKeys>>,
-    /// Some of these angles have other servos than others, or none.
-    pub(in crate::app) swing_apart: bool,
+    /// What moves each of the angles that resist, if anything does; `None`: none resists.
+    pub(in crate::app) swings: Option<Common<Option<DriveKeys>>>,
     /// Joints that have stops, and that may have some: what two bonds alone make is one.
     pub(in crate::app) joints: [usize; 2],
     /// The least and the largest angles of those that have stops `[rad]`.
@@ -136,7 +122,8 @@ pub struct Matter {
     /// Of nothing but planes: by how much a depth pushes out `[N/m]` and `[N s/m]` in place of contact, as of the first of them, or
     /// `Some(None)`: it is contact.
     pub(in crate::app) penalty: Option<Option<[f64; 2]>>,
-    pub(in crate::app) color: Coloring,
+    /// The colour that points have of their own, if they have one.
+    pub(in crate::app) color: Common<Option<[u8; 3]>>,
     /// How wide its bonds are drawn `[m]`; 0: as is usual.
     pub(in crate::app) width: Option<Span>,
     /// How many of its points are hidden.
@@ -192,7 +179,7 @@ impl Matter {
         let is_layered = |point: &PointId| world.skin_of(*point).is_layer();
         let layered =
             world.contact().filter(meets_itself).map(|_| points.iter().filter(|point| is_layered(point)).count());
-        let angles = among.angles_of(world);
+        let angles = among.angles_of(world, AngleAs::Joint);
         let ranges = || angles.iter().filter_map(|angle| angle.range);
         let is_knee = among.knee_of(world).is_some();
         let [least, most] = [0, 1].map(|side| Span::of(ranges().map(|range| range[side])));
@@ -229,7 +216,6 @@ impl Matter {
             rest_angle: Span::of(held(&angles).map(|angle| angle.rest)),
             angle_damping: Span::of(angles.iter().map(|angle| angle.damping)),
             swings: swings(&angles),
-            swing_apart: swing_apart(&angles),
             joints: [ranges().count(), angles.len() + usize::from(is_knee)],
             stops: least.zip(most).map(|(least, most)| [least, most]),
             coming_stops: coming((world, former), among, &angles),
@@ -306,13 +292,9 @@ fn bodies(points: &[PointId], bonds: &[(u32, Bond)]) -> usize {
     count
 }
 
-fn coloring(tints: &[Tint], points: &[PointId]) -> Coloring {
-    let mut colors = points.iter().map(|point| Tint::of(tints, point.0).and_then(|tint| tint.color));
-    let Some(first) = colors.next() else { return Coloring::Palette };
-    match colors.all(|color| color == first) {
-        true => first.map_or(Coloring::Palette, Coloring::One),
-        false => Coloring::Mixed,
-    }
+fn coloring(tints: &[Tint], points: &[PointId]) -> Common<Option<[u8; 3]>> {
+    let colors = points.iter().map(|point| Tint::of(tints, point.0).and_then(|tint| tint.color));
+    Common::of(colors).unwrap_or_default()
 }
 
 /// What a depth in a plane is pushed out by, if it is; `None` of what is no plane.

@@ -1,11 +1,11 @@
 //! Angles of a selection: where they are at rest, and the stops of joints.
 
-use super::{Among, Former};
+use super::{Among, AngleAs, Common, Former};
 use crate::app::alike::alike;
 use crate::history::{Do, DriveOrNone, OneOrEach, RangeOrNone, SetKeys};
 use crate::scene::{AddKeys, AngleKeys, DriveKeys, Row};
 use crate::sim::vector::sub;
-use crate::sim::{Angle, AngleDrive, Dynamics, PointId};
+use crate::sim::{Angle, Dynamics, PointId};
 
 use super::extent::place;
 
@@ -32,22 +32,7 @@ pub enum Stops {
     Most(f64),
 }
 
-/// Whether an angle is among points, which are ascending; a point alone is the corner of those that are meant by it.
-pub(in crate::app) fn is_among(points: &[PointId], angle: &Angle) -> bool {
-    match points {
-        [corner] => angle.points[1] == *corner,
-        _ => angle.points.iter().all(|point| points.binary_search(point).is_ok()),
-    }
-}
-
 impl Among {
-    /// The angles among the points, but for motors, which turn.
-    pub(super) fn angles_of(&self, world: &dyn Dynamics) -> Vec<Angle> {
-        let is_motor = |angle: &Angle| matches!(angle.drive, Some(AngleDrive::Motor { .. }));
-        let angles = world.angles().iter().filter(|angle| is_among(&self.points, angle) && !is_motor(angle));
-        angles.copied().collect()
-    }
-
     /// The joint without an angle that two bonds alone make: i, j, k, the angle at j no more than half a turn, and that angle `[rad]`.
     pub(super) fn knee_of(&self, world: &dyn Dynamics) -> Option<([PointId; 3], f64)> {
         let bonds = self.bonds_of(world);
@@ -56,7 +41,7 @@ impl Among {
         let middle = first.into_iter().find(|end| second.contains(end))?;
         let other = |ends: [PointId; 2]| ends.into_iter().find(|end| *end != middle);
         let (i, k) = (other(first)?, other(second)?);
-        let is_free = i != k && world.dimensions() == 2 && self.angles_of(world).is_empty();
+        let is_free = i != k && world.dimensions() == 2 && self.angles_of(world, AngleAs::Joint).is_empty();
         let at = |[i, k]: [PointId; 2]| {
             let [p, q] = [i, k].map(|end| sub(place(world, end), place(world, middle)));
             (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1])
@@ -96,7 +81,7 @@ pub(super) fn stops(
     among: &Among,
     stops: Stops,
 ) -> Result<Vec<Do>, &'static str> {
-    let angles = among.angles_of(world);
+    let angles = among.angles_of(world, AngleAs::Joint);
     let ranges = angles.iter().filter_map(|angle| {
         let range = match (stops, angle.range) {
             (Stops::Some, None) => Some(again(world, former, angle)),
@@ -137,33 +122,26 @@ pub(super) fn held(angles: &[Angle]) -> impl Iterator<Item = &Angle> {
 
 /// The command that gives those another angle at rest `[rad]`.
 pub(super) fn rest(world: &dyn Dynamics, among: &Among, rest: f64) -> Do {
-    let angles = among.angles_of(world);
+    let angles = among.angles_of(world, AngleAs::Joint);
     let numbers = held(&angles).map(|angle| angle.number).collect();
     Do::Set(Box::new(SetKeys { angles: Some(numbers), rest: Some(OneOrEach::One(rest)), ..SetKeys::default() }))
 }
 
 /// The command that damps all angles but motors by so much `[N m s]`.
 pub(super) fn damped(world: &dyn Dynamics, among: &Among, damping: f64) -> Do {
-    let numbers = among.angles_of(world).iter().map(|angle| angle.number).collect();
+    let numbers = among.angles_of(world, AngleAs::Joint).iter().map(|angle| angle.number).collect();
     Do::Set(Box::new(SetKeys { angles: Some(numbers), damping: Some(OneOrEach::One(damping)), ..SetKeys::default() }))
 }
 
 /// The command that gives angles that resist this servo, or takes theirs away.
 pub(super) fn swinging(world: &dyn Dynamics, among: &Among, drive: Option<DriveKeys>) -> Do {
-    let angles = among.angles_of(world);
+    let angles = among.angles_of(world, AngleAs::Joint);
     let numbers = held(&angles).map(|angle| angle.number).collect();
     let drive = Some(drive.map_or(DriveOrNone::None(()), DriveOrNone::This));
     Do::Set(Box::new(SetKeys { angles: Some(numbers), drive, ..SetKeys::default() }))
 }
 
-/// The servo of the first of some angles that has one; `Some(None)`: none has. `None` where no angle resists.
-pub(super) fn swings(angles: &[Angle]) -> Option<Option<DriveKeys>> {
-    held(angles).next()?;
-    Some(held(angles).find_map(|angle| angle.drive).map(DriveKeys::from))
-}
-
-/// Whether some of the angles that resist have other servos than others, or none.
-pub(super) fn swing_apart(angles: &[Angle]) -> bool {
-    let first = held(angles).next().map(|angle| angle.drive);
-    held(angles).any(|angle| Some(angle.drive) != first)
+/// The servo of each of the angles that resist, if it has one; `None` where none resists.
+pub(super) fn swings(angles: &[Angle]) -> Option<Common<Option<DriveKeys>>> {
+    Some(Common::of(held(angles).map(|angle| angle.drive))?.map(|drive| drive.map(DriveKeys::from)))
 }

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 use super::tests::{among, change, matter, stage, stage_of};
-use super::{Among, MatterChange, MotorChange, Preset, Stops};
+use super::{Among, Common, MatterChange, MotorChange, Preset, Stops};
 use crate::app::player::{Note, Order, Stage};
 use crate::history::{Do, DriveOrNone, SetKeys};
 use crate::scene::{DriveKeys, KeyName, Scene};
@@ -150,7 +150,7 @@ fn motors_are_shown_by_their_hinges_and_changed_each_in_a_step_of_undo() {
     let (mut stage, wheel) = (stage_of(DRIVEN), among(1..4));
     let shown = |stage: &mut Stage| matter(stage, &wheel).motors.unwrap();
     let before = shown(&mut stage);
-    assert_eq!((before.speed.same(), before.torque.same(), before.keys), (Some(-6.0), Some(30.0), None));
+    assert_eq!((before.speed.same(), before.torque.same(), before.keys), (Some(-6.0), Some(30.0), Common::Mixed));
     assert_eq!(matter(&mut stage, &among(2..4)).motors, None, "its hub is not meant");
     let torques = |stage: &Stage| {
         let angles = stage.history().world().angles();
@@ -165,12 +165,12 @@ fn motors_are_shown_by_their_hinges_and_changed_each_in_a_step_of_undo() {
     };
     change(&mut stage, &wheel, MatterChange::Motor(MotorChange::Speed(4.0)));
     let faster = shown(&mut stage);
-    assert_eq!((faster.speed.same(), faster.torque, faster.keys), (Some(4.0), before.torque, None));
+    assert_eq!((faster.speed.same(), faster.torque, faster.keys), (Some(4.0), before.torque, Common::Mixed));
     assert_eq!(torques(&stage), [10.0, 20.0]);
     undo(&mut stage);
     change(&mut stage, &wheel, MatterChange::Motor(MotorChange::Torque(60.0)));
     assert_eq!((shown(&mut stage).torque.same(), torques(&stage)), (Some(60.0), [30.0, 30.0]));
-    assert_eq!(shown(&mut stage).keys, None, "each has its own still");
+    assert_eq!(shown(&mut stage).keys, Common::Mixed, "each has its own still");
     undo(&mut stage);
     for (keys, held) in [
         ([Some(KeyName::Up), Some(KeyName::Down)], [Some(KeyName::Up), Some(KeyName::Down)]),
@@ -179,7 +179,7 @@ fn motors_are_shown_by_their_hinges_and_changed_each_in_a_step_of_undo() {
     ] {
         change(&mut stage, &wheel, MatterChange::Motor(MotorChange::Keys(keys[0], keys[1])));
         let now = shown(&mut stage);
-        assert_eq!((now.keys, now.speed, now.torque), (Some(held), before.speed, before.torque));
+        assert_eq!((now.keys, now.speed, now.torque), (Common::One(held), before.speed, before.torque));
         undo(&mut stage);
     }
     assert_eq!(shown(&mut stage), before);

@@ -1,11 +1,13 @@
 //! What bodies are made of, as it is shown and changed: of what is selected, or of what a brush went over.
 
+mod angles;
 mod bending;
 #[cfg(test)]
 mod bending_tests;
 mod borne;
 mod called;
 mod change;
+mod common;
 mod extent;
 mod facts;
 mod former;
@@ -23,11 +25,13 @@ mod servos_tests;
 mod tests;
 mod wear;
 
+pub(super) use angles::AngleAs;
 pub(super) use borne::Bearings;
 pub(super) use change::{MatterChange, commands, mean_velocity};
-pub(super) use facts::{Coloring, Matter, NEVER, Pin, Span};
+pub(super) use common::Common;
+pub(super) use facts::{Matter, NEVER, Pin, Span};
 pub(super) use former::Former;
-pub(super) use joints::{Joint, Stops, is_among};
+pub(super) use joints::{Joint, Stops};
 pub(super) use led::led;
 pub(super) use motors::{MotorChange, Motors};
 pub(super) use overload::{Overload, overload};

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::Among;
 use super::facts::Span;
+use super::{Among, AngleAs, Common};
 use crate::app::alike::alike;
 use crate::history::{Do, DriveOrNone, SetKeys};
 use crate::scene::{DriveKeys, KeyName};
@@ -27,17 +27,15 @@ pub(in crate::app) struct Motors {
     pub(in crate::app) speed: Span,
     /// Of each hinge `[N m]`.
     pub(in crate::app) torque: Span,
-    /// The key that has to be held, and the one that turns it back; `None`: they differ.
-    pub(in crate::app) keys: Option<[Option<KeyName>; 2]>,
+    /// The key that has to be held, and the one that turns it back.
+    pub(in crate::app) keys: Common<[Option<KeyName>; 2]>,
 }
 
-/// The angles with motors about each hub. What a motor on the background pushes against hangs on nothing, and is seldom meant too.
+/// The angles with motors about each hub.
 fn hinges(world: &dyn Dynamics, among: &Among) -> BTreeMap<PointId, Vec<Angle>> {
-    let has = |point: &PointId| among.points.binary_search(point).is_ok();
-    let is_motor = |angle: &&Angle| matches!(angle.drive, Some(AngleDrive::Motor { .. }));
     let mut hinges: BTreeMap<PointId, Vec<Angle>> = BTreeMap::new();
-    for angle in world.angles().iter().filter(is_motor).filter(|angle| angle.points[1..].iter().all(has)) {
-        hinges.entry(angle.points[1]).or_default().push(*angle);
+    for angle in among.angles_of(world, AngleAs::Motor) {
+        hinges.entry(angle.points[1]).or_default().push(angle);
     }
     hinges
 }
@@ -58,11 +56,10 @@ pub(super) fn shown(world: &dyn Dynamics, among: &Among) -> Option<Motors> {
     let hinges = hinges(world, among);
     let all = || hinges.values().flatten().filter_map(numbers);
     let torque = |angles: &Vec<Angle>| angles.iter().filter_map(numbers).map(|(_, torque, _)| torque).sum();
-    let (_, _, first) = all().next()?;
     Some(Motors {
         speed: Span::of(all().map(|(speed, ..)| speed))?.evened(),
         torque: Span::of(hinges.values().map(torque))?.evened(),
-        keys: all().all(|(_, _, keys)| keys == first).then_some(first),
+        keys: Common::of(all().map(|(_, _, keys)| keys))?,
     })
 }
 

@@ -3,6 +3,7 @@
 
 use crate::app::player::Shown;
 use crate::picture::Tint;
+use crate::sim::bond::lower_first;
 use crate::sim::vector::{cross3, dot, length, sub};
 use crate::sim::{Bond, BondKind, Limit, PointId};
 
@@ -258,12 +259,12 @@ impl Standing {
 /// By how much each body is higher at rest than it is now `[1]`, at least 1: as its triangles are larger.
 fn higher(shown: &Shown, body: &[u32], bodies: usize) -> Vec<f64> {
     let scenery = &shown.scenery;
-    let ends = |a: PointId, b: PointId| [a.min(b), a.max(b)];
     let both = scenery.bonds.iter().filter(|bond| bond.limit == Limit::Both);
-    let mut sides: Vec<([PointId; 2], f64)> = both.map(|bond| (ends(bond.a, bond.b), bond.rest_length)).collect();
+    let mut sides: Vec<([PointId; 2], f64)> =
+        both.map(|bond| (lower_first([bond.a, bond.b]), bond.rest_length)).collect();
     sides.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let rest = |a: PointId, b: PointId| {
-        let found = sides.binary_search_by(|side| side.0.cmp(&ends(a, b)));
+        let found = sides.binary_search_by(|side| side.0.cmp(&lower_first([a, b])));
         found.ok().map(|place| sides[place].1)
     };
     let mut areas = vec![[0.0; 2]; bodies];

@@ -1,8 +1,8 @@
 //! Damping and servos of angles, relaxed bonds, and what a brush paints of the like: what is changed is seen, is that alone, and is undone.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 use super::tests::{among, change, matter};
-use super::{MatterChange, NEVER, Painted, Span, Switched};
+use super::{Common, MatterChange, NEVER, Painted, Span, Switched};
 use crate::app::player::{Note, Order, Stage};
 use crate::scene::{DriveKeys, KeyName, Scene};
 
@@ -39,7 +39,7 @@ fn damping_of_angles_is_set_alone_and_undone() {
 #[test]
 fn a_servo_is_given_to_angles_that_resist_taken_away_and_undone() {
     let (mut stage, all) = (stage(KNEE), among(0..3));
-    assert_eq!(matter(&mut stage, &all).swings, Some(None));
+    assert_eq!(matter(&mut stage, &all).swings, Some(Common::One(None)));
     let swing = DriveKeys {
         amplitude: Some(0.5),
         period: Some(2.0),
@@ -48,13 +48,13 @@ fn a_servo_is_given_to_angles_that_resist_taken_away_and_undone() {
         ..DriveKeys::default()
     };
     change(&mut stage, &all, MatterChange::Swings(Some(swing)));
-    let told = matter(&mut stage, &all).swings.flatten().unwrap();
+    let Some(Common::One(Some(told))) = matter(&mut stage, &all).swings else { panic!("all have one servo") };
     assert_eq!((told.amplitude, told.period, told.phase), (Some(0.5), Some(2.0), Some(0.0)));
     assert_eq!((told.key, told.back, told.rate), (Some(KeyName::Left), None, Some(8.0)));
     change(&mut stage, &all, MatterChange::Swings(None));
-    assert_eq!(matter(&mut stage, &all).swings, Some(None));
+    assert_eq!(matter(&mut stage, &all).swings, Some(Common::One(None)));
     assert_eq!([undone(&mut stage), undone(&mut stage)], ["swings", "swings"]);
-    assert_eq!(matter(&mut stage, &all).swings, Some(None));
+    assert_eq!(matter(&mut stage, &all).swings, Some(Common::One(None)));
     let mut free = self::stage(&KNEE.replace(r#""stiffness": 2, "#, ""));
     assert_eq!(matter(&mut free, &all).swings, None, "nothing pulls that angle to where a servo wants it");
 }
@@ -104,8 +104,9 @@ fn servos_that_differ_are_told_apart() {
         "angles": [{"points": [0, 1, 2], "stiffness": 2, "drive": {"amplitude": 0.5, "period": 1}}, {"points": [1, 2, 3], "stiffness": 2}]}"#;
     let (mut stage, all) = (stage(beam), among(0..4));
     let now = matter(&mut stage, &all);
-    assert!(now.swing_apart && now.swings.flatten().is_some(), "one of two");
-    assert!(!matter(&mut stage, &among(0..3)).swing_apart && !matter(&mut stage, &among(1..4)).swing_apart);
+    assert_eq!(now.swings, Some(Common::Mixed), "one of two");
+    assert!(matches!(matter(&mut stage, &among(0..3)).swings, Some(Common::One(Some(_)))));
+    assert_eq!(matter(&mut stage, &among(1..4)).swings, Some(Common::One(None)));
     change(&mut stage, &all, MatterChange::Swings(None));
-    assert!(!matter(&mut stage, &all).swing_apart);
+    assert_eq!(matter(&mut stage, &all).swings, Some(Common::One(None)));
 }

@@ -1,7 +1,7 @@
 //! Matter of worlds: what is shown is what there is, and what is changed is that alone.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-use super::{Among, Coloring, Matter, MatterChange, NEVER, Preset};
+use super::{Among, Common, Matter, MatterChange, NEVER, Preset};
 use crate::app::player::{Note, Order, Shown, Stage};
 use crate::history::Do;
 use crate::scene::Scene;
@@ -42,7 +42,7 @@ fn what_is_shown_is_what_there_is() {
     assert!((soft.mass - 4.0).abs() < 1e-12 && (soft.area - 1.0).abs() < 1e-6);
     assert!((soft.density().unwrap() - 4.0).abs() < 1e-5);
     assert_eq!(soft.friction.unwrap().same(), Some(0.4));
-    assert_eq!((soft.breaks.unwrap().same(), soft.color), (Some(NEVER), Coloring::Palette));
+    assert_eq!((soft.breaks.unwrap().same(), soft.color), (Some(NEVER), Common::One(None)));
     let both = matter(&mut stage, &Among { obstacles: vec![0], ..among(0..12) });
     assert_eq!((both.kinds, both.obstacles, both.friction.unwrap().same()), ([3, 20, 0], 1, None));
     assert!(both.stiffness.unwrap().same().is_some() == soft.stiffness.unwrap().same().is_some());
@@ -101,7 +101,7 @@ fn a_change_is_seen_changes_nothing_else_and_is_undone_as_one() {
             MatterChange::Restitution(x) => {
                 Matter { restitution: after.restitution, ..before.clone() }.clone_if(same(after.restitution) == Some(x))
             }
-            MatterChange::Color(color) => Matter { color: Coloring::One(color), ..before.clone() },
+            MatterChange::Color(color) => Matter { color: Common::One(Some(color)), ..before.clone() },
             // What is rigid bends no more.
             _ => Matter { kinds: [20, 0, 0], stiffness: None, damping: None, bending: None, ..before.clone() },
         };
@@ -147,7 +147,7 @@ fn presets_weigh_by_area_are_soft_by_weight_and_hold_their_shape() {
         if let Some([soft, _]) = stuff.springs {
             assert!((after.stiffness.unwrap().least / (soft * after.mass) - 1.0).abs() < 1e-9);
         }
-        assert_eq!(after.color, Coloring::One(stuff.color));
+        assert_eq!(after.color, Common::One(Some(stuff.color)));
         assert_eq!(after.preset(), Some(preset));
         let touched = [
             Matter { mass: 1.01 * after.mass, ..after.clone() },
@@ -349,7 +349,7 @@ fn a_brush_paints_the_numbers_that_are_switched_on_alone_and_as_one_step_of_undo
     let expected = Matter {
         stiffness: Some(super::Span { least: 77.0, most: 77.0 }),
         friction: Some(super::Span { least: 0.9, most: 0.9 }),
-        color: Coloring::One([1, 2, 3]),
+        color: Common::One(Some([1, 2, 3])),
         ..before.clone()
     };
     assert_eq!(after, expected, "mass, damping and all else stay");
@@ -359,7 +359,7 @@ fn a_brush_paints_the_numbers_that_are_switched_on_alone_and_as_one_step_of_undo
     let rope = among(0..3);
     let heavy = Painted { density: Switched { is_on: true, value: 5.0 }, ..numbers };
     change(&mut stage, &rope, MatterChange::Painted(heavy));
-    assert_eq!(matter(&mut stage, &rope).color, Coloring::One([1, 2, 3]));
+    assert_eq!(matter(&mut stage, &rope).color, Common::One(Some([1, 2, 3])));
     let stiff = Painted { stiffness: numbers.stiffness, ..all };
     assert_eq!(MatterChange::Painted(stiff).name(), "stiffness");
     let why =

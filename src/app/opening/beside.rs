@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{BESIDE, Free, clear, moved, whole};
+use super::clearing::{BESIDE, Free, clear, moved, whole};
 use crate::render::{Camera, Pose, View};
 use crate::sim::vector::{span_in_box, sub};
 

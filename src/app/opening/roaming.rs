@@ -3,7 +3,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{OUTER, SLIMMEST, follow, look, points, surroundings};
+use super::extent::{points, surroundings};
+use super::{OUTER, SLIMMEST, look};
 use crate::render::{Camera, Pose, View};
 use crate::scene::Scene;
 use crate::sim::PointId;
@@ -92,6 +93,41 @@ pub(super) fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
         center.x = (0.5 * (low + high)).clamp(first, last.max(first));
     }
     camera
+}
+
+/// Share of the view about its middle in which the middle of what is driven stays, and in which all of it does where it can.
+const STAY: f64 = 0.4;
+const SEEN: f64 = 0.9;
+
+/// The camera goes along with places, those that are none apart, as far as their middle leaves the middle of the view: the less it may the
+/// more of the view they take, so that all are seen; in the plane. Returns whether it moved.
+pub fn follow(camera: &mut Camera, places: impl Iterator<Item = DVec3>) -> bool {
+    let Pose::Plane { .. } = camera.pose else { return false };
+    let seen = places.filter_map(|place| camera.screen_from_world(place)).filter(|at| at.iter().all(|x| x.is_finite()));
+    let (mut sum, mut count, mut low, mut high) = ([0.0; 2], 0.0, [f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for at in seen {
+        count += 1.0;
+        for axis in 0..2 {
+            sum[axis] += at[axis];
+            (low[axis], high[axis]) = (low[axis].min(at[axis]), high[axis].max(at[axis]));
+        }
+    }
+    if count == 0.0 {
+        return false;
+    }
+    let size = camera.viewport().map(f64::from);
+    let beyond = |axis: usize| {
+        let room = 0.5 * STAY * size[axis];
+        let half = room.min((0.5 * (SEEN * size[axis] - (high[axis] - low[axis]))).max(0.0));
+        let off = sum[axis] / count - 0.5 * size[axis];
+        off - off.clamp(-half, half)
+    };
+    let by = [beyond(0), beyond(1)];
+    if by == [0.0; 2] {
+        return false;
+    }
+    camera.pan(by.map(|pixels| -pixels));
+    true
 }
 
 #[cfg(test)]

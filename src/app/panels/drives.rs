@@ -5,6 +5,7 @@ use egui::{Area, ComboBox, Id, Label, Rect, Response, RichText, Slider, Ui};
 use super::choosing::choice;
 use super::folded::titled;
 use super::theme::{colors, floating};
+use super::wave::{self, slider};
 use super::{Facts, Wish, low, ranged, ticks};
 use crate::app::action::Tool;
 use crate::app::tools::Drives;
@@ -15,14 +16,12 @@ use crate::sim::drive::RATES;
 const WIDTH: f32 = 230.0;
 /// Between its rows `[points]`.
 const GAP: f32 = 4.0;
-/// Most of what the sliders reach: share of a length, period `[s]`, speed `[rad/s]`, torque `[N m]`.
-const MOST: [f64; 4] = [0.6, 4.0, 20.0, 10_000.0];
+/// Most of what the sliders reach: share of a length, speed `[rad/s]`, torque `[N m]`.
+const MOST: [f64; 3] = [0.6, 20.0, 10_000.0];
 /// The torque that is begun with where one is said `[N m]`.
 const TORQUE: f64 = 30.0;
 /// Lengths of a wave that they reach, in lengths of the stroke.
 const LENGTHS: [f64; 2] = [0.2, 3.0];
-/// The shortest period that they reach `[s]`.
-const QUICKEST: f64 = 0.2;
 
 /// Shows it at the right of the tools; it may be folded.
 pub(super) fn show(
@@ -66,13 +65,13 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
         }
     });
     if follows {
-        slider(ui, "period", &mut muscle.period, QUICKEST..=MOST[1], " s");
+        wave::slide_period(ui, &mut muscle.period);
         if muscle.runs {
             let said = "in lengths of the stroke";
             slider(ui, "wave length", &mut muscle.length, LENGTHS[0]..=LENGTHS[1], "").on_hover_text(said);
         }
         let said = if muscle.runs { "at the beginning of the stroke" } else { "of all muscles of a stroke" };
-        slider(ui, "phase", &mut muscle.phase, 0.0..=std::f64::consts::TAU, " rad").on_hover_text(said);
+        wave::slide_phase(ui, &mut muscle.phase).on_hover_text(said);
     }
     keys(ui, &mut muscle.key, &mut muscle.back);
     rate(ui, muscle.key, &mut muscle.rate);
@@ -95,13 +94,13 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives) {
     ui.add(Label::new(RichText::new(said).color(colors(ui).weak)).wrap());
     if motor.is_on != Some(false) {
         let said = "below 0 clockwise, as a wheel rolls to the right";
-        slider(ui, "speed", &mut motor.speed, -MOST[2]..=MOST[2], " rad/s").on_hover_text(said);
+        slider(ui, "speed", &mut motor.speed, -MOST[1]..=MOST[1], " rad/s").on_hover_text(said);
         torque(ui, &mut motor.torque);
         let said = "its speed goes to and fro";
         ticks::check(ui, &mut motor.has_wave, "wave").on_hover_text(said);
         if motor.has_wave {
-            slider(ui, "period", &mut motor.period, QUICKEST..=MOST[1], " s");
-            slider(ui, "phase", &mut motor.phase, 0.0..=std::f64::consts::TAU, " rad");
+            wave::slide_period(ui, &mut motor.period);
+            wave::slide_phase(ui, &mut motor.phase);
         }
         keys(ui, &mut motor.key, &mut motor.back);
         rate(ui, motor.key, &mut motor.rate);
@@ -116,15 +115,10 @@ fn torque(ui: &mut Ui, torque: &mut Option<f64>) {
         *torque = if fits { None } else { Some(TORQUE) };
     }
     if let Some(torque) = torque {
-        let range = 1.0..=MOST[3];
+        let range = 1.0..=MOST[2];
         let slider = Slider::new(torque, range.clone()).logarithmic(true).max_decimals(2).suffix(" N m").text("torque");
         ranged::slider(ui, slider, range, " N m");
     }
-}
-
-fn slider(ui: &mut Ui, name: &str, value: &mut f64, range: std::ops::RangeInclusive<f64>, unit: &str) -> Response {
-    let slider = Slider::new(value, range.clone()).max_decimals(2).suffix(unit).text(name);
-    ranged::slider(ui, slider, range, unit)
 }
 
 /// The keys that have to be held. Returns by what they are chosen.

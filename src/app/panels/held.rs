@@ -83,7 +83,19 @@ pub(super) fn show(
     if facts.keys.is_empty() {
         return;
     }
+    let middle = middle(context, room, held_at, facts);
+    let place = Area::new(area_id()).pivot(Align2::CENTER_BOTTOM);
     let mut pressed = None;
+    place.fixed_pos(pos2(middle, room.bottom() - 4.0)).show(context, |ui| {
+        floating(ui).show(ui, |ui| pressed = caps(ui, &facts.keys));
+    });
+    if pressed != facts.key_by_mouse {
+        wishes.push(Wish::Hold(pressed));
+    }
+}
+
+/// Where along the lower edge of a room their middle is `[points]`.
+fn middle(context: &egui::Context, room: Rect, held_at: &mut HeldAt, facts: &Facts) -> f32 {
     let known = context.memory(|memory| memory.area_rect(area_id()));
     let half = 0.5 * known.map_or(WIDTH, |rect| rect.width()) + APART;
     let ends = [room.left() + half, room.right() - half];
@@ -99,23 +111,22 @@ pub(super) fn show(
     };
     // Their width is known from the second frame on.
     let places = [Side::Middle, Side::Left, Side::Right].map(place);
-    let middle = at(known.map_or(Side::Middle, |_| held_at.find(&facts.keys, places, facts.driven_at)));
-    let place = Area::new(area_id()).pivot(Align2::CENTER_BOTTOM);
-    place.fixed_pos(pos2(middle, room.bottom() - 4.0)).show(context, |ui| {
-        floating(ui).show(ui, |ui| {
-            ui.horizontal(|ui| {
-                ui.set_min_height(CAP);
-                ui.label(RichText::new("hold").color(colors(ui).weak));
-                for &(key, is_held) in &facts.keys {
-                    let is_down = cap(ui, key, is_held).is_pointer_button_down_on();
-                    pressed = pressed.or(is_down.then_some(key));
-                }
-            });
-        });
+    at(known.map_or(Side::Middle, |_| held_at.find(&facts.keys, places, facts.driven_at)))
+}
+
+/// A cap for each. Returns the key that the mouse holds.
+fn caps(ui: &mut egui::Ui, keys: &[(Key, bool)]) -> Option<Key> {
+    let row = ui.horizontal(|ui| {
+        ui.set_min_height(CAP);
+        ui.label(RichText::new("hold").color(colors(ui).weak));
+        let mut pressed = None;
+        for &(key, is_held) in keys {
+            let is_down = cap(ui, key, is_held).is_pointer_button_down_on();
+            pressed = pressed.or(is_down.then_some(key));
+        }
+        pressed
     });
-    if pressed != facts.key_by_mouse {
-        wishes.push(Wish::Hold(pressed));
-    }
+    row.inner
 }
 
 fn area_id() -> Id {

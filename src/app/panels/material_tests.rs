@@ -8,7 +8,7 @@ use egui::{Event, Pos2, Rect, Shape, vec2};
 use super::pointer::{button, click};
 use super::{Facts, PanelState, Wish, material};
 use crate::app::action::{Action, Tool};
-use crate::app::matter::{Among, Matter, MatterChange, MotorChange, Motors, Preset, Span, Stops};
+use crate::app::matter::{Among, Common, Matter, MatterChange, MotorChange, Motors, Preset, Span, Stops};
 use crate::app::player::{Order, Shown, Stage};
 use crate::scene::{DriveKeys, KeyName, Scene};
 use crate::sim::PointId;
@@ -337,7 +337,7 @@ fn a_servo_is_ticked_and_each_of_its_numbers_is_typed() {
     let first = DriveKeys { amplitude: Some(0.5), period: Some(1.0), ..DriveKeys::default() };
     assert_eq!(screen.click("swings"), [Wish::Matter(MatterChange::Swings(Some(first)), false)]);
     let mut with = |drive: DriveKeys, act: &mut dyn FnMut(&mut Screen) -> Vec<Wish>| {
-        screen.facts.matter = Some(Arc::new(Matter { swings: Some(Some(drive)), ..(*matter).clone() }));
+        screen.facts.matter = Some(Arc::new(Matter { swings: Some(Common::One(Some(drive))), ..(*matter).clone() }));
         (0..2).for_each(|_| _ = screen.frame(Vec::new()));
         act(&mut screen)
     };
@@ -365,7 +365,7 @@ fn the_motors_of_what_is_selected_are_typed_in_its_panel() {
     let one = |x: f64| Span { least: x, most: x };
     let mut screen = Screen::new(Some(matter()));
     assert!(!screen.frame(Vec::new()).1.iter().any(|(text, _)| text == "torque"), "it has none");
-    let motors = Some(Motors { speed: one(-6.0), torque: one(30.0), keys: Some([None; 2]) });
+    let motors = Some(Motors { speed: one(-6.0), torque: one(30.0), keys: Common::One([None; 2]) });
     screen.facts.matter = Some(Arc::new(Matter { motors, ..(*matter()).clone() }));
     screen.frame(Vec::new());
     for (name, change) in [("speed", MotorChange::Speed(3.0)), ("torque", MotorChange::Torque(3.0))] {

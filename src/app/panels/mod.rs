@@ -70,6 +70,7 @@ mod top;
 mod transport;
 mod typed;
 mod waiting;
+mod wave;
 mod ways;
 
 use std::collections::BTreeMap;

@@ -5,7 +5,7 @@ use egui::{DragValue, RichText, Ui};
 use super::material::{Sink, number, row};
 use super::theme::colors;
 use super::{drives, ranged};
-use crate::app::matter::{MatterChange, MotorChange, Motors, Span};
+use crate::app::matter::{Common, MatterChange, MotorChange, Motors, Span};
 
 /// How fast a speed changes as it is dragged, for each point `[rad/s]`, and the most that it is set to.
 const DRAGGED: f64 = 0.1;
@@ -17,7 +17,7 @@ pub(super) fn show(ui: &mut Ui, motors: &Motors, sink: &mut Sink<'_>) {
     number(ui, ("torque", " N m"), Some(motors.torque), sink, |x| {
         (x > 0.0).then_some(MatterChange::Motor(MotorChange::Torque(x)))
     });
-    let Some(before) = motors.keys else {
+    let Common::One(before) = motors.keys else {
         return row(ui, "keys", |ui, _| _ = ui.label(RichText::new("mixed").color(colors(ui).weak)));
     };
     let [mut key, mut back] = before;

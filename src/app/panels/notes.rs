@@ -191,48 +191,74 @@ impl Notes {
 
     /// Says it below the buttons, one below another, where nothing else is; below a sheet, which makes way, what is said of that.
     pub(super) fn show(&mut self, context: &egui::Context, places: &Places, facts: &Facts, wishes: &mut Vec<Wish>) {
+        self.pass(is_stretched(facts));
+        if places.is_covered {
+            return self.show_below_sheet(context, places);
+        }
+        let mut top = places.bar_bottom().max(places.room.top() + APART);
+        // Beside a panel in a small window there is room for what is said of what is done alone.
+        let is_caption_due = self.complaint.is_none() && self.done.is_none() && !places.is_crowded;
+        let mut caption = facts.caption.filter(|_| is_caption_due && self.has_caption && self.offer.is_none());
+        // Titles of worlds side by side lie below the caption, and all else that is said below the titles.
+        if !facts.neighbors.is_empty() {
+            if let Some(caption) = caption.take() {
+                top = self.caption(context, (places, top), (caption, facts.is_canvas), wishes);
+            }
+            top = top.max(titles_end(context, facts) + APART);
+        }
+        top = self.show_warnings(context, (places, top));
+        top = match caption {
+            Some(caption) => self.caption(context, (places, top), (caption, facts.is_canvas), wishes),
+            None => self.show_deed(context, (places, top)),
+        };
+        // What lies over the world is done with first.
+        if !facts.waits {
+            self.show_offers(context, (places, top), wishes);
+        }
+        self.show_hint(context, places.room);
+    }
+
+    /// What was said for long enough goes; a warning of pins that are led too far apart goes once nothing `is_stretched`.
+    fn pass(&mut self, is_stretched: bool) {
         self.done.take_if(|done| done.since.elapsed() >= MOMENT);
         self.motor_for.take_if(|(_, since)| since.elapsed() >= MOTOR_OFFERED);
         if self.refused().is_some_and(|since| since.elapsed() >= REFUSED) {
             self.close();
         }
-        let is_so = |line: &str, since: &Instant| !is_of_reach(line) || is_stretched(facts) || since.elapsed() < MOMENT;
+        let is_so = |line: &str, since: &Instant| !is_of_reach(line) || is_stretched || since.elapsed() < MOMENT;
         self.warnings.retain(|Said { line, since, .. }| since.elapsed() < WARNING && is_so(line, since));
-        if places.is_covered {
-            return self.show_below_sheet(context, places);
+    }
+
+    /// What edits warned of, from a height on. Returns where what is said next begins `[points]`.
+    fn show_warnings(&mut self, context: &egui::Context, (places, top): (&Places, f32)) -> f32 {
+        if self.warnings.is_empty() {
+            return top;
         }
-        let mut top = places.bar_bottom().max(places.room.top() + APART);
+        let all = self.warnings.iter().map(|warning| &*warning.line).collect();
+        let mut is_closed = None;
+        let end = words(context, (places, top), WARNED, |ui| is_closed = warned(ui, all));
+        is_closed.into_iter().for_each(|place| _ = self.warnings.remove(place));
+        end
+    }
+
+    /// What went wrong, else what was just done, from a height on. Returns where what is said next begins `[points]`.
+    fn show_deed(&mut self, context: &egui::Context, (places, top): (&Places, f32)) -> f32 {
         let complaint = self.complaint.as_ref().filter(|complaint| complaint.is_said(self.over));
-        let complaint = complaint.map(|complaint| complaint.line.clone());
-        // Beside a panel in a small window there is room for what is said of what is done alone.
-        let is_caption_due = self.complaint.is_none() && self.done.is_none() && !places.is_crowded;
-        let caption = facts.caption.filter(|_| is_caption_due && self.has_caption && self.offer.is_none());
-        // Titles of worlds side by side lie below the caption, and all else that is said below the titles.
-        let has_titles = !facts.neighbors.is_empty();
-        if has_titles {
-            if let Some(caption) = caption {
-                top = self.caption(context, (places, top), (caption, facts.is_canvas), wishes);
-            }
-            top = top.max(titles_end(context, facts) + APART);
-        }
+        let Some(line) = complaint.map(|complaint| complaint.line.clone()) else {
+            let done = self.done.as_ref();
+            return done.map_or(top, |done| words(context, (places, top), DONE, |ui| told(ui, &done.line)));
+        };
         let mut is_read = false;
-        if !self.warnings.is_empty() {
-            let all = self.warnings.iter().map(|warning| &*warning.line).collect();
-            let mut is_closed = None;
-            top = words(context, (places, top), WARNED, |ui| is_closed = warned(ui, all));
-            is_closed.into_iter().for_each(|place| _ = self.warnings.remove(place));
-        }
-        if let Some(line) = complaint {
-            top = words(context, (places, top), COMPLAINT, |ui| is_read = complained(ui, &line));
-        } else if let Some(done) = &self.done {
-            top = words(context, (places, top), DONE, |ui| told(ui, &done.line));
-        } else if let Some(caption) = caption.filter(|_| !has_titles) {
-            top = self.caption(context, (places, top), (caption, facts.is_canvas), wishes);
-        }
+        let end = words(context, (places, top), COMPLAINT, |ui| is_read = complained(ui, &line));
         if is_read {
             self.close();
         }
-        if let Some((hub, _)) = self.motor_for.filter(|_| !facts.waits) {
+        end
+    }
+
+    /// A motor for a wheel that just came, and a session that was cut off, from a height on.
+    fn show_offers(&mut self, context: &egui::Context, (places, mut top): (&Places, f32), wishes: &mut Vec<Wish>) {
+        if let Some((hub, _)) = self.motor_for {
             let mut is_taken = false;
             top = words(context, (places, top), MOTOR, |ui| is_taken = motor(ui));
             if is_taken {
@@ -240,23 +266,24 @@ impl Notes {
                 wishes.push(Wish::GiveMotor(hub));
             }
         }
-        // What lies over the world is done with first.
-        if let Some(line) = self.offer.as_ref().filter(|_| !facts.waits) {
+        if let Some(line) = &self.offer {
             words(context, (places, top), OFFER, |ui| offer(ui, line, wishes));
         }
-        if let Some((at, line)) = self.hint {
-            let id = Id::unique("hint");
-            let size = context.memory(|memory| memory.area_rect(id)).map_or(HINT_SIZE, |rect| rect.size());
-            let rect = kept_in(Rect::from_min_size(at + vec2(18.0, 18.0), size), Some(at), places.room);
-            // What is said already lies there: nobody could read both.
-            if lies_on_words(context, rect) {
-                return;
-            }
-            let place = Area::new(id).order(egui::Order::Tooltip).interactable(false);
-            place.fixed_pos(rect.min).show(context, |ui| {
-                floating(ui).show(ui, |ui| ui.label(RichText::new(line).color(colors(ui).text)));
-            });
+    }
+
+    /// The line at the cursor, unless what is said already lies there: nobody could read both.
+    fn show_hint(&self, context: &egui::Context, room: Rect) {
+        let Some((at, line)) = self.hint else { return };
+        let id = Id::unique("hint");
+        let size = context.memory(|memory| memory.area_rect(id)).map_or(HINT_SIZE, |rect| rect.size());
+        let rect = kept_in(Rect::from_min_size(at + vec2(18.0, 18.0), size), Some(at), room);
+        if lies_on_words(context, rect) {
+            return;
         }
+        let place = Area::new(id).order(egui::Order::Tooltip).interactable(false);
+        place.fixed_pos(rect.min).show(context, |ui| {
+            floating(ui).show(ui, |ui| ui.label(RichText::new(line).color(colors(ui).text)));
+        });
     }
 
     /// Says what is of the sheet that lies over the world, and no more: along the lower edge, one line above another.

@@ -1,27 +1,25 @@
 //! Servos of a selection in its panel: where its angles are at rest goes to and fro by a wave, by a key, or by a wave while a key is held.
 
-use egui::{DragValue, Response, Ui};
+use egui::{Response, Ui};
 
 use super::drives::keys;
-use super::material::{Sink, row, short};
-use super::{ranged, ticks};
-use crate::app::matter::{Matter, MatterChange};
+use super::material::{Sink, row};
+use super::{ticks, wave};
+use crate::app::matter::{Common, Matter, MatterChange};
 use crate::scene::DriveKeys;
-use crate::sim::drive::{MOST_SWING, PERIODS, RATE, RATES};
+use crate::sim::drive::{MOST_SWING, RATE, RATES};
 
 /// What swings at first: by so much `[rad]`, once in so long `[s]`.
 const FIRST: [f64; 2] = [0.5, 1.0];
-/// How fast an angle changes as it is dragged, for each point `[deg]`; all else by this share of it.
+/// How fast an angle changes as it is dragged, for each point `[deg]`, and a rate, as a share of it.
 const SPEED: f64 = 0.5;
 const SHARE: f64 = 0.01;
-/// Phases are no larger `[rad]`.
-const TURNS: f64 = 1e6;
 
 /// Whether angles that resist swing, and how.
 pub(super) fn show(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
     let Some(now) = matter.swings else { return };
     row(ui, "", |ui, _| {
-        let mut swings = now.is_some();
+        let mut swings = now != Common::One(None);
         let words = "its angles at rest go to and fro, as servos turn them: by a wave, by a key, or by a wave while that is held";
         let by = ticks::check(ui, &mut swings, "swings").on_hover_text(words);
         if by.changed() {
@@ -29,13 +27,15 @@ pub(super) fn show(ui: &mut Ui, matter: &Matter, sink: &mut Sink<'_>) {
             sink.set(&by, MatterChange::Swings(swings.then_some(first)));
         }
     });
-    if matter.swing_apart {
-        row(ui, "", |ui, _| ui.weak("mixed: each has its own"));
-    } else if let Some(before) = now {
-        let mut drive = before;
-        let by = rows(ui, &mut drive);
-        if let Some(by) = by.filter(|_| drive != before) {
-            sink.set(&by, MatterChange::Swings(Some(drive)));
+    match now {
+        Common::Mixed => _ = row(ui, "", |ui, _| ui.weak("mixed: each has its own")),
+        Common::One(None) => {}
+        Common::One(Some(before)) => {
+            let mut drive = before;
+            let by = rows(ui, &mut drive);
+            if let Some(by) = by.filter(|_| drive != before) {
+                sink.set(&by, MatterChange::Swings(Some(drive)));
+            }
         }
     }
 }
@@ -45,11 +45,11 @@ fn rows(ui: &mut Ui, drive: &mut DriveKeys) -> Option<Response> {
     let mut all = Vec::new();
     let mut degrees = drive.amplitude.unwrap_or(0.0).to_degrees();
     let most = MOST_SWING.to_degrees().floor();
-    all.push(number(ui, ("swing", "°"), (&mut degrees, SPEED), -most..=most));
+    all.push(wave::field(ui, ("swing", "°"), (&mut degrees, SPEED), -most..=most));
     if all.iter().any(Response::changed) {
         drive.amplitude = Some(degrees.to_radians());
     }
-    all.extend(wave(ui, drive));
+    all.extend(of_wave(ui, drive));
     let held = [drive.key, drive.back];
     let both = keys(ui, &mut drive.key, &mut drive.back);
     let is_held_anew = held != [drive.key, drive.back];
@@ -62,14 +62,14 @@ fn rows(ui: &mut Ui, drive: &mut DriveKeys) -> Option<Response> {
     if is_held {
         let mut rate = drive.rate.unwrap_or(RATE);
         let speed = SHARE * rate;
-        all.push(number(ui, ("comes, goes", " /s"), (&mut rate, speed), RATES[0]..=RATES[1]));
+        all.push(wave::field(ui, ("comes, goes", " /s"), (&mut rate, speed), RATES[0]..=RATES[1]));
         drive.rate = Some(rate);
     }
     all.into_iter().find(Response::changed).or(is_held_anew.then_some(both))
 }
 
 /// Whether it follows a wave, and which. It must where no key is held.
-fn wave(ui: &mut Ui, drive: &mut DriveKeys) -> Vec<Response> {
+fn of_wave(ui: &mut Ui, drive: &mut DriveKeys) -> Vec<Response> {
     let mut has_wave = drive.period.is_some();
     let can_choose = drive.key.is_some();
     let by = row(ui, "", |ui, _| ticks::check_if(ui, can_choose || !has_wave, &mut has_wave, "wave"));
@@ -79,21 +79,7 @@ fn wave(ui: &mut Ui, drive: &mut DriveKeys) -> Vec<Response> {
     let mut all = vec![by];
     let Some(mut period) = drive.period else { return all };
     let mut phase = drive.phase.unwrap_or(0.0);
-    let speed = SHARE * period;
-    all.push(number(ui, ("period", " s"), (&mut period, speed), PERIODS[0]..=PERIODS[1]));
-    all.push(number(ui, ("phase", " rad"), (&mut phase, SHARE), -TURNS..=TURNS));
+    all.extend(wave::fields(ui, &mut period, &mut phase));
     (drive.period, drive.phase) = (Some(period), drive.phase.or((phase != 0.0).then_some(phase)).map(|_| phase));
     all
-}
-
-fn number(
-    ui: &mut Ui,
-    (name, unit): (&str, &str),
-    (value, speed): (&mut f64, f64),
-    range: std::ops::RangeInclusive<f64>,
-) -> Response {
-    row(ui, name, |ui, label| {
-        let field = DragValue::new(value).speed(speed).update_while_editing(false);
-        ranged::field(ui, field.custom_formatter(|x, _| short(x)).suffix(unit), range, unit).labelled_by(label)
-    })
 }

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 
+use super::areas::{around, is_in, is_within, overlap};
 use super::pick::Scope;
 use super::room::here;
 use crate::scene::Shape;
@@ -29,7 +30,7 @@ impl Cover {
         let at = |corner: u32| shape.places.get(corner as usize).copied().map(DVec2::from);
         let triangles: Vec<[DVec2; 3]> =
             shape.triangles.iter().filter_map(|&[a, b, c]| Some([at(a)?, at(b)?, at(c)?])).collect();
-        let around = hull(triangles.iter().flatten().copied())?;
+        let around = around(triangles.iter().flatten().copied())?;
         Some(Cover { triangles, around })
     }
 
@@ -37,7 +38,7 @@ impl Cover {
     fn encloses<'a>(&'a self, polygons: &'a [Polygon], by: DVec2) -> impl Iterator<Item = &'a Polygon> {
         polygons.iter().filter(move |polygon| {
             let corners = polygon.loops.iter().flatten().map(|&corner| DVec2::from(corner) - by);
-            hull(corners).is_some_and(|there| meet(there, self.around)) && self.has(polygon, by)
+            around(corners).is_some_and(|there| overlap(there, self.around)) && self.has(polygon, by)
         })
     }
 
@@ -46,15 +47,20 @@ impl Cover {
         let mut sides = sides.map(|(&from, &to)| [from, to].map(|end| DVec2::from(end) - by));
         sides.any(|[from, to]| {
             let side = [from.min(to), from.max(to)];
-            meet(side, self.around)
+            overlap(side, self.around)
                 && self.triangles.iter().any(|corners @ &[a, b, c]| {
-                    let around = [a.min(b).min(c), a.max(b).max(c)];
+                    let own = [a.min(b).min(c), a.max(b).max(c)];
                     let crosses =
                         |[p, q]: [DVec2; 2]| segments_pass([from, to].map(Into::into), [p, q].map(Into::into));
-                    meet(side, around)
-                        && (is_within(corners, from) || [[a, b], [b, c], [c, a]].into_iter().any(crosses))
+                    overlap(side, own)
+                        && (is_within(*corners, from) || [[a, b], [b, c], [c, a]].into_iter().any(crosses))
                 })
         })
+    }
+
+    /// Whether it covers a place, or ends there.
+    pub(super) fn holds(&self, place: DVec2) -> bool {
+        self.triangles.iter().any(|corners| is_in(*corners, place))
     }
 
     /// Whether it has some of them within itself.
@@ -68,9 +74,9 @@ impl Cover {
         scope.shown.scenery.triangles.iter().any(|corners| {
             let there = corners.map(|corner| here(scope, corner));
             let [a, b, c] = there;
-            let is_near = meet([a.min(b).min(c), a.max(b).max(c)], [low, high]);
+            let is_near = overlap([a.min(b).min(c), a.max(b).max(c)], [low, high]);
             let has =
-                |of: &[DVec2; 3], by: DVec2, corners: &[DVec2; 3]| corners.iter().any(|&at| is_within(of, at + by));
+                |of: &[DVec2; 3], by: DVec2, corners: &[DVec2; 3]| corners.iter().any(|&at| is_within(*of, at + by));
             is_near && self.triangles.iter().any(|own| has(own, -by, &there) || has(&there, by, own))
         })
     }
@@ -99,7 +105,7 @@ impl Cover {
         is_free: impl Fn(DVec2) -> bool,
     ) -> Option<DVec2> {
         let within = self.encloses(polygons, from).flat_map(|polygon| polygon.loops.iter().flatten());
-        let [low, high] = hull(within.map(|&corner| DVec2::from(corner)))?;
+        let [low, high] = around(within.map(|&corner| DVec2::from(corner)))?;
         let step = (low.distance(high) + self.around[0].distance(self.around[1])) / f64::from(STEPS);
         let is_balanced = |by: DVec2| self.is_balanced([low - by, high - by], up);
         let has_room = |by: DVec2| !self.has_any(polygons, by) && !is_balanced(by) && is_free(by);
@@ -121,21 +127,4 @@ impl Cover {
         }
         None
     }
-}
-
-/// Whether a place lies in a triangle, and not on its sides.
-fn is_within(&[a, b, c]: &[DVec2; 3], at: DVec2) -> bool {
-    let least = 1e-9 * (b - a).perp_dot(c - a).abs();
-    let sides = [(b - a).perp_dot(at - a), (c - b).perp_dot(at - b), (a - c).perp_dot(at - c)];
-    sides.iter().all(|side| *side > least) || sides.iter().all(|side| *side < -least)
-}
-
-fn hull(places: impl Iterator<Item = DVec2>) -> Option<[DVec2; 2]> {
-    places.fold(None, |around: Option<[DVec2; 2]>, at| {
-        Some(around.map_or([at; 2], |[low, high]| [low.min(at), high.max(at)]))
-    })
-}
-
-fn meet([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
-    a.cmplt(d).all() && c.cmplt(b).all()
 }

@@ -4,6 +4,7 @@
 use glam::DVec2;
 
 use super::Deed;
+use super::areas::is_in;
 use super::marks::{Mark, Role};
 use super::pick::{Scope, distance_to_segment};
 use super::room::here;
@@ -175,11 +176,6 @@ pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, (way, held): (DVec2, Optio
     };
     stays.extend(loose.into_iter().filter_map(knot));
     stays
-}
-
-fn is_in([a, b, c]: [DVec2; 3], at: DVec2) -> bool {
-    let sides = [(b - a).perp_dot(at - a), (c - b).perp_dot(at - b), (a - c).perp_dot(at - c)];
-    sides.iter().all(|&side| side >= 0.0) || sides.iter().all(|&side| side <= 0.0)
 }
 
 /// A bond as another one is, as long as it is when it comes.

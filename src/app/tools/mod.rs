@@ -1,5 +1,6 @@
 //! Tools: what presses and strokes of the left button become. They return commands and change nothing.
 
+mod areas;
 #[cfg(test)]
 mod bad_tests;
 mod boxes;

@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 
 use glam::{DVec2, DVec3};
 
+use super::areas::{self, touch};
 use super::pick::{self, Scope, distance_to_sides};
 use super::skin;
 use crate::picture::Tint;
@@ -26,7 +27,7 @@ pub(super) struct Others {
     /// Obstacles, which are there wherever one is.
     polygons: Vec<Standing>,
     /// What the points cover that others are looked for about.
-    own: Cover,
+    own: Patch,
     /// How often outlines were followed around.
     followed: u64,
 }
@@ -34,7 +35,7 @@ pub(super) struct Others {
 struct Body {
     /// The lower and the upper corner of the box around it `[m]`.
     around: [DVec2; 2],
-    cover: Cover,
+    patch: Patch,
     /// It stands in the way of what was looked at.
     is_met: bool,
 }
@@ -46,16 +47,16 @@ struct Standing {
     is_met: bool,
 }
 
-/// What triangles cover: the corners of its outline, once they are asked for.
+/// Triangles, and the corners of their outline, once they are asked for.
 #[derive(Default)]
-struct Cover {
+struct Patch {
     triangles: Vec<[u32; 3]>,
     loops: OnceLock<Vec<Vec<u32>>>,
 }
 
-impl Cover {
+impl Patch {
     fn of(triangles: Vec<[u32; 3]>) -> Self {
-        Cover { triangles, loops: OnceLock::new() }
+        Patch { triangles, loops: OnceLock::new() }
     }
 
     /// Where it ends `[m]`.
@@ -94,16 +95,16 @@ impl Others {
         }
         let bodies = of.into_values().filter_map(|triangles| {
             let corners = triangles.iter().flatten().map(|&corner| at(scope, corner));
-            Some(Body { around: around(corners)?, cover: Cover::of(triangles), is_met: false })
+            Some(Body { around: around(corners)?, patch: Patch::of(triangles), is_met: false })
         });
-        Others { bodies: bodies.collect(), polygons, own: Cover::of(covered), followed: 0 }
+        Others { bodies: bodies.collect(), polygons, own: Patch::of(covered), followed: 0 }
     }
 
     /// Leaves out those in which one of these places, those of the points, lies deeper than so far `[m]`, or the other way round: who lies in
     /// something already is not put out of it.
     pub(super) fn leave_out(&mut self, scope: Scope<'_>, places: &[[f64; 2]], deep: f64) {
         let Some(own) = around(places.iter().copied().map(DVec2::from)) else { return };
-        if !self.bodies.iter().any(|body| meet(body.around, own)) {
+        if !self.bodies.iter().any(|body| touch(body.around, own)) {
             return;
         }
         let covered = self.own.outline(scope);
@@ -111,10 +112,10 @@ impl Others {
             pick::is_inside(loops, place) && distance_to_sides(place.into(), loops) > deep
         };
         self.bodies.retain(|body| {
-            if !meet(body.around, own) {
+            if !touch(body.around, own) {
                 return true;
             }
-            let loops = body.cover.outline(scope);
+            let loops = body.patch.outline(scope);
             let mut corners = loops.iter().flatten();
             !places.iter().any(|&place| is_deep(&loops, place)) && !corners.any(|&corner| is_deep(&covered, corner))
         });
@@ -126,13 +127,13 @@ impl Others {
         let Some(own) = around(places.iter().copied().map(DVec2::from)) else { return false };
         let far = (own[1] - own[0]).max_element();
         let within = |share: f64| [own[0] - share * far, own[1] + share * far];
-        let is_new = |is_met: bool, there: [DVec2; 2]| !is_met && meet(there, within(NEAR));
+        let is_new = |is_met: bool, there: [DVec2; 2]| !is_met && touch(there, within(NEAR));
         if !self.bodies.iter().any(|body| is_new(body.is_met, body.around))
             && !self.polygons.iter().any(|standing| is_new(standing.is_met, standing.around))
         {
             return false;
         }
-        let is_near = |is_met: bool, there: [DVec2; 2]| goes_on && is_met || meet(there, within(FAR));
+        let is_near = |is_met: bool, there: [DVec2; 2]| goes_on && is_met || touch(there, within(FAR));
         self.bodies.iter_mut().for_each(|body| body.is_met = is_near(body.is_met, body.around));
         self.polygons.iter_mut().for_each(|standing| standing.is_met = is_near(standing.is_met, standing.around));
         true
@@ -152,14 +153,14 @@ impl Others {
         for corner in covered.iter_mut().flatten() {
             *corner = place(DVec2::from(*corner).extend(0.0)).truncate().to_array();
         }
-        let first = |body: &Body| at(scope, body.cover.triangles[0][0]).to_array();
+        let first = |body: &Body| at(scope, body.patch.triangles[0][0]).to_array();
         self.bodies.iter().filter(|body| body.is_met).any(|body| pick::is_inside(&covered, first(body)))
     }
 
     /// The outlines of all that something is near to, obstacles first.
     pub(super) fn outlines(&mut self, scope: Scope<'_>) -> Vec<Polygon> {
         let outline = |body: &Body| {
-            let loops = body.cover.outline(scope);
+            let loops = body.patch.outline(scope);
             (!loops.is_empty()).then_some(Polygon { loops, restitution: 0.0, friction: 0.0 })
         };
         let outlines: Vec<Polygon> = self.bodies.iter().filter(|body| body.is_met).filter_map(outline).collect();
@@ -182,13 +183,6 @@ fn at(scope: Scope<'_>, corner: u32) -> DVec2 {
 
 /// The box around places; `None` of nothing, or where one is nowhere.
 fn around(places: impl Iterator<Item = DVec2>) -> Option<[DVec2; 2]> {
-    let all = places.fold(None, |all: Option<[DVec2; 2]>, at| {
-        let at = if at.is_finite() { at } else { DVec2::NAN };
-        Some(all.map_or([at; 2], |[low, high]| [low.min(at), high.max(at)]))
-    });
+    let all = areas::around(places.map(|at| if at.is_finite() { at } else { DVec2::NAN }));
     all.filter(|ends| ends.iter().all(|end| end.is_finite()))
-}
-
-fn meet([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
-    a.cmple(d).all() && c.cmple(b).all()
 }

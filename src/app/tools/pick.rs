@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::areas::is_in;
 use crate::app::player::Shown;
 use crate::picture::Tint;
 use crate::render::{Camera, Pose};
@@ -184,8 +185,7 @@ impl Scope<'_> {
     pub(super) fn triangle(&self, at: DVec2) -> Option<[PointId; 3]> {
         let covers = |corners: &[PointId; 3]| {
             let [Some(a), Some(b), Some(c)] = corners.map(|corner| self.pixel(corner)) else { return false };
-            let sides = [(b - a).perp_dot(at - a), (c - b).perp_dot(at - b), (a - c).perp_dot(at - c)];
-            sides.iter().all(|&side| side >= 0.0) || sides.iter().all(|&side| side <= 0.0)
+            is_in([a, b, c], at)
         };
         let mut under = self.shown.scenery.triangles.iter().rev().copied().filter(covers);
         let depth = |corners: &[PointId; 3]| corners.map(|corner| self.depth(self.shown.place(corner.index())));

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::marks::{Mark, Role};
 use super::pick::Scope;
-use crate::app::matter::{Joint, is_among};
+use crate::app::matter::{AngleAs, Joint};
 use crate::sim::PointId;
 
 /// Radius of an arc in lengths of the shorter arm, and the least and the greatest one `[logical px]`.
@@ -29,7 +29,7 @@ const NUMBERED: usize = 2;
 
 /// The stops of all joints among points, which are ascending.
 pub(super) fn marks(scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
-    let angles = scope.shown.scenery.angles.iter().filter(|angle| is_among(points, angle));
+    let angles = scope.shown.scenery.angles.iter().filter(|angle| AngleAs::Joint.is_meant(points, angle));
     let joints: Vec<Joint> = angles.filter_map(|angle| Some((angle.points, angle.range?))).take(MOST).collect();
     all(scope, Role::Lead, &joints)
 }

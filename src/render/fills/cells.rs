@@ -9,6 +9,7 @@
 //! ```
 
 use crate::picture::Tint;
+use crate::sim::bond::lower_first;
 use crate::sim::{Bond, Bonds, Limit};
 
 /// Bonds of a point from which on it is a corner of no quad: those of nets have few.
@@ -66,7 +67,7 @@ impl Net {
         let may_be = |point: u32| is_bare.get(point as usize) == Some(&true);
         // What only pushes lies between points that nothing holds together.
         let held = bonds.iter().filter(|bond| bond.limit != Limit::Min && bond.rest_length > 0.0 && bond.a != bond.b);
-        let side = |a: u32, b: u32, rest| Side { ends: [a.min(b), a.max(b)], rest, beside: Vec::new() };
+        let side = |a: u32, b: u32, rest| Side { ends: lower_first([a, b]), rest, beside: Vec::new() };
         let mut sides: Vec<Side> = held
             .filter(|bond| may_be(bond.a.0) && may_be(bond.b.0))
             .map(|bond| side(bond.a.0, bond.b.0, bond.rest_length))

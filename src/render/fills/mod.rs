@@ -26,6 +26,7 @@ use super::gpu_bond::GpuBond;
 use super::growing::GrowingBuffer;
 use super::quads::{QUAD, Quads};
 use super::view::View;
+use crate::sim::bond::lower_first;
 use crate::sim::{Bond, PointId};
 use bodies::{Filled, SKIN_COLOR, bodies};
 pub use bodies::{body_color, color_of};
@@ -448,19 +449,18 @@ fn inner(view: &View<'_>, bodies: &[Filled]) -> Vec<Vec<[u32; 2]>> {
     if view.dimensions != 2 || view.bonds.len() > MOST_INNER || bodies.is_empty() {
         return Vec::new();
     }
-    let ordered = |a: u32, b: u32| [a.min(b), a.max(b)];
     let mut body_of = vec![u32::MAX; view.current.len() / 2];
     let mut sides = Vec::new();
     for (number, body) in (0..).zip(bodies) {
         for &[a, b, c] in &body.triangles {
             [a, b, c].into_iter().for_each(|corner| body_of[corner as usize] = number);
-            sides.extend([ordered(a, b), ordered(b, c), ordered(c, a)]);
+            sides.extend([[a, b], [b, c], [c, a]].map(lower_first));
         }
     }
     sides.sort_unstable();
     let mut list = vec![Vec::new(); bodies.len()];
     for bond in view.bonds.iter().filter(|bond| bond.drive.is_none()) {
-        let ends = ordered(bond.a.0, bond.b.0);
+        let ends = lower_first([bond.a.0, bond.b.0]);
         let [of_a, of_b] = ends.map(|end| body_of.get(end as usize).copied().unwrap_or(u32::MAX));
         if of_a == of_b && of_a != u32::MAX && sides.binary_search(&ends).is_err() {
             list[of_a as usize].push(ends);

@@ -1,12 +1,13 @@
 //! Triangles by what hangs together by sides.
 
 use crate::picture::Tint;
+use crate::sim::bond::lower_first;
 
 /// Pieces of triangles: those that share a point alone are two.
 pub(super) fn pieces(triangles: &[[u32; 3]]) -> Vec<Vec<[u32; 3]>> {
     let mut sides: Vec<([u32; 2], u32)> = Vec::with_capacity(3 * triangles.len());
     for (number, &[a, b, c]) in (0..).zip(triangles) {
-        sides.extend([[a, b], [b, c], [c, a]].map(|[a, b]| ([a.min(b), a.max(b)], number)));
+        sides.extend([[a, b], [b, c], [c, a]].map(|side| (lower_first(side), number)));
     }
     sides.sort_unstable();
     let pairs = sides.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| [pair[0].1, pair[1].1]);

@@ -24,6 +24,7 @@ use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
 use super::view::View;
 use crate::picture::{Picture, Skin, Tint};
+use crate::sim::bond::lower_first;
 use rind::Rind;
 use sides::Sides;
 use soft::softened;
@@ -247,7 +248,7 @@ impl Worn {
             edges.retain(|side| rind.sides.binary_search(side).is_err());
             // Of what is shown only as far as the picture goes, a side beyond that is nothing.
             let mut beyond: Vec<[u32; 2]> = rind.clipped.iter().flat_map(|&k| sides::sides(whole[k])).collect();
-            beyond.iter_mut().for_each(|side| *side = sides::ordered(*side));
+            beyond.iter_mut().for_each(|side| *side = lower_first(*side));
             beyond.sort_unstable();
             edges.retain(|side| {
                 beyond.binary_search(side).is_err() || ink::is_strand_there(&skin.picture, side.map(place))
@@ -255,7 +256,7 @@ impl Worn {
         }
         let [opaque, seen_through] = [false, true].map(|wanted| {
             let of = both().filter(|(_, is)| **is == wanted).flat_map(|(&corners, _)| sides::sides(corners));
-            let mut list: Vec<[u32; 2]> = of.map(sides::ordered).collect();
+            let mut list: Vec<[u32; 2]> = of.map(lower_first).collect();
             list.sort_unstable();
             list
         });

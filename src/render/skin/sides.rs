@@ -1,6 +1,7 @@
 //! Which sides of triangles are bonds, and which are free.
 
 use crate::render::view::View;
+use crate::sim::bond::lower_first;
 use crate::sim::triangles;
 
 /// The bonds of a world by their ends, to be looked up.
@@ -19,14 +20,14 @@ impl Sides {
     }
 
     fn new(ends: impl Iterator<Item = [u32; 2]>) -> Self {
-        let mut bonds: Vec<[u32; 2]> = ends.map(ordered).collect();
+        let mut bonds: Vec<[u32; 2]> = ends.map(lower_first).collect();
         bonds.sort_unstable();
         bonds.dedup();
         Sides { bonds }
     }
 
     fn has(&self, side: [u32; 2]) -> bool {
-        self.bonds.binary_search(&ordered(side)).is_ok()
+        self.bonds.binary_search(&lower_first(side)).is_ok()
     }
 
     /// The triangles of which no side broke. What never was bonded, in a scene that has triangles without bonds, is whole.
@@ -56,18 +57,14 @@ impl Sides {
 
 /// The far corners of every two triangles that share a side, sorted.
 fn braces(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
-    let with_far = |&[a, b, c]: &[u32; 3]| [(ordered([a, b]), c), (ordered([b, c]), a), (ordered([c, a]), b)];
+    let with_far =
+        |&[a, b, c]: &[u32; 3]| [(lower_first([a, b]), c), (lower_first([b, c]), a), (lower_first([c, a]), b)];
     let mut sides: Vec<([u32; 2], u32)> = triangles.iter().flat_map(with_far).collect();
     sides.sort_unstable();
     let pairs = sides.array_windows().filter(|[p, q]| p.0 == q.0);
-    let mut braces: Vec<[u32; 2]> = pairs.map(|[p, q]| ordered([p.1, q.1])).collect();
+    let mut braces: Vec<[u32; 2]> = pairs.map(|[p, q]| lower_first([p.1, q.1])).collect();
     braces.sort_unstable();
     braces
-}
-
-/// The lower one first.
-pub(super) fn ordered([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }
 
 /// Of a triangle.

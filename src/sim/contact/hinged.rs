@@ -1,5 +1,6 @@
 //! Meshes of one body that turn about a hinge pass through each other.
 
+use crate::sim::bond::lower_first;
 use crate::sim::sets::Sets;
 
 /// Which meshes of bodies are hinged: those that share a corner and no side, such as the limbs of a figure at its joints, and those that a hub
@@ -76,7 +77,7 @@ fn corners(triangles: &[[u32; 3]], first: u32) -> Vec<(u32, u32)> {
     let mut sides: Vec<([u32; 2], u32)> = triangles
         .iter()
         .zip(0..)
-        .flat_map(|(&[a, b, c], k)| [[a, b], [b, c], [c, a]].map(|[a, b]| ([a.min(b), a.max(b)], k)))
+        .flat_map(|(&[a, b, c], k)| [[a, b], [b, c], [c, a]].map(|side| (lower_first(side), k)))
         .collect();
     sides.sort_unstable();
     let mut sets = Sets::new(triangles.len());

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{done, invalid};
-use crate::sim::bond::PointId;
+use crate::sim::bond::{PointId, lower_first};
 use crate::sim::command::{Applied, CommandError, Selection};
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::model::Model;
@@ -162,10 +162,9 @@ impl<S: Real, const D: usize> World<S, D> {
         if self.model.angles.list.is_empty() {
             return;
         }
-        let sorted = |[a, b]: [PointId; 2]| [a.min(b), a.max(b)];
-        cut.iter_mut().for_each(|ends| *ends = sorted(*ends));
+        cut.iter_mut().for_each(|ends| *ends = lower_first(*ends));
         cut.sort_unstable();
-        let is_cut = |a: PointId, b: PointId| cut.binary_search(&sorted([a, b])).is_ok();
+        let is_cut = |a: PointId, b: PointId| cut.binary_search(&lower_first([a, b])).is_ok();
         let is_borne = |[i, j, k]: [PointId; 3]| !(is_cut(i, j) || is_cut(j, k));
         if !self.model.angles.list.iter().all(|angle| is_borne(angle.points)) {
             Arc::make_mut(&mut self.model).angles.list.retain(|angle| is_borne(angle.points));

@@ -341,7 +341,7 @@ impl<S: Real> Live<S> {
     pub(super) fn scatter(&self, cluster: &Cluster<S>, points: &mut Points<S, 2>) {
         for (k, &body) in cluster.bodies.iter().enumerate() {
             let slots = &self.bodies.order[self.bodies.list[body].points.range()];
-            if let Some(frame) = cluster.whole(k as u32).filter(|frame| frame.is_free) {
+            if let Some(frame) = cluster.free_whole(k as u32) {
                 scatter_all(frame, slots, points);
                 continue;
             }

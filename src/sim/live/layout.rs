@@ -3,6 +3,7 @@
 use super::body::{Area, Body};
 use super::cluster::{Cluster, Common};
 use super::pair::left;
+use crate::sim::bond::lower_first;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
 
@@ -19,20 +20,16 @@ pub(super) struct Sheet<'a, S> {
     places: &'a [[S; 2]],
 }
 
-fn sorted(a: u32, b: u32) -> [u32; 2] {
-    [a.min(b), a.max(b)]
-}
-
 impl<'a, S: Real> Sheet<'a, S> {
     pub(super) fn new(state: &'a Cluster<S>, common: &'a Common<'a, S>, (body, base): (&Body<S>, usize)) -> Self {
         let areas = common.areas(body);
         let links = common.springs(body).iter().chain(common.holds(body));
-        let mut lengths: Vec<([u32; 2], S)> = links.map(|link| (sorted(link.a, link.b), link.rest)).collect();
+        let mut lengths: Vec<([u32; 2], S)> = links.map(|link| (lower_first([link.a, link.b]), link.rest)).collect();
         lengths.sort_by_key(|entry| entry.0);
         let mut sides: Vec<([u32; 2], u32)> = Vec::with_capacity(3 * areas.len());
         for (area, k) in areas.iter().zip(0..) {
             let [a, b, c] = area.corners;
-            sides.extend([(sorted(a, b), k), (sorted(b, c), k), (sorted(c, a), k)]);
+            sides.extend([[a, b], [b, c], [c, a]].map(|side| (lower_first(side), k)));
         }
         sides.sort_unstable();
         Sheet { areas, lengths, sides, places: &state.now[base..] }
@@ -94,7 +91,7 @@ impl<'a, S: Real> Sheet<'a, S> {
                     lay(r, self.third([x, y], [p, q, r], self.areas[k].rest), at);
                 }
             }
-            for side in [sorted(a, b), sorted(b, c), sorted(c, a)] {
+            for side in [[a, b], [b, c], [c, a]].map(lower_first) {
                 let start = self.sides.partition_point(|entry| entry.0 < side);
                 for &(_, other) in self.sides[start..].iter().take_while(|entry| entry.0 == side) {
                     if std::mem::take(&mut is_left[other as usize]) {
@@ -120,7 +117,7 @@ impl<'a, S: Real> Sheet<'a, S> {
 
     /// The length at rest of a side `[m]`; one without a bond has that of now.
     fn length(&self, a: u32, b: u32) -> S {
-        let ends = sorted(a, b);
+        let ends = lower_first([a, b]);
         let start = self.lengths.partition_point(|entry| entry.0 < ends);
         match self.lengths.get(start) {
             Some(entry) if entry.0 == ends => entry.1,

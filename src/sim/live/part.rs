@@ -61,7 +61,7 @@ impl<S: Real> Couple<S> {
 /// How heavy a body is `[kg]`, and how fast `[m/s]`; infinite where something holds it.
 fn motion<S: Real>(state: &Cluster<S>, body: u32) -> (S, [S; 2]) {
     let range = state.bases[body as usize] as usize..state.bases[body as usize + 1] as usize;
-    if let Some(frame) = state.whole(body).filter(|frame| frame.is_free) {
+    if let Some(frame) = state.free_whole(body) {
         return (S::from_f64(frame.mass()), convert(frame.twist().velocity));
     }
     let (mut mass, mut momentum) = (S::ZERO, zero::<S, 2>());
@@ -211,7 +211,7 @@ pub(super) fn drift<S: Real>(state: &mut Cluster<S>, h: S, gravity: [f64; 2]) {
                 }
             }
         }
-        if let Some(frame) = state.whole(body as u32).filter(|frame| frame.is_free) {
+        if let Some(frame) = state.free_whole(body as u32) {
             state.lifted -= dot(gravity, shift) * S::from_f64(frame.mass());
         }
     }

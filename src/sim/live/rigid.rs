@@ -463,7 +463,12 @@ impl<S: Real> Cluster<S> {
         self.whole_number(body).map(|number| &self.frames[number])
     }
 
-    /// The number of that frame.
+    /// The same, if it moves by itself.
+    pub(super) fn free_whole(&self, body: u32) -> Option<&Frame> {
+        self.whole(body).filter(|frame| frame.is_free)
+    }
+
+    /// The number of the frame that a body is, if it is one.
     pub(super) fn whole_number(&self, body: u32) -> Option<usize> {
         if self.is_rigid(body) { self.frame_number(self.bases[body as usize] as usize) } else { None }
     }

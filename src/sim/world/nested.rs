@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::World;
-use crate::sim::bond::PointId;
+use crate::sim::bond::{PointId, lower_first};
 use crate::sim::contact::hinged::Hinged;
 use crate::sim::contact::skin::Contact;
 use crate::sim::real::Real;
@@ -117,10 +117,10 @@ impl<S: Real, const D: usize> World<S, D> {
         let triangles = self.model.triangles.iter().map(|triangle| triangle.map(|corner| corner.0));
         let triangles: Vec<[u32; 3]> = triangles.collect();
         let ends = |bond: &[PointId; 2]| bond.map(|end| end.0);
-        let mut bonded: Vec<[u32; 2]> = self.bonds.ends().iter().map(ends).map(sorted).collect();
+        let mut bonded: Vec<[u32; 2]> = self.bonds.ends().iter().map(ends).map(lower_first).collect();
         bonded.sort_unstable();
         let skin = triangles::skin(&triangles, bonded.iter().copied());
-        let are_bonded = |a: u32, b: u32| bonded.binary_search(&sorted([a, b])).is_ok();
+        let are_bonded = |a: u32, b: u32| bonded.binary_search(&lower_first([a, b])).is_ok();
         let hinged = Hinged::of(places.len(), &triangles, bonded.iter().copied());
         let skins = &self.model.skins;
         let passes = |[a, b]: [u32; 2], [c, d]: [u32; 2]| hinged.pass([a, b], [c, d]) || skins.are_layers([a, b, c, d]);
@@ -152,10 +152,6 @@ pub(super) fn by_place<'a, const D: usize>(
         axes.fold(Ordering::Equal, Ordering::then)
     });
     points.chunk_by(move |a, b| place(a) == place(b))
-}
-
-fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
 }
 
 impl<const N: usize> Sweep<N> {

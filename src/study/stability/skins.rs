@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::pieces::Pieces;
 use super::sides::crossings;
+use crate::sim::bond::lower_first;
 use crate::sim::triangles;
 use crate::sim::{Dynamics, PointId};
 
@@ -57,7 +58,7 @@ impl Skins {
 fn sides(world: &dyn Dynamics) -> Vec<[u32; 2]> {
     let triangles: Vec<[u32; 3]> = world.triangles().iter().map(|corners| corners.map(|corner| corner.0)).collect();
     let skin = triangles::skin(&triangles, world.bonds().iter().map(|bond| [bond.a.0, bond.b.0]));
-    let closed = skin.closed.into_iter().map(|[a, b]| [a.min(b), a.max(b)]);
+    let closed = skin.closed.into_iter().map(lower_first);
     closed.chain(skin.open).collect()
 }
 

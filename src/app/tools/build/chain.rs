@@ -18,6 +18,7 @@ use crate::app::tools::{Deed, knot};
 use crate::history::Do;
 use crate::scene::{AddKeys, BondKeys, PointKeys, Vector};
 use crate::sim::PointId;
+use crate::sim::bond::lower_first;
 
 /// Said where a chain ends with nothing to bond.
 const ALONE: &str = "a bond needs two points";
@@ -203,12 +204,11 @@ impl Chain {
             Node::Own(k) => next + *k as u32,
             Node::World(point) => point.0,
         };
-        let sorted = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
-        let own_pairs = self.nodes.windows(2).map(|pair| sorted([number(&pair[0]), number(&pair[1])]));
+        let own_pairs = self.nodes.windows(2).map(|pair| lower_first([number(&pair[0]), number(&pair[1])]));
         let mut pairs: BTreeSet<[u32; 2]> = own_pairs.collect();
         let is_drawn = !pairs.is_empty();
         scope.shown.scenery.bonds.ends().iter().for_each(|[a, b]| {
-            pairs.remove(&sorted([a.0, b.0]));
+            pairs.remove(&lower_first([a.0, b.0]));
         });
         let is_bonded = pairs.is_empty();
         let firm = scope.rigid_pieces();

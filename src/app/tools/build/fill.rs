@@ -9,6 +9,7 @@ use super::corners::area;
 use crate::app::matter::Preset;
 use crate::picture::{Boundary, Settings, fill_boundary};
 use crate::scene::{AddKeys, BondKeys, MassKeys, Material, PointKeys, Row, SkinKeys, Vector};
+use crate::sim::bond::lower_first;
 
 /// Sides of triangles in the side of a square as large as the loop `[1]`.
 const FINE: f64 = 5.0;
@@ -52,7 +53,7 @@ pub(super) fn filled(
         of.material(size.abs(), 1.0);
     let triangles: Vec<[u32; 3]> = mesh.triangles.iter().map(|list| list.map(|k| numbers[k as usize])).collect();
     let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let sides: BTreeSet<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let sides: BTreeSet<[u32; 2]> = sides.map(lower_first).collect();
     let bond = |[a, b]: [u32; 2]| BondKeys { kind, stiffness, damping, break_strain, ..BondKeys::new(a, b) };
     // Corners that are points of other bodies stay as they are.
     let mut of_it: Vec<u32> = numbers.iter().copied().filter(|&number| number >= next || !is_covered(number)).collect();

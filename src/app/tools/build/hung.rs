@@ -6,6 +6,7 @@ use glam::DVec2;
 use super::fibre::BuiltOf;
 use super::form::{Form, Round};
 use super::grid::Grid;
+use crate::app::tools::enclosed::Cover;
 use crate::app::tools::knot::{NEAR, loose_ropes};
 use crate::app::tools::pick::{Scope, distance_to_segment};
 use crate::sim::triangles::outer_sides;
@@ -16,56 +17,44 @@ const SNAP: f64 = 12.0;
 /// Halvings by which a rope's way into a body is cut at its skin.
 const HALVINGS: u32 = 40;
 
-/// What a form covers.
-struct Cover {
-    places: Vec<DVec2>,
-    triangles: Vec<[u32; 3]>,
-    sides: Vec<[u32; 2]>,
+/// What a form covers, and the sides of its outline.
+struct Outlined {
+    cover: Cover,
+    sides: Vec<[DVec2; 2]>,
 }
 
-impl Cover {
+impl Outlined {
     fn of(form: &Form) -> Option<Self> {
-        let shape = form.keys(0, BuiltOf::default()).shape(0).filter(|shape| !shape.triangles.is_empty())?;
-        let places = shape.places.into_iter().map(DVec2::from).collect();
-        let sides = outer_sides(shape.triangles.iter().copied()).into_iter().map(|side| side.ends).collect();
-        Some(Cover { places, triangles: shape.triangles, sides })
-    }
-
-    fn at(&self, corner: u32) -> DVec2 {
-        self.places.get(corner as usize).copied().unwrap_or(DVec2::NAN)
-    }
-
-    fn has(&self, place: DVec2) -> bool {
-        self.triangles.iter().any(|corners| {
-            let [a, b, c] = corners.map(|corner| self.at(corner));
-            let sides = [(b - a).perp_dot(place - a), (c - b).perp_dot(place - b), (a - c).perp_dot(place - c)];
-            sides.iter().all(|side| *side >= 0.0) || sides.iter().all(|side| *side <= 0.0)
-        })
+        let shape = form.keys(0, BuiltOf::default()).shape(0)?;
+        let cover = Cover::of(&shape)?;
+        let at = |corner: u32| shape.places.get(corner as usize).copied().map_or(DVec2::NAN, DVec2::from);
+        let sides = outer_sides(shape.triangles.iter().copied()).into_iter().map(|side| side.ends.map(at)).collect();
+        Some(Outlined { cover, sides })
     }
 
     fn gap(&self, place: DVec2) -> f64 {
-        let far = |side: &[u32; 2]| distance_to_segment(place, self.at(side[0]), self.at(side[1]));
+        let far = |&[a, b]: &[DVec2; 2]| distance_to_segment(place, a, b);
         self.sides.iter().map(far).fold(f64::INFINITY, f64::min)
     }
 
     /// Where a rope, told from its loose end on, meets it: its end at the skin, or where it comes in; `None`: nowhere.
     fn met_by(&self, rope: &[DVec2], near: f64) -> Option<DVec2> {
         let end = *rope.first()?;
-        if !self.has(end) {
+        if !self.cover.holds(end) {
             return (self.gap(end) <= near).then_some(end);
         }
-        let outside = rope.iter().position(|place| !self.has(*place))?;
+        let outside = rope.iter().position(|place| !self.cover.holds(*place))?;
         let [mut inner, mut outer] = [rope[outside - 1], rope[outside]];
         for _ in 0..HALVINGS {
             let middle = 0.5 * (inner + outer);
-            *(if self.has(middle) { &mut inner } else { &mut outer }) = middle;
+            *(if self.cover.holds(middle) { &mut inner } else { &mut outer }) = middle;
         }
         Some(outer)
     }
 
     /// The point of the skin that is nearest to a place.
     fn nearest(&self, place: DVec2) -> Option<DVec2> {
-        let rim = self.sides.iter().flatten().map(|&corner| self.at(corner));
+        let rim = self.sides.iter().flatten().copied();
         rim.min_by(|a, b| a.distance(place).total_cmp(&b.distance(place)))
     }
 }
@@ -79,17 +68,17 @@ impl Form {
         let ropes = loose_ropes(scope);
         let metre = scope.camera.pixels_per_metre() / scope.scale;
         let meets = |form: &Form| {
-            let cover = Cover::of(form)?;
-            let mut met = ropes.iter().filter_map(|rope| cover.met_by(rope, NEAR / metre));
+            let outlined = Outlined::of(form)?;
+            let mut met = ropes.iter().filter_map(|rope| outlined.met_by(rope, NEAR / metre));
             // What hangs on several ropes hangs as it is drawn.
-            met.next().filter(|_| met.next().is_none()).map(|place| (place, cover))
+            met.next().filter(|_| met.next().is_none()).map(|place| (place, outlined))
         };
-        let Some((place, cover)) = (!ropes.is_empty()).then(|| meets(&self)).flatten() else { return self };
+        let Some((place, outlined)) = (!ropes.is_empty()).then(|| meets(&self)).flatten() else { return self };
         if let Form::Box(grid) = self {
             let (grid, node) = grid.under(place, SNAP / metre);
             return Form::Box(Grid { low: grid.low + place - node, ..grid });
         }
-        let by = cover.nearest(place).map_or(DVec2::ZERO, |node| place - node);
+        let by = outlined.nearest(place).map_or(DVec2::ZERO, |node| place - node);
         let moved = |round: Round| Round { center: round.center + by, ..round };
         match self {
             Form::Disc(round) => Form::Disc(moved(round)),

@@ -1,6 +1,6 @@
 //! Bodies in space: each one's points, bonds and skin, one after the other.
 
-use crate::sim::bond::{Bond, Lengths, PointId};
+use crate::sim::bond::{Bond, Lengths, PointId, lower_first};
 use crate::sim::contact::skin::RADIUS;
 use crate::sim::live::Draft;
 use crate::sim::live::body::{Link, Span};
@@ -181,7 +181,7 @@ fn edges(own: &Own) -> Vec<[u32; 2]> {
     let sides = own.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let open = own.bonds.iter().map(|bond| [bond.a.0, bond.b.0]);
     let open = open.filter(|[a, b]| !(is_covered(*a) && is_covered(*b)));
-    let mut edges: Vec<[u32; 2]> = sides.chain(open).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let mut edges: Vec<[u32; 2]> = sides.chain(open).map(lower_first).collect();
     edges.sort_unstable();
     edges.dedup();
     edges
