@@ -183,6 +183,22 @@ fn at(scope: Scope<'_>, corner: u32) -> DVec2 {
 
 /// The box around places; `None` of nothing, or where one is nowhere.
 fn around(places: impl Iterator<Item = DVec2>) -> Option<[DVec2; 2]> {
-    let all = areas::around(places.map(|at| if at.is_finite() { at } else { DVec2::NAN }));
-    all.filter(|ends| ends.iter().all(|end| end.is_finite()))
+    let mut is_somewhere = true;
+    let all = areas::around(places.inspect(|at| is_somewhere &= at.is_finite()));
+    all.filter(|_| is_somewhere)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_that_is_nowhere_leaves_no_box_wherever_it_stands_in_the_list() {
+        let [here, there, nowhere] = [DVec2::ZERO, DVec2::ONE, DVec2::new(f64::NAN, 1.0)];
+        assert_eq!(around([there, here].into_iter()), Some([here, there]));
+        for list in [[nowhere, here, there], [here, nowhere, there], [here, there, nowhere]] {
+            assert_eq!(around(list.into_iter()), None);
+        }
+        assert_eq!(around(std::iter::empty()), None);
+    }
 }
