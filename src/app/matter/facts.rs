@@ -116,7 +116,7 @@ pub struct Matter {
     pub(in crate::app) swings: Option<Option<DriveKeys>>,
     /// Some of these angles have other servos than others, or none.
     pub(in crate::app) swing_apart: bool,
-    /// Joints that have stops, and that may have some: what two bonds alone make is one.
+    /// Joints that have stops, and that may have some: what two bonds alone make is one, and so is a hinge between two bodies.
     pub(in crate::app) joints: [usize; 2],
     /// The least and the largest angles of those that have stops `[rad]`.
     pub(in crate::app) stops: Option<[Span; 2]>,
@@ -194,7 +194,7 @@ impl Matter {
             world.contact().filter(meets_itself).map(|_| points.iter().filter(|point| is_layered(point)).count());
         let angles = among.angles_of(world);
         let ranges = || angles.iter().filter_map(|angle| angle.range);
-        let is_knee = among.knee_of(world).is_some();
+        let knees = among.knees_of(world).len();
         let [least, most] = [0, 1].map(|side| Span::of(ranges().map(|range| range[side])));
         let surfaces = || skins.iter().chain(&solids);
         let count_of_bodies = bodies(&points, &bonds);
@@ -230,7 +230,7 @@ impl Matter {
             angle_damping: Span::of(angles.iter().map(|angle| angle.damping)),
             swings: swings(&angles),
             swing_apart: swing_apart(&angles),
-            joints: [ranges().count(), angles.len() + usize::from(is_knee)],
+            joints: [ranges().count(), angles.len() + knees],
             stops: least.zip(most).map(|(least, most)| [least, most]),
             coming_stops: coming((world, former), among, &angles),
             motors: motors::shown(world, among),

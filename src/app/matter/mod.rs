@@ -9,6 +9,9 @@ mod change;
 mod extent;
 mod facts;
 mod former;
+mod hinges;
+#[cfg(test)]
+mod hinges_tests;
 mod joints;
 #[cfg(test)]
 mod joints_tests;
@@ -27,6 +30,7 @@ pub(super) use borne::Bearings;
 pub(super) use change::{MatterChange, commands, mean_velocity};
 pub(super) use facts::{Coloring, Matter, NEVER, Pin, Span};
 pub(super) use former::Former;
+pub(super) use hinges::{LEAST_BONDS, MOST_LOOSE, sides};
 pub(super) use joints::{Joint, Stops, is_among};
 pub(super) use led::led;
 pub(super) use motors::{MotorChange, Motors};
