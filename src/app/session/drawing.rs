@@ -21,7 +21,7 @@ use crate::scene::{Parameter, PrecisionName};
 use crate::sim::{Cursor, MouseForce};
 
 /// Marks are looked for among so many points: more would take longer than a frame.
-const MOST_MARKED: usize = 100_000;
+pub(super) const MOST_MARKED: usize = 100_000;
 /// So many points are looked at, where it is asked where bodies are.
 const MOST_SEEN: usize = 2_000;
 /// Of those that are selected so many.
@@ -148,6 +148,7 @@ impl Session {
             links: self.hand.links(),
             push: self.hand.push_way(),
             drives: self.hand.drives(),
+            hinge: self.panels.hinge,
             no_muscles: no_muscles(self.shown().driving),
             no_motors: no_motors(self.shown().driving),
             brush: self.hand.brush(),

@@ -6,6 +6,7 @@ use egui::Order;
 use glam::DVec2;
 use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
+use super::drawing::MOST_MARKED;
 use super::{Framing, Session};
 use crate::app::action::Tool;
 use crate::app::player;
@@ -36,6 +37,7 @@ impl Session {
             self.panels_dirty = true;
         }
         self.place_hint();
+        self.find_hinge();
         self.was_over_panels = is_over;
         self.with_scope(|hand, scope| hand.trace(scope, DVec2::from(at)));
         self.show_cursor();
@@ -53,6 +55,7 @@ impl Session {
     pub(in crate::app) fn point_away(&mut self) {
         self.pointer.leave();
         self.place_hint();
+        self.find_hinge();
         self.touch();
     }
 
@@ -235,6 +238,15 @@ impl Session {
         let hint = self.place_of_pointer().zip(words);
         self.panels_dirty |= self.panels.notes.hint != hint;
         self.panels.notes.hint = hint;
+    }
+
+    /// The panel of the tool for motors says what the hinge under the pointer has.
+    pub(super) fn find_hinge(&mut self) {
+        let is_wanted = self.hand.tool() == Tool::Motor && !self.is_over_panels() && !self.is_covered();
+        let is_small = self.shown().point_count() <= MOST_MARKED;
+        let at = self.pixel().filter(|_| is_wanted && is_small);
+        let hinge = at.and_then(|at| self.with_scope(|hand, scope| hand.hinge_at(scope, at)));
+        self.panels_dirty |= std::mem::replace(&mut self.panels.hinge, hinge) != hinge;
     }
 
     /// Whether the pointer is over a panel, or over what floats over the world.
