@@ -14,6 +14,7 @@ use crate::app::action::Action;
 use crate::app::count::counted;
 use crate::app::matter::{Coloring, Matter, MatterChange, Overload, Preset, Span};
 use crate::history::Do;
+use crate::render::contrast;
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 226.0;
@@ -398,6 +399,9 @@ pub(super) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>,
     clicked
 }
 
+/// What is written on a button, on a bright ground and on a dark one.
+const INK: [[u8; 3]; 2] = [[18, 22, 30], [250, 251, 253]];
+
 /// A button for a matter, with its name and in its colour; so wide at least, and ringed where it is what is chosen.
 pub(super) fn swatch(
     ui: &mut Ui,
@@ -405,9 +409,12 @@ pub(super) fn swatch(
     (is_chosen, width): (bool, f32),
 ) -> Response {
     let edge = if is_chosen { colors(ui).accent } else { Color32::TRANSPARENT };
-    let text = RichText::new(name).color(Color32::from_rgb(18, 22, 30));
+    let [bright, dark] = INK.map(|[red, green, blue]| Color32::from_rgb(red, green, blue));
+    let fill = Color32::from_rgb(red, green, blue);
+    let seen = |ink: Color32| contrast(fill.to_normalized_gamma_f32(), ink.to_normalized_gamma_f32());
+    let text = RichText::new(name).color(if seen(bright) >= seen(dark) { bright } else { dark });
     let button = Button::selectable(is_chosen, text)
-        .fill(Color32::from_rgb(red, green, blue))
+        .fill(fill)
         .stroke(Stroke::new(2.0, edge))
         .corner_radius(CornerRadius::same(7))
         .min_size(egui::vec2(width, 0.0));
