@@ -189,6 +189,7 @@ impl Session {
                 pushing: self.shown().mouse.as_ref().map(Pushing::of),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
                 labels: Arc::clone(&self.shown().labels),
+                points: self.shown().point_count(),
                 middle: if self.panels.has_settings { self.middle_seen() } else { Default::default() },
             },
         }
