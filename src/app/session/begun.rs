@@ -88,6 +88,7 @@ impl Session {
             panels: PanelState::default(),
             paint: Paint::default(),
             marked_words: String::new(),
+            labels_at: Vec::new(),
             lost: Lost::default(),
             dirty: true,
             panels_dirty: true,

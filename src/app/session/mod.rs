@@ -166,6 +166,8 @@ pub(super) struct Session {
     paint: Paint,
     /// What was written over the world last.
     marked_words: String,
+    /// Where labels of the scene lie in the world that the pointer is in, by their numbers `[points]`.
+    labels_at: Vec<(usize, egui::Rect)>,
     /// What of it was found in view.
     lost: Lost,
     /// Something that is shown has changed since the last frame; so has something that panels show.

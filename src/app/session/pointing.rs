@@ -95,7 +95,11 @@ impl Session {
                 self.hand.stand_still(!self.player.is_playing());
                 let last = self.pressed_at.replace(Instant::now());
                 self.hand.hasten(last.is_some_and(|last| last.elapsed() < DOUBLE));
-                let mut deed = self.with_scope(|hand, scope| hand.press(scope, at));
+                let label = self.label_under(at);
+                let mut deed = self.with_scope(|hand, scope| match label {
+                    Some(number) => hand.press_label(scope, number, at),
+                    None => hand.press(scope, at),
+                });
                 self.resting.press(at.to_array());
                 if self.hand.is_grabbing() {
                     // What is grabbed follows the cursor, so it is there first.
@@ -210,6 +214,14 @@ impl Session {
         let camera = self.camera_here();
         let scope = Scope { shown: self.player.shown(), camera: &camera, scale, free: self.free.map(DVec2::from) };
         call(&mut self.hand, scope)
+    }
+
+    /// The number of the label that a press at a pixel takes.
+    pub(super) fn label_under(&self, at: DVec2) -> Option<usize> {
+        let scale = f64::from(self.look.scale_factor);
+        let camera = self.camera_here();
+        let scope = Scope { shown: self.shown(), camera: &camera, scale, free: self.free.map(DVec2::from) };
+        self.label_at(scope, at).map(|(number, _)| number)
     }
 
     /// Where the pointer is for the panels `[points]`.

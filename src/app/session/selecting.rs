@@ -187,6 +187,9 @@ impl Session {
             None => {}
         }
         let can_look = self.shown().point_count() <= MOST_HOVERED;
+        if can_look && self.label_under(at).is_some() {
+            return CursorIcon::Move;
+        }
         let is_plane = self.scene.dimensions() == 2;
         let push = self.hand.push_way();
         let mut on = |what: fn(Scope<'_>, DVec2) -> bool| can_look && self.with_scope(|_, scope| what(scope, at));

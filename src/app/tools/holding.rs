@@ -34,7 +34,7 @@ impl Hand {
     pub(in crate::app) fn holds(&self) -> Option<Held> {
         match self.doing {
             Doing::Grabbing(_) | Doing::Leading(_) => Some(Held::Grip),
-            Doing::Moving(..) | Doing::Carrying(..) | Doing::Hauling(_) => Some(Held::Move),
+            Doing::Moving(..) | Doing::Carrying(..) | Doing::Labelling(..) | Doing::Hauling(_) => Some(Held::Move),
             _ => None,
         }
     }

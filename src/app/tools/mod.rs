@@ -39,6 +39,7 @@ mod hover;
 mod hub;
 mod jam;
 mod knot;
+mod label;
 mod lead;
 #[cfg(test)]
 mod lead_tests;
@@ -103,6 +104,7 @@ use haul::Haul;
 pub(super) use haul::{HaulWay, Hauled};
 pub(super) use hidden::bodies as hidden_bodies;
 pub(super) use hover::strength;
+pub(super) use label::moved as moved_label;
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use likeness::marks as labels;
@@ -157,6 +159,8 @@ enum Doing {
     Moving(Hold, Chosen),
     /// What the hand pressed on from here is moved as a whole: while time stands still all, else an obstacle, which then is hauled.
     Carrying(Hold, Chosen),
+    /// The label with this number is moved.
+    Labelling(usize, Hold),
     /// What is selected is turned or scaled by a handle.
     Handling(Grip),
     /// What is selected in space is turned or scaled by a ring.
