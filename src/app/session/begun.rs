@@ -113,6 +113,7 @@ impl Session {
             state_folder: None,
             record: None,
             search: None,
+            unread: Vec::new(),
             leftovers: Vec::new(),
             thumbnails: None,
             cut_off: None,

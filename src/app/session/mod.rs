@@ -41,7 +41,7 @@ use super::fetch::Fetch;
 use super::framing::{Framed, Framing, Undocked, Ways};
 use super::import::Import;
 use super::keys::{Down, Held};
-use super::leftovers::{Leftover, look};
+use super::leftovers::{Found, Leftover, look};
 use super::loading::Loading;
 use super::matter::{Bearings, Matter, Overload};
 use super::meter::Meter;
@@ -208,7 +208,9 @@ pub(super) struct Session {
     /// of them, the newest last.
     state_folder: Option<PathBuf>,
     record: Option<PathBuf>,
-    search: Option<Receiver<Vec<Leftover>>>,
+    search: Option<Receiver<Found>>,
+    /// Files of sessions that cannot be read, and that were not told of yet.
+    unread: Vec<PathBuf>,
     leftovers: Vec<Leftover>,
     thumbnails: Option<Thumbnails>,
     /// Pictures of sessions that were cut off, on their way.
