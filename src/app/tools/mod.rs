@@ -73,6 +73,7 @@ mod stall;
 #[cfg(test)]
 mod stall_tests;
 mod standing;
+mod stopping;
 mod stops;
 mod strand;
 #[cfg(test)]
@@ -123,6 +124,7 @@ pub(super) use room::Walls;
 use selection::Selection;
 pub(super) use stall::Stalls;
 pub(super) use standing::Kept;
+use stopping::Stop;
 pub(super) use stops::would_be as would_stop;
 use throw::Throw;
 use wind::Blow;
@@ -161,6 +163,8 @@ enum Doing {
     Carrying(Hold, Chosen),
     /// The label with this number is moved.
     Labelling(usize, Hold),
+    /// A stop of a joint that is selected is dragged along its arc.
+    Stopping(Stop),
     /// What is selected is turned or scaled by a handle.
     Handling(Grip),
     /// What is selected in space is turned or scaled by a ring.
