@@ -73,6 +73,33 @@ fn bodies_have_colours_of_their_own_and_lie_over_those_before_them_until_they_ar
 }
 
 #[test]
+fn bodies_lie_over_the_numbers_of_the_grid() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let (size, triangles) = ([320, 240], [[0, 1, 2], [0, 2, 3]].map(|corners: [u32; 3]| corners.map(PointId)));
+    let places = [-150., -119., 150., -119., 150., -80., -150., -80.];
+    let (bonds, tints) = (Bonds::default(), [Tint { color: Some([0, 200, 0]), ..Tint::new(0, 0) }]);
+    let camera = Camera::new(Pose::Plane { center: DVec2::ZERO, height: 240.0 }, size);
+    let mut capture = Capture::new(size, 2).unwrap();
+    let mut picture = |triangles: &[[PointId; 3]], number: [f32; 4], topology: u64| {
+        let seen = View { triangles, tints: &tints, topology, ..view(&places, &bonds, 2) };
+        capture.picture(&seen, &camera, &Look { number, point: [0.0; 4], ..look() }).unwrap()
+    };
+    let (white, clear) = ([1.0; 4], [0.0; 4]);
+    let [with, without] = [white, clear].map(|number| picture(&triangles, number, 0));
+    let [bare, empty] = [white, clear].map(|number| picture(&[], number, 1));
+    // Within the body, but for its rim.
+    let differ = |a: &RgbaImage, b: &RgbaImage, is_within: bool| {
+        let lies = |x: u32, y: u32| (15..305).contains(&x) && (205..235).contains(&y);
+        a.enumerate_pixels().filter(|(x, y, pixel)| lies(*x, *y) == is_within && b.get_pixel(*x, *y) != *pixel).count()
+    };
+    assert!(differ(&bare, &empty, true) > 50, "numbers stand there");
+    assert_eq!(differ(&with, &without, true), 0, "the body is over them");
+    assert!(differ(&with, &without, false) > 50, "and beside it they are seen");
+}
+
+#[test]
 fn a_percent_of_strain_is_seen_on_fills_and_a_still_body_uploads_nothing() {
     if common::gpu().is_none() {
         return;

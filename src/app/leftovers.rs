@@ -12,8 +12,9 @@ use crate::scene::gallery;
 
 /// Names the folder in place of the user's own.
 const VARIABLE: &str = "WOBBLE_STATE_DIR";
-/// In the folder: the names of sessions that were offered already, a line each.
+/// In the folder: the names of sessions that were offered already, and of those that cannot be read and were told of, a line each.
 const OFFERED: &str = "offered.txt";
+const TOLD: &str = "told.txt";
 
 /// The folder for what is kept between two starts: `wobble` in XDG_STATE_HOME (~/.local/state), or where the system keeps such things.
 /// `None` where the user has no home.
@@ -42,8 +43,46 @@ impl Leftover {
     }
 }
 
-/// Looks for sessions that were cut off, on another thread, which calls `wake` when it is done: the newest last.
-pub(super) fn look(folder: PathBuf, wake: impl Fn() + Send + 'static) -> Receiver<Vec<Leftover>> {
+/// What a start finds.
+#[derive(Default)]
+pub(super) struct Found {
+    /// The newest last.
+    pub(super) leftovers: Vec<Leftover>,
+    /// Files of sessions that cannot be read, and that no start told of yet: what was done stays there.
+    pub(super) unread: Vec<PathBuf>,
+}
+
+impl Found {
+    fn is_empty(&self) -> bool {
+        self.leftovers.is_empty() && self.unread.is_empty()
+    }
+}
+
+/// What is said of files that cannot be read; `None` of none.
+pub(super) fn unread_line(files: &[PathBuf]) -> Option<String> {
+    let folder = files.first()?.parent().unwrap_or(Path::new(""));
+    Some(match files {
+        [file] => format!("a session that was cut off cannot be read; its file stays: {}", file.display()),
+        _ => format!(
+            "{} sessions that were cut off cannot be read; their files stay in {}",
+            files.len(),
+            folder.display()
+        ),
+    })
+}
+
+/// Notes that these were told of: no start tells of them again.
+pub(super) fn note_told(folder: &Path, files: &[PathBuf]) {
+    let known = std::fs::read_to_string(folder.join(TOLD)).unwrap_or_default();
+    let names = files.iter().filter_map(|file| file.file_name()?.to_str());
+    // Those that are gone need no word: names come again.
+    let names: Vec<&str> = known.lines().filter(|name| folder.join(name).exists()).chain(names).collect();
+    // Where it cannot be written they are told of once more.
+    let _ = std::fs::write(folder.join(TOLD), names.join("\n"));
+}
+
+/// Looks for sessions that were cut off, on another thread, which calls `wake` when it is done.
+pub(super) fn look(folder: PathBuf, wake: impl Fn() + Send + 'static) -> Receiver<Found> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {
         let found = found(&folder);
@@ -56,9 +95,9 @@ pub(super) fn look(folder: PathBuf, wake: impl Fn() + Send + 'static) -> Receive
     receiver
 }
 
-fn found(folder: &Path) -> Vec<Leftover> {
-    let known = std::fs::read_to_string(folder.join(OFFERED)).unwrap_or_default();
-    let mut found = Vec::new();
+fn found(folder: &Path) -> Found {
+    let [known, told] = [OFFERED, TOLD].map(|file| std::fs::read_to_string(folder.join(file)).unwrap_or_default());
+    let Found { leftovers: mut found, mut unread } = Found::default();
     for left in Autosave::left(folder) {
         match left.start() {
             Ok(start) => {
@@ -67,7 +106,10 @@ fn found(folder: &Path) -> Vec<Leftover> {
                 found.push(Leftover { left, start, called, is_new });
             }
             // What was done stays in its file, though it is not offered.
-            Err(_) if left.is_begun() => {}
+            Err(_) if left.is_begun() => {
+                let is_told = told.lines().any(|name| Some(name) == name_of(&left));
+                unread.extend((!is_told).then(|| left.path().to_owned()));
+            }
             // Not even its beginning is whole: nobody can go on with it.
             Err(_) => left.discard().unwrap_or_default(),
         }
@@ -77,7 +119,7 @@ fn found(folder: &Path) -> Vec<Leftover> {
         // Names come again.
         note_offered(folder, &[]);
     }
-    found
+    Found { leftovers: found, unread }
 }
 
 /// The file's own name.
@@ -162,8 +204,18 @@ mod tests {
         let log = format!(
             "{{\"wobble_recording\": 1, \"scene\": {scene}}}\n{{\"at\": 2, \"do\": \"clear\"}}\n{{\"at\": 1, \"do\": \"clear\"}}\n"
         );
-        std::fs::write(&file, log).unwrap();
+        std::fs::write(&file, &log).unwrap();
+        let now = found(folder.path());
+        assert!(now.leftovers.is_empty() && file.exists());
+        assert_eq!(now.unread, std::slice::from_ref(&file));
+        assert!(unread_line(&now.unread).is_some_and(|line| line.contains(&file.display().to_string())));
+        // It is told of once, and again where another one has its name.
+        note_told(folder.path(), &now.unread);
         assert!(found(folder.path()).is_empty() && file.exists());
+        std::fs::remove_file(&file).unwrap();
+        note_told(folder.path(), &[]);
+        std::fs::write(&file, log).unwrap();
+        assert_eq!(found(folder.path()).unread.len(), 1);
     }
 
     #[test]
@@ -176,13 +228,13 @@ mod tests {
         autosave.write(&history).unwrap();
         drop(autosave);
         std::fs::write(folder.path().join("session-1-0.jsonl"), "{\"wobble_rec").unwrap();
-        let list = found(folder.path());
+        let list = found(folder.path()).leftovers;
         assert_eq!(list.len(), 1);
         assert_eq!(list[0].line(), "two, 0 s long, less than a minute ago");
         assert!(list[0].is_new);
         note_offered(folder.path(), &list);
         drop(list);
-        assert!(!found(folder.path())[0].is_new, "it was offered");
+        assert!(!found(folder.path()).leftovers[0].is_new, "it was offered");
         assert!(!folder.path().join("session-1-0.jsonl").exists());
     }
 }

@@ -232,6 +232,7 @@ impl Rehearsal {
                 pushing: self.shown.mouse.as_ref().map(Pushing::of),
                 push,
                 labels: Arc::clone(&self.shown.labels),
+                points: self.shown.point_count(),
                 ..Settings::default()
             },
             ..Facts::default()

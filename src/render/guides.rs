@@ -29,8 +29,8 @@ const BORDER: f32 = 3.0;
 /// Opacity of a plane's rim in space, where it ends nowhere, beside that of walls `[1]`.
 const PATCH_RIM: f32 = 0.6;
 
-/// The guides of a picture, those below first, and how many of them lie below obstacles, and over all else: the numbers of the grid, then the
-/// marks of motors. Positions relative to `origin` `[m]`.
+/// The guides of a picture, those below first, and how many of them lie below obstacles, over these (the numbers of the grid), and over all
+/// else (the marks of motors). Positions relative to `origin` `[m]`.
 pub(super) fn guides(
     (view, camera, patches): (&View<'_>, &Camera, &[Patch]),
     (clip, border): ([u32; 4], Option<[DVec3; 2]>),

@@ -265,6 +265,11 @@ impl Look {
     }
 }
 
+/// A colour as files have it, without its opacity.
+pub fn in_bytes([red, green, blue, _]: Color) -> [u8; 3] {
+    [red, green, blue].map(|part| (255.0 * part).round() as u8)
+}
+
 /// How much brighter one colour is than the other, from 1 to 21; opacity does not count.
 ///
 /// Source: W3C, Web Content Accessibility Guidelines 2.2 (2023), contrast ratio.

@@ -48,7 +48,7 @@ pub use error::RenderError;
 pub use fills::{body_color, color_of as palette_color};
 pub(crate) use floor::level as level_floor;
 pub use gpu::{Gpu, backends};
-pub use look::{Color, Look, Overlay, Palette, STRAIN_COLORS, contrast};
+pub use look::{Color, Look, Overlay, Palette, STRAIN_COLORS, contrast, in_bytes};
 pub use passes::SHADERS;
 pub use renderer::Renderer;
 pub use tiles::Tiles;

@@ -331,6 +331,7 @@ impl Passes {
     ) {
         let Some(bindings) = &self.bindings else { return };
         let map = usize::from(shown.map);
+        let [below, over, marks] = buffers.guide_counts;
         if let Some([floor, shadow]) = &self.floor {
             let [has_floor, has_shadow] = buffers.has_floor;
             let quads = [(floor, 0..QUAD, has_floor), (shadow, QUAD..2 * QUAD, has_shadow)];
@@ -346,6 +347,8 @@ impl Passes {
                 if let Some(pipelines) = &self.obstacles {
                     obstacles.draw(target, pipelines, counters);
                 }
+                // They are read on ground, and bodies pass in front of them.
+                self.draw_guides(target, below..below + over, counters);
                 if shown.fills {
                     fills.draw(shown.map, target, (&self.fill[map], &self.quads), counters);
                 }
@@ -367,8 +370,7 @@ impl Passes {
                 }
             }
         }
-        let [below, over, marks] = buffers.guide_counts;
-        self.draw_guides(target, below..below + over + marks, counters);
+        self.draw_guides(target, below + over..below + over + marks, counters);
         let count = |runs: &[Run]| runs.iter().map(|run| u64::from(run.count) * u64::from(run.chunks)).sum::<u64>();
         counters.bonds_drawn += count(&buffers.selection.strokes);
         counters.dots_drawn += count(&buffers.selection.dots);
@@ -377,7 +379,7 @@ impl Passes {
 }
 
 impl Passes {
-    /// Draws further guides: the numbers of the grid and the marks of motors, over all else.
+    /// Draws further guides: the numbers of the grid, which lie over obstacles and below bodies, or the marks of motors, over all else.
     fn draw_guides(&self, target: &mut wgpu::RenderPass<'_>, range: Range<u32>, counters: &mut RenderCounters) {
         let pipeline = self.pipelines.iter().find(|(pass, _)| *pass == Pass::Guides);
         let (Some((_, [[pipeline, _], _])), Some(bindings)) = (pipeline.filter(|_| !range.is_empty()), &self.bindings)

@@ -102,7 +102,7 @@ pub struct Matter {
     pub(in crate::app) angle_damping: Option<Span>,
     /// What moves each of the angles that resist, if anything does; `None`: none resists.
     pub(in crate::app) swings: Option<Common<Option<DriveKeys>>>,
-    /// Joints that have stops, and that may have some: what two bonds alone make is one.
+    /// Joints that have stops, and that may have some: what two bonds alone make is one, and so is a hinge between two bodies.
     pub(in crate::app) joints: [usize; 2],
     /// The least and the largest angles of those that have stops `[rad]`.
     pub(in crate::app) stops: Option<[Span; 2]>,
@@ -181,7 +181,7 @@ impl Matter {
             world.contact().filter(meets_itself).map(|_| points.iter().filter(|point| is_layered(point)).count());
         let angles = among.angles_of(world, AngleAs::Joint);
         let ranges = || angles.iter().filter_map(|angle| angle.range);
-        let is_knee = among.knee_of(world).is_some();
+        let knees = among.knees_of(world).len();
         let [least, most] = [0, 1].map(|side| Span::of(ranges().map(|range| range[side])));
         let surfaces = || skins.iter().chain(&solids);
         let count_of_bodies = bodies(&points, &bonds);
@@ -216,7 +216,7 @@ impl Matter {
             rest_angle: Span::of(held(&angles).map(|angle| angle.rest)),
             angle_damping: Span::of(angles.iter().map(|angle| angle.damping)),
             swings: swings(&angles),
-            joints: [ranges().count(), angles.len() + usize::from(is_knee)],
+            joints: [ranges().count(), angles.len() + knees],
             stops: least.zip(most).map(|(least, most)| [least, most]),
             coming_stops: coming((world, former), among, &angles),
             motors: motors::shown(world, among),

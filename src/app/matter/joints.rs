@@ -1,6 +1,6 @@
 //! Angles of a selection: where they are at rest, and the stops of joints.
 
-use super::{Among, AngleAs, Common, Former};
+use super::{Among, AngleAs, Common, Former, hinges};
 use crate::app::alike::alike;
 use crate::history::{Do, DriveOrNone, OneOrEach, RangeOrNone, SetKeys};
 use crate::scene::{AddKeys, AngleKeys, DriveKeys, Row};
@@ -19,6 +19,9 @@ const ORDER: &str = "the least angle is below the largest, and they are less tha
 /// A joint with stops: i, j, k as [`Angle`] has them, and its least and its largest angle `[rad]`.
 pub(in crate::app) type Joint = ([PointId; 3], [f64; 2]);
 
+/// Three points that turn freely: i, j, k as [`Angle`] has them, and the angle at j, no more than half a turn `[rad]`.
+pub(super) type Knee = ([PointId; 3], f64);
+
 /// The stops of joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stops {
@@ -33,8 +36,13 @@ pub enum Stops {
 }
 
 impl Among {
-    /// The joint without an angle that two bonds alone make: i, j, k, the angle at j no more than half a turn, and that angle `[rad]`.
-    pub(super) fn knee_of(&self, world: &dyn Dynamics) -> Option<([PointId; 3], f64)> {
+    /// The joints without an angle: what two bonds alone make, or hinges.
+    pub(super) fn knees_of(&self, world: &dyn Dynamics) -> Vec<Knee> {
+        self.knee_of(world).map_or_else(|| hinges::free(world, self), |knee| vec![knee])
+    }
+
+    /// The joint without an angle that two bonds alone make.
+    fn knee_of(&self, world: &dyn Dynamics) -> Option<Knee> {
         let bonds = self.bonds_of(world);
         let [(_, first), (_, second)] = bonds[..] else { return None };
         let (first, second) = ([first.a, first.b], [second.a, second.b]);
@@ -42,21 +50,24 @@ impl Among {
         let other = |ends: [PointId; 2]| ends.into_iter().find(|end| *end != middle);
         let (i, k) = (other(first)?, other(second)?);
         let is_free = i != k && world.dimensions() == 2 && self.angles_of(world, AngleAs::Joint).is_empty();
-        let at = |[i, k]: [PointId; 2]| {
-            let [p, q] = [i, k].map(|end| sub(place(world, end), place(world, middle)));
-            (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1])
-        };
-        let angle = at([i, k]);
-        let (points, angle) = if angle < 0.0 { ([k, middle, i], -angle) } else { ([i, middle, k], angle) };
-        (is_free && angle > 0.0).then_some((points, angle))
+        if is_free { knee(world, [i, k], middle) } else { None }
     }
+}
+
+/// The angle of two arms about a middle, the way that it is no more than half a turn; `None` where they point the same way.
+pub(super) fn knee(world: &dyn Dynamics, [i, k]: [PointId; 2], middle: PointId) -> Option<Knee> {
+    let [p, q] = [i, k].map(|end| sub(place(world, end), place(world, middle)));
+    let angle = (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1]);
+    let (points, angle) = if angle < 0.0 { ([k, middle, i], -angle) } else { ([i, middle, k], angle) };
+    (angle > 0.0).then_some((points, angle))
 }
 
 /// The joints that would get stops, and where: i, j, k as [`Angle`] has them, and the least and the largest angle `[rad]`.
 pub(super) fn coming((world, former): (&dyn Dynamics, &Former), among: &Among, angles: &[Angle]) -> Vec<Joint> {
     let free = angles.iter().filter(|angle| angle.range.is_none()).take(MOST);
     let free = free.map(|angle| (angle.points, again(world, former, angle)));
-    free.chain(among.knee_of(world).map(|(points, rest)| (points, about(rest)))).collect()
+    let knees = among.knees_of(world).into_iter().take(MOST);
+    free.chain(knees.map(|(points, rest)| (points, about(rest)))).collect()
 }
 
 /// The stops at both sides of an angle at rest at first `[rad]`.
@@ -97,22 +108,30 @@ pub(super) fn stops(
     if groups.iter().any(|(range, _)| range.is_some_and(|range| !is_range(range))) {
         return Err(ORDER);
     }
-    if let (Stops::Some, Some((points, rest))) = (stops, among.knee_of(world)) {
-        return Ok(vec![jointed(points, about(rest))]);
-    }
+    let knees = if stops == Stops::Some { among.knees_of(world) } else { Vec::new() };
     let set = |(range, numbers): (Option<[f64; 2]>, Vec<u32>)| {
         let range = Some(range.map_or(RangeOrNone::None(()), RangeOrNone::These));
         Do::Set(Box::new(SetKeys { angles: Some(numbers), range, ..SetKeys::default() }))
     };
-    Ok(groups.into_iter().map(set).collect())
+    Ok(groups.into_iter().map(set).chain(jointed(&knees)).collect())
 }
 
-/// Two bonds turn no further than this about the point that they share `[rad]`.
-fn jointed(points: [PointId; 3], [min, max]: [f64; 2]) -> Do {
-    let points = Row(points.map(|point| point.0));
-    let angle =
-        AngleKeys { points, rest: None, stiffness: None, damping: None, min: Some(min), max: Some(max), drive: None };
-    Do::Add(Box::new(AddKeys { angles: vec![angle], ..AddKeys::default() }))
+/// What turns freely gets stops on both sides of where it stands; `None`: nothing does.
+fn jointed(knees: &[Knee]) -> Option<Do> {
+    let angle = |&(points, rest): &Knee| {
+        let [min, max] = about(rest).map(Some);
+        AngleKeys {
+            points: Row(points.map(|point| point.0)),
+            rest: None,
+            stiffness: None,
+            damping: None,
+            min,
+            max,
+            drive: None,
+        }
+    };
+    let angles: Vec<AngleKeys> = knees.iter().map(angle).collect();
+    (!angles.is_empty()).then(|| Do::Add(Box::new(AddKeys { angles, ..AddKeys::default() })))
 }
 
 /// The angles that resist being elsewhere than at rest.

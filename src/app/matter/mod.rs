@@ -11,6 +11,9 @@ mod common;
 mod extent;
 mod facts;
 mod former;
+mod hinges;
+#[cfg(test)]
+mod hinges_tests;
 mod joints;
 #[cfg(test)]
 mod joints_tests;
@@ -31,6 +34,7 @@ pub(super) use change::{MatterChange, commands, mean_velocity};
 pub(super) use common::Common;
 pub(super) use facts::{Matter, NEVER, Pin, Span};
 pub(super) use former::Former;
+pub(super) use hinges::{LEAST_BONDS, MOST_LOOSE, sides};
 pub(super) use joints::{Joint, Stops};
 pub(super) use led::led;
 pub(super) use motors::{MotorChange, Motors};

@@ -23,6 +23,12 @@ const TORQUE: f64 = 30.0;
 /// Lengths of a wave that they reach, in lengths of the stroke.
 const LENGTHS: [f64; 2] = [0.2, 3.0];
 
+/// Said of the hinge under the pointer, and where no hinge is to get a motor.
+const HAS_ONE: &str = "the hinge under the pointer has one: a click gives it what is set here, or takes it off";
+const HAS_ONE_OFF: &str = "the hinge under the pointer has one, and loses it by a click: this was left unticked";
+const HAS_NONE: &str = "the hinge under the pointer has none: a click gives it one, as strong as is set here";
+const HAS_NONE_OFF: &str = "the hinge under the pointer has none, and a click gives it none: this was left unticked";
+
 /// Shows it at the right of the tools; it may be folded.
 pub(super) fn show(
     context: &egui::Context,
@@ -41,7 +47,7 @@ pub(super) fn show(
                 ui.spacing_mut().slider_width = 100.0;
                 match facts.tool {
                     Tool::Muscle => titled(ui, ("Muscle", can_fold), |ui| of_muscle(ui, &mut drives)),
-                    _ => titled(ui, ("Hinge and motor", can_fold), |ui| of_motor(ui, &mut drives)),
+                    _ => titled(ui, ("Hinge and motor", can_fold), |ui| of_motor(ui, &mut drives, facts.hinge)),
                 }
             })
         });
@@ -77,16 +83,21 @@ fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
     rate(ui, muscle.key, &mut muscle.rate);
 }
 
-fn of_motor(ui: &mut Ui, drives: &mut Drives) {
+/// What a hinge gets, or what the one under the pointer has: nobody who points at one ticks anything.
+fn of_motor(ui: &mut Ui, drives: &mut Drives, hinge: Option<bool>) {
     let motor = &mut drives.motor;
     let said = "a click hinges the body under it: to the other one where two overlap, else to the background. A hinge that is there gets what is set here";
     ui.add(Label::new(RichText::new(said).color(colors(ui).weak)).wrap());
-    let mut is_on = motor.is_on.unwrap_or(false);
+    let mut is_on = hinge.or(motor.is_on).unwrap_or(false);
     if ticks::check(ui, &mut is_on, "motor").changed() {
         motor.is_on = Some(is_on);
     }
     // As many lines whatever is ticked: nothing moves under the pointer.
     let said = match motor.is_on {
+        Some(false) if hinge == Some(true) => HAS_ONE_OFF,
+        _ if hinge == Some(true) => HAS_ONE,
+        Some(false) if hinge == Some(false) => HAS_NONE_OFF,
+        _ if hinge == Some(false) => HAS_NONE,
         None => "if this is left alone, a wheel on the background gets one, and two bodies are only hinged",
         Some(true) => "whatever is hinged next gets one, and so does a hinge that is there, by a click on it",
         Some(false) => "nothing that is hinged next gets one, and a hinge that is there loses it by a click on it",
@@ -182,6 +193,28 @@ mod tests {
 
     fn has(texts: &[(String, Pos2)], words: &str) -> bool {
         texts.iter().any(|(text, _)| text == words)
+    }
+
+    #[test]
+    fn over_a_hinge_the_switch_shows_whether_that_has_a_motor_and_no_row_moves() {
+        let (context, mut facts) = (egui::Context::default(), Facts { tool: Tool::Motor, ..Facts::default() });
+        let mut speed_at = |is_on: Option<bool>, hinge: Option<bool>, words: &str| {
+            (facts.hinge, facts.drives.motor.is_on) = (hinge, is_on);
+            (0..3).for_each(|_| _ = frame(&context, &mut facts, Vec::new()));
+            let texts = frame(&context, &mut facts, Vec::new());
+            assert!(has(&texts, words), "{is_on:?}, {hinge:?}: {texts:?}");
+            assert_eq!(facts.drives.motor.is_on, is_on, "to point at one ticks nothing");
+            texts.iter().find(|(text, _)| text == "speed").map(|(_, at)| at.y)
+        };
+        let alone = "if this is left alone, a wheel on the background gets one, and two bodies are only hinged";
+        let first = speed_at(None, None, alone);
+        assert!(first.is_some());
+        for is_on in [None, Some(true)] {
+            assert_eq!(speed_at(is_on, Some(true), HAS_ONE), first);
+            assert_eq!(speed_at(is_on, Some(false), HAS_NONE), first);
+        }
+        assert_eq!(speed_at(Some(false), Some(true), HAS_ONE_OFF), None);
+        assert_eq!(speed_at(Some(false), Some(false), HAS_NONE_OFF), None);
     }
 
     #[test]

@@ -239,6 +239,8 @@ pub(super) struct PanelState {
     pub(super) opened: Vec<Opened>,
     /// The pointer rests on what gives joints stops: it is shown where they would be.
     pub(super) previews_stops: bool,
+    /// Whether the hinge under the pointer has a motor, while the tool for these is taken; `None`: none is there.
+    pub(super) hinge: Option<bool>,
     /// Where the panel of what is selected stands.
     pub(super) matter_at: MatterAt,
     /// For which of them the window has room at once.
@@ -316,6 +318,8 @@ pub(super) struct Facts {
     pub(super) primitive: Primitive,
     /// What the tools for muscles and motors make.
     pub(super) drives: Drives,
+    /// Whether the hinge under the pointer has a motor; `None`: none is there.
+    pub(super) hinge: Option<bool>,
     /// Why nothing can be a muscle in the scene, and why no hinge can have a motor, where that is so.
     pub(super) no_muscles: Option<String>,
     pub(super) no_motors: Option<String>,

@@ -11,6 +11,7 @@ use super::{Facts, Wish, low, ticks};
 use crate::app::action::Primitive;
 use crate::app::matter::Preset;
 use crate::app::tools::{Fibre, Link, is_of_space};
+use crate::render::Look;
 
 /// What each makes, and how.
 fn words(primitive: Primitive) -> &'static str {
@@ -133,8 +134,8 @@ fn matters(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
     let sides = (edge, ui.min_rect().width());
     let mut of = facts.built_of;
     match facts.primitive {
-        Primitive::Rope => fibres(ui, sides, Primitive::Rope, &mut of.rope),
-        Primitive::Cloth => fibres(ui, sides, Primitive::Cloth, &mut of.cloth),
+        Primitive::Rope => fibres(ui, sides, (Primitive::Rope, &facts.look), &mut of.rope),
+        Primitive::Cloth => fibres(ui, sides, (Primitive::Cloth, &facts.look), &mut of.cloth),
         other => presets(ui, sides, other, &mut of.filled),
     }
     if of != facts.built_of {
@@ -143,9 +144,9 @@ fn matters(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
 }
 
 /// What a rope or a cloth is made of.
-fn fibres(ui: &mut Ui, (edge, width): (f32, f32), of: Primitive, chosen: &mut Fibre) {
+fn fibres(ui: &mut Ui, (edge, width): (f32, f32), (of, look): (Primitive, &Look), chosen: &mut Fibre) {
     for fibre in Fibre::ALL {
-        let button = swatch(ui, (fibre.name(of), fibre.color()), (*chosen == fibre, width));
+        let button = swatch(ui, (fibre.name(of), fibre.color(of, look)), (*chosen == fibre, width));
         say(&button, edge, fibre.words());
         if button.clicked() {
             *chosen = fibre;

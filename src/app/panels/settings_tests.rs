@@ -1,6 +1,8 @@
 //! Settings without a window: what drags and clicks on the panel ask for.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+use std::sync::Arc;
+
 use egui::{Event, Pos2, Shape, pos2, vec2};
 
 use super::pointer::button;
@@ -32,7 +34,9 @@ struct Screen {
 
 impl Screen {
     fn new(stage: &mut Stage) -> Self {
-        let settings = Settings { scene: shown(stage).settings, push: Some([20.0, 1.0]), ..Settings::default() };
+        let now = shown(stage);
+        let (scene, points) = (now.settings.clone(), now.point_count());
+        let settings = Settings { scene, points, push: Some([20.0, 1.0]), ..Settings::default() };
         let facts = Facts { settings, dimensions: 2, ..Facts::default() };
         let mut screen = Screen { context: egui::Context::default(), state: PanelState::default(), facts };
         // The first two frames find their sizes.
@@ -523,6 +527,47 @@ fn words_that_are_left_for_a_button_are_taken_with_what_that_does() {
         assert_eq!(words, expected, "{button}, at once: {at_once}");
         assert!(!at_once || sets.len() == 1, "one edit: {sets:?}");
     }
+}
+
+/// What is being written in a label stays with it as another one goes.
+#[test]
+fn what_is_written_in_a_label_stays_with_it_as_others_go() {
+    let text = r#"{"wobble": 1, "points": {"position": [[0, 1]]}, "labels": [{"at": [0, 1], "text": "one"},
+        {"at": [0, 2], "text": "two"}, {"at": [0, 3], "text": "three"}]}"#;
+    let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+    let mut screen = Screen::new(&mut stage);
+    screen.state.settings_search = "labels".to_owned();
+    let all = shown(&mut stage).labels;
+    screen.facts.settings.labels = Arc::clone(&all);
+    (0..3).for_each(|_| _ = screen.frame(Vec::new()));
+    screen.click("two");
+    screen.frame(vec![Event::Text("2".to_owned())]);
+    // The first one goes elsewhere, as undo takes it: the field is still that of the second one.
+    for labels in [&all[1..], &all[..]] {
+        screen.facts.settings.labels = Arc::new(labels.to_vec());
+        (0..2).for_each(|_| _ = screen.frame(Vec::new()));
+    }
+    let sets: Vec<Setting> =
+        super::pointer::click(pos2(200.0, 700.0)).into_iter().flat_map(|events| screen.frame(events).0).collect();
+    let [Setting { act: Do::Set(keys), .. }] = &sets[..] else { panic!("{sets:?}") };
+    let words: Vec<&str> = keys.labels.iter().flatten().map(|label| label.text.as_str()).collect();
+    assert!(words[0] == "one" && words[1] != "two" && words[1].contains('2') && words[2] == "three", "{words:?}");
+}
+
+/// A label goes along with a point that there is.
+#[test]
+fn a_label_can_be_held_to_no_point_that_there_is_not() {
+    let text = r#"{"wobble": 1, "points": {"position": [[0, 1], [1, 1]]}, "labels": [{"at": [0, 1], "text": "one", "point": 1}]}"#;
+    let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+    let mut screen = Screen::new(&mut stage);
+    screen.state.settings_search = "labels".to_owned();
+    screen.facts.settings.labels = shown(&mut stage).labels;
+    (0..3).for_each(|_| _ = screen.frame(Vec::new()));
+    screen.click("1");
+    screen.frame(vec![Event::Text("12".to_owned())]);
+    let sets: Vec<Setting> =
+        super::pointer::click(pos2(200.0, 700.0)).into_iter().flat_map(|events| screen.frame(events).0).collect();
+    assert_eq!(sets, [], "the last one is the highest that there is");
 }
 
 /// What is typed after a label was added is its words.

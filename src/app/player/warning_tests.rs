@@ -4,7 +4,7 @@
 use super::{Note, Order, Stage};
 use crate::app::tools::PinWay;
 use crate::history::{Do, MoveKeys};
-use crate::scene::{Scene, Vector};
+use crate::scene::{AddKeys, BodyKeys, BondKeys, KindName, MakerName, MassKeys, Material, PointKeys, Scene, Vector};
 use crate::sim::PointId;
 
 const BOX: &str = r#"{"wobble": 1, "contact": true, "bounds": {"min": [-5, 0], "max": [5, 5]},
@@ -52,6 +52,54 @@ fn a_pin_that_is_led_further_than_bonds_reach_says_how_far() {
     assert_eq!(lead(1.9), [""; 0], "within its reach");
     let lines = lead(2.8);
     assert!(lines.len() == 1 && lines[0].contains("further apart than the bonds"), "{lines:?}");
+}
+
+#[test]
+fn a_crowd_in_one_place_that_comes_by_an_edit_is_told_once() {
+    let mut stage = stage(r#"{"wobble": 1, "gravity": [0, 0], "contact": true, "points": {"position": [[9, 9]]}}"#);
+    let tells = |lines: &[String]| lines.iter().filter(|line| line.contains("points lie in one place")).count();
+    let mut rope = |count: u32| {
+        let first = stage.history().world().point_count() as u32;
+        let bond = |k: u32| BondKeys { kind: Some(KindName::Spring), ..BondKeys::new(first + k, first + k + 1) };
+        let points = PointKeys {
+            position: vec![Vector::Plane([1.0, 2.0]); count as usize],
+            mass: Some(MassKeys::Same(1.0)),
+            velocity: None,
+            pinned: (first..first + count).collect(),
+        };
+        let bonds = (0..count - 1).map(|k| BondKeys { rest: Some(0.01), stiffness: Some(1.0), ..bond(k) }).collect();
+        let keys = AddKeys { points: Some(points), bonds, ..AddKeys::default() };
+        let note = stage.obey(Order::Give(vec![Do::Add(Box::new(keys))], Some("paste")));
+        assert_eq!(note, None);
+        tells(&warned(&mut stage))
+    };
+    assert_eq!([rope(1_600), rope(1_600), rope(1_600)], [0, 1, 0], "with the second rope there are too many");
+    assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(..))));
+    assert_eq!(tells(&warned(&mut stage)), 0);
+}
+
+#[test]
+fn bodies_in_space_that_pass_each_other_are_told_of_as_the_second_one_comes() {
+    let scene = r#"{"wobble": 1, "dimensions": 3, "gravity": [0, 0, 0], "contact": true, "bodies": [
+        {"make": "rope", "count": 5, "to": [1, 0, 0], "material": {"kind": "spring", "stiffness": 100, "mass": 1}}]}"#;
+    let mut stage = stage(scene);
+    assert_eq!(warned(&mut stage), [""; 0], "one passes nothing");
+    let mut rope = |high: f64| {
+        let body = BodyKeys {
+            make: MakerName::Rope,
+            count: Some(5),
+            to: Some(Vector::Space([1.0, 0.0, 0.0])),
+            origin: Some(Vector::Space([0.0, high, 0.0])),
+            material: Some(Material { kind: Some(KindName::Spring), stiffness: Some(100.0), ..Material::default() }),
+            ..BodyKeys::default()
+        };
+        let keys = AddKeys { bodies: vec![body], ..AddKeys::default() };
+        assert_eq!(stage.obey(Order::Give(vec![Do::Add(Box::new(keys))], Some("build"))), None);
+        warned(&mut stage)
+    };
+    let lines = rope(1.0);
+    assert!(lines.len() == 1 && lines[0].contains("pass each other"), "{lines:?}");
+    assert_eq!(rope(2.0), [""; 0], "it is known");
 }
 
 #[test]

@@ -12,7 +12,7 @@ use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, theme};
-use crate::app::tools::{Mark, Role, Scope, labels, no_motors, no_muscles, probe, would_stop};
+use crate::app::tools::{Mark, Role, Scope, labels, moved_label, no_motors, no_muscles, probe, would_stop};
 use crate::app::whereabouts::{apart, places_of};
 use crate::app::words::{self, Anchor};
 use crate::lessons::heading_of;
@@ -21,7 +21,7 @@ use crate::scene::{Parameter, PrecisionName};
 use crate::sim::{Cursor, MouseForce};
 
 /// Marks are looked for among so many points: more would take longer than a frame.
-const MOST_MARKED: usize = 100_000;
+pub(super) const MOST_MARKED: usize = 100_000;
 /// So many points are looked at, where it is asked where bodies are.
 const MOST_SEEN: usize = 2_000;
 /// Of those that are selected so many.
@@ -148,6 +148,7 @@ impl Session {
             links: self.hand.links(),
             push: self.hand.push_way(),
             drives: self.hand.drives(),
+            hinge: self.panels.hinge,
             no_muscles: no_muscles(self.shown().driving),
             no_motors: no_motors(self.shown().driving),
             brush: self.hand.brush(),
@@ -188,6 +189,7 @@ impl Session {
                 pushing: self.shown().mouse.as_ref().map(Pushing::of),
                 push: self.live_force().map(|force| [self.hand.strength().unwrap_or(force.strength), force.radius]),
                 labels: Arc::clone(&self.shown().labels),
+                points: self.shown().point_count(),
                 middle: if self.panels.has_settings { self.middle_seen() } else { Default::default() },
             },
         }
@@ -275,7 +277,8 @@ impl Session {
     /// Draws the world and the panels.
     pub(super) fn draw(&mut self) -> Result<(), RenderError> {
         self.look_for_the_lost();
-        let (mut marks, words) = self.marks();
+        let (mut marks, words, labels) = self.marks();
+        self.labels_at = labels;
         // What is written for the first time has its signs on the GPU with the panels: they are shown once more, so that none is missing.
         if self.marked_words != words {
             self.marked_words = words;
@@ -323,8 +326,8 @@ impl Session {
         }
     }
 
-    /// What tools mark, ready to be painted, and the words of it, whatever their digits are.
-    fn marks(&self) -> (Vec<egui::ClippedPrimitive>, String) {
+    /// What tools mark, ready to be painted, the words of it, whatever their digits are, and where the labels of the scene lie, by their numbers.
+    fn marks(&self) -> (Vec<egui::ClippedPrimitive>, String, Vec<(usize, Rect)>) {
         let is_idle =
             !self.hand.is_busy() && (self.is_covered() || self.is_over_panels() || self.pointer.is_dragging());
         if !self.player.is_open() {
@@ -338,7 +341,11 @@ impl Session {
         let mut marks = Vec::new();
         if !self.is_covered() && self.shown().point_count() <= MOST_MARKED {
             // What is selected is seen while its panel is used.
-            marks.extend(self.hand.marks(scope, self.pixel().filter(|_| !is_idle)));
+            let at = self.pixel().filter(|_| !is_idle);
+            let label = at.and_then(|at| self.label_at(scope, at));
+            // What lies below a label is not meant.
+            marks.extend(self.hand.marks(scope, at.filter(|_| label.is_none())));
+            marks.extend(label.map(|(_, place)| framed(place, self.egui.egui_ctx().pixels_per_point())));
             if let Some(matter) = self.shown().matter.as_ref().filter(|_| self.panels.previews_stops) {
                 marks.extend(would_stop(scope, &matter.coming_stops));
             }
@@ -346,8 +353,12 @@ impl Session {
         if !self.is_covered() && !self.panels.hides_hud {
             marks.extend(labels(scope, self.shown().figures.relaxed));
             marks.extend(self.stalls.marks(scope));
-            marks.extend(self.labels());
         }
+        let others = marks.iter().filter(|mark| matches!(mark, Mark::Label(..))).count();
+        let own = if self.is_covered() || self.panels.hides_hud { Vec::new() } else { self.labels(scope) };
+        let before = others + own.iter().take(self.cell).map(|(numbers, _)| numbers.len()).sum::<usize>();
+        let numbers = own.get(self.cell).map_or_else(Vec::new, |(numbers, _)| numbers.clone());
+        marks.extend(own.into_iter().flat_map(|(_, marks)| marks));
         marks.extend(probes);
         marks.extend(self.ghosts());
         if !self.is_covered() {
@@ -374,7 +385,7 @@ impl Session {
         let taken: Vec<Rect> = self.covered.iter().map(panel).collect();
         let room = ((room, self.place_of_pointer()), &taken[..]);
         let mut labels = Vec::new();
-        let shapes = marks
+        let shapes: Vec<ClippedShape> = marks
             .iter()
             .map(|mark| ClippedShape {
                 clip_rect,
@@ -382,24 +393,36 @@ impl Session {
                 transform_after_tessellation: egui::emath::TSTransform::IDENTITY,
             })
             .collect();
-        (context.tessellate(shapes, scale), said)
+        let labels = numbers.into_iter().zip(labels.into_iter().skip(before)).collect();
+        (context.tessellate(shapes, scale), said, labels)
     }
 
-    /// What the scene says of itself, in each of its worlds.
-    fn labels(&self) -> Vec<Mark> {
+    /// The label that a press at a pixel takes, and where it lies `[points]`.
+    pub(super) fn label_at(&self, scope: Scope<'_>, at: glam::DVec2) -> Option<(usize, Rect)> {
+        let pixels = self.egui.egui_ctx().pixels_per_point();
+        let point = Pos2::new(at.x as f32 / pixels, at.y as f32 / pixels);
+        // What is painted last lies on top.
+        let lies = self.labels_at.iter().rev().find(|(_, place)| place.contains(point)).copied();
+        lies.filter(|_| self.hand.takes_labels(scope, at))
+    }
+
+    /// What the scene says of itself, in each of its worlds: the numbers of those labels that are seen there, and the marks.
+    fn labels(&self, scope: Scope<'_>) -> Vec<(Vec<usize>, Vec<Mark>)> {
         let labels = &self.shown().labels;
         if labels.is_empty() {
             return Vec::new();
         }
+        let led = self.pixel().and_then(|at| self.hand.led_label(scope, at));
+        let labels = led.map_or_else(|| labels.to_vec(), |led| moved_label(labels, led, scope.shown.dimensions));
         let others = self.shown().beside.iter().take(self.tiles.count() - 1);
         let others = others.map(|world| world.view(self.scene.dimensions()));
-        let label = |(place, view): (usize, View<'_>)| -> Vec<Mark> {
+        let label = |(place, view): (usize, View<'_>)| -> (Vec<usize>, Vec<Mark>) {
             let camera = self.tiles.camera(place, &self.camera, self.area);
             let clip = self.tiles.clip(place, self.area);
-            let seen = words::seen(labels, &view, &camera, clip).into_iter();
-            seen.map(|(at, text)| Mark::Label(at, text.to_owned(), clip)).collect()
+            let seen = words::seen(&labels, &view, &camera, clip).into_iter();
+            seen.map(|(number, at, text)| (number, Mark::Label(at, text.to_owned(), clip))).unzip()
         };
-        std::iter::once(self.shown().view()).chain(others).enumerate().flat_map(label).collect()
+        std::iter::once(self.shown().view()).chain(others).enumerate().map(label).collect()
     }
 
     /// The GPU was lost (a driver's update, a card pulled out): opens what there is now. The world is not touched.
@@ -415,6 +438,12 @@ impl Session {
         self.touch();
         Ok(())
     }
+}
+
+/// A frame about words, which lie here `[points]`.
+fn framed(place: Rect, scale: f32) -> Mark {
+    let pixel = |at: Pos2| glam::DVec2::new(at.x.into(), at.y.into()) * f64::from(scale);
+    Mark::Frame(Role::Lead, pixel(place.min), pixel(place.max))
 }
 
 /// A mark as the panels' painter draws it, with an edge so that it is seen on any ground; labels lie on none of those before them.

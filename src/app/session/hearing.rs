@@ -20,6 +20,7 @@ impl Session {
                 // What lies under the pointer may have gone.
                 self.place_hint();
             }
+            self.find_hinge();
             self.whereabouts.note(self.player.shown());
             self.meet_neighbors();
             self.find_misfits();

@@ -3,7 +3,7 @@
 
 use super::Session;
 use super::shelf::Way;
-use crate::app::leftovers::{Leftover, note_offered};
+use crate::app::leftovers::{Leftover, note_offered, note_told, unread_line};
 use crate::app::panels::Sheet;
 use crate::app::player::{Keeping, Player};
 use crate::app::thumbnails::CutOff;
@@ -11,10 +11,11 @@ use crate::app::thumbnails::CutOff;
 impl Session {
     /// Takes what was found at the start, and offers the newest where it never was.
     pub(super) fn hear_of_leftovers(&mut self) {
+        self.tell_of_unread();
         let found = self.search.as_ref().and_then(|search| search.try_recv().ok());
         let Some(found) = found else { return };
         self.search = None;
-        self.leftovers = found;
+        (self.leftovers, self.unread) = (found.leftovers, found.unread);
         if self.panels.sheet == Some(Sheet::Gallery) {
             self.draw_leftovers();
         }
@@ -26,6 +27,18 @@ impl Session {
             self.panels.notes.offer = Some(format!("your last session was cut off: {}{others}", newest.line()));
         }
         self.list_leftovers();
+        self.tell_of_unread();
+    }
+
+    /// Says once where sessions lie that cannot be read: as soon as a scene is there, which would close it as it comes.
+    fn tell_of_unread(&mut self) {
+        let Some(line) = unread_line(&self.unread).filter(|_| self.player.is_open()) else { return };
+        let files = std::mem::take(&mut self.unread);
+        if let Some(folder) = &self.state_folder {
+            note_told(folder, &files);
+        }
+        self.panels.notes.tell(line);
+        self.touch();
     }
 
     /// The gallery lists what is left, the newest first, and no start offers it again.

@@ -47,7 +47,7 @@ use super::fetch::Fetch;
 use super::framing::{Framed, Framing, Undocked, Ways};
 use super::import::Import;
 use super::keys::{Down, Held};
-use super::leftovers::{Leftover, look};
+use super::leftovers::{Found, Leftover, look};
 use super::loading::Loading;
 use super::matter::{Bearings, Matter, Overload};
 use super::meter::Meter;
@@ -172,6 +172,8 @@ pub(super) struct Session {
     paint: Paint,
     /// What was written over the world last.
     marked_words: String,
+    /// Where labels of the scene lie in the world that the pointer is in, by their numbers `[points]`.
+    labels_at: Vec<(usize, egui::Rect)>,
     /// What of it was found in view.
     lost: Lost,
     /// Something that is shown has changed since the last frame; so has something that panels show.
@@ -212,7 +214,9 @@ pub(super) struct Session {
     /// of them, the newest last.
     state_folder: Option<PathBuf>,
     record: Option<PathBuf>,
-    search: Option<Receiver<Vec<Leftover>>>,
+    search: Option<Receiver<Found>>,
+    /// Files of sessions that cannot be read, and that were not told of yet.
+    unread: Vec<PathBuf>,
     leftovers: Vec<Leftover>,
     thumbnails: Option<Thumbnails>,
     /// Pictures of sessions that were cut off, on their way.

@@ -6,6 +6,7 @@ use egui::Order;
 use glam::DVec2;
 use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
+use super::drawing::MOST_MARKED;
 use super::{Framing, Session};
 use crate::app::action::Tool;
 use crate::app::player;
@@ -36,6 +37,7 @@ impl Session {
             self.panels_dirty = true;
         }
         self.place_hint();
+        self.find_hinge();
         self.was_over_panels = is_over;
         self.with_scope(|hand, scope| hand.trace(scope, DVec2::from(at)));
         self.show_cursor();
@@ -53,6 +55,7 @@ impl Session {
     pub(in crate::app) fn point_away(&mut self) {
         self.pointer.leave();
         self.place_hint();
+        self.find_hinge();
         self.touch();
     }
 
@@ -92,7 +95,11 @@ impl Session {
                 self.hand.stand_still(!self.player.is_playing());
                 let last = self.pressed_at.replace(Instant::now());
                 self.hand.hasten(last.is_some_and(|last| last.elapsed() < DOUBLE));
-                let mut deed = self.with_scope(|hand, scope| hand.press(scope, at));
+                let label = self.label_under(at);
+                let mut deed = self.with_scope(|hand, scope| match label {
+                    Some(number) => hand.press_label(scope, number, at),
+                    None => hand.press(scope, at),
+                });
                 self.resting.press(at.to_array());
                 if self.hand.is_grabbing() {
                     // What is grabbed follows the cursor, so it is there first.
@@ -209,6 +216,14 @@ impl Session {
         call(&mut self.hand, scope)
     }
 
+    /// The number of the label that a press at a pixel takes.
+    pub(super) fn label_under(&self, at: DVec2) -> Option<usize> {
+        let scale = f64::from(self.look.scale_factor);
+        let camera = self.camera_here();
+        let scope = Scope { shown: self.shown(), camera: &camera, scale, free: self.free.map(DVec2::from) };
+        self.label_at(scope, at).map(|(number, _)| number)
+    }
+
     /// Where the pointer is for the panels `[points]`.
     pub(super) fn place_of_pointer(&self) -> Option<egui::Pos2> {
         self.pointer.at.map(|at| self.point_of(at))
@@ -235,6 +250,15 @@ impl Session {
         let hint = self.place_of_pointer().zip(words);
         self.panels_dirty |= self.panels.notes.hint != hint;
         self.panels.notes.hint = hint;
+    }
+
+    /// The panel of the tool for motors says what the hinge under the pointer has.
+    pub(super) fn find_hinge(&mut self) {
+        let is_wanted = self.hand.tool() == Tool::Motor && !self.is_over_panels() && !self.is_covered();
+        let is_small = self.shown().point_count() <= MOST_MARKED;
+        let at = self.pixel().filter(|_| is_wanted && is_small);
+        let hinge = at.and_then(|at| self.with_scope(|hand, scope| hand.hinge_at(scope, at)));
+        self.panels_dirty |= std::mem::replace(&mut self.panels.hinge, hinge) != hinge;
     }
 
     /// Whether the pointer is over a panel, or over what floats over the world.

@@ -187,6 +187,9 @@ impl Session {
             None => {}
         }
         let can_look = self.shown().point_count() <= MOST_HOVERED;
+        if can_look && self.label_under(at).is_some() {
+            return CursorIcon::Move;
+        }
         let is_plane = self.scene.dimensions() == 2;
         let push = self.hand.push_way();
         let mut on = |what: fn(Scope<'_>, DVec2) -> bool| can_look && self.with_scope(|_, scope| what(scope, at));
@@ -196,6 +199,7 @@ impl Session {
             Tool::Hand if on(|scope, at| scope.solid(at).is_some()) => CursorIcon::NotAllowed,
             Tool::Motor if !is_plane => CursorIcon::NotAllowed,
             Tool::Build if !is_plane && !is_of_space(self.hand.primitive()) => CursorIcon::NotAllowed,
+            Tool::Select if can_look && self.with_scope(|hand, scope| hand.takes_stop(scope, at)) => CursorIcon::Grab,
             Tool::Select if can_look && self.with_scope(|hand, scope| hand.would_move(scope, at)) => CursorIcon::Move,
             other => idle_icon(other, push),
         }

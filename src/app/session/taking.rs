@@ -24,6 +24,7 @@ impl Session {
         self.panels.take(tool);
         // It is of the hand.
         self.place_hint();
+        self.find_hinge();
         if tool == Tool::Build && self.scene.dimensions() == 3 && !is_of_space(self.hand.primitive()) {
             self.hand.choose(Primitive::SolidCircle);
         }

@@ -1,5 +1,7 @@
 //! Which tool is in the hand, and what the tools make.
 
+use glam::DVec2;
+
 use super::{Brush, BuiltOf, Deed, Drives, Hand, Links, PushWay, Scope};
 use crate::app::action::{Primitive, Tool};
 use crate::sim::PointId;
@@ -75,6 +77,11 @@ impl Hand {
     /// They make something else from now on.
     pub(in crate::app) fn set_drives(&mut self, drives: Drives) {
         self.drives = drives;
+    }
+
+    /// Whether the hinge at a pixel has a motor; `None`: none is there.
+    pub(in crate::app) fn hinge_at(&self, scope: Scope<'_>, at: DVec2) -> Option<bool> {
+        self.drives.hinge_at(scope, at)
     }
 
     /// The hinge about a hub gets the motor that the tool makes.

@@ -123,6 +123,14 @@ impl Drives {
         }
     }
 
+    /// Whether the hinge that a click would mean has a motor; `None`: it would mean none that is there.
+    pub(super) fn hinge_at(&self, scope: Scope<'_>, at: DVec2) -> Option<bool> {
+        match Meant::at(scope, at, self.motor.is_on)?.ok()? {
+            Meant::There(hub) | Meant::Joined(hub) => Some(!hub.motors.is_empty()),
+            Meant::New(_) => None,
+        }
+    }
+
     /// The hinge about a hub gets the motor of the panel, whatever the switch there says.
     pub(super) fn give_motor(&self, scope: Scope<'_>, hub: PointId) -> Deed {
         let motor = MotorChoice { is_on: Some(true), ..self.motor };

@@ -453,6 +453,8 @@ fn two_bodies_that_are_hinged_get_no_second_hinge_that_would_lock_them() {
     // A wheel, wherever it is clicked, on itself or on what holds it, turns about the hub that it has.
     assert_eq!(click(&mut seen, &mut hand, [-2.0, 0.0]).1.0, Some("hinge"));
     for (k, place) in [[-1.5, 0.0], [-1.75, 0.5], [-1.37, 0.13], [-2.0, 0.75]].into_iter().enumerate() {
+        let pixel = at(&seen, place);
+        assert_eq!(hand.hinge_at(scope(&seen), pixel), Some(k % 2 == 1), "the panel shows what it has");
         let (said, (edit, _)) = click(&mut seen, &mut hand, place);
         assert_eq!(edit, Some(if k % 2 == 0 { "motor" } else { "motor off" }), "{place:?}: {said}");
     }

@@ -8,7 +8,9 @@ use super::Deed;
 use super::marks::{self, Mark, Role};
 use super::pick::{Scope, cross, distance_to_segment};
 use super::selecting::is_drag;
+use crate::app::count::counted;
 use crate::history::{DeleteKeys, Do};
+use crate::picture::Tint;
 use crate::sim::PointId;
 
 /// What goes when a pixel is clicked.
@@ -207,7 +209,8 @@ impl Sweep {
             [true, true, false] => "erase an obstacle",
             _ => "erase",
         };
-        Deed::edit(name, Do::Delete(keys))
+        let words = Some(erased(scope, &keys));
+        Deed { words, ..Deed::edit(name, Do::Delete(keys)) }
     }
 
     /// What will go.
@@ -219,6 +222,22 @@ impl Sweep {
         let solids = self.obstacles.iter().flat_map(|&number| marks::obstacle(Role::Away, scope, number));
         first.into_iter().chain(bodies).chain(bonds).chain(solids).collect()
     }
+}
+
+/// What is said of what went: how much it was, and how it comes back. What bonds held together counts as one body, a loose point too.
+fn erased(scope: Scope<'_>, keys: &DeleteKeys) -> String {
+    let ends = scope.shown.scenery.bonds.ends().iter().map(|ends| ends.map(|end| end.0));
+    let body = Tint::hanging(scope.shown.point_count(), ends);
+    let bodies: BTreeSet<u32> = keys.points.iter().filter_map(|point| body.get(*point as usize).copied()).collect();
+    let counts = [(bodies.len(), "body"), (keys.bonds.len(), "bond"), (keys.obstacles.len(), "obstacle")];
+    let parts: Vec<String> =
+        counts.into_iter().filter(|(count, _)| *count > 0).map(|(count, name)| counted(count, name)).collect();
+    let them = if counts.iter().map(|(count, _)| count).sum::<usize>() == 1 { "it" } else { "them" };
+    let all = match &parts[..] {
+        [but_last @ .., last] if !but_last.is_empty() => format!("{} and {last}", but_last.join(", ")),
+        _ => parts.concat(),
+    };
+    format!("erased {all}: Ctrl+Z brings {them} back")
 }
 
 /// All bodies go; obstacles stay.

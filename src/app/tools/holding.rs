@@ -33,8 +33,8 @@ impl Hand {
     /// How the pointer looks while the button does something; `None`: as before.
     pub(in crate::app) fn holds(&self) -> Option<Held> {
         match self.doing {
-            Doing::Grabbing(_) | Doing::Leading(_) => Some(Held::Grip),
-            Doing::Moving(..) | Doing::Carrying(..) | Doing::Hauling(_) => Some(Held::Move),
+            Doing::Grabbing(_) | Doing::Leading(_) | Doing::Stopping(_) => Some(Held::Grip),
+            Doing::Moving(..) | Doing::Carrying(..) | Doing::Labelling(..) | Doing::Hauling(_) => Some(Held::Move),
             _ => None,
         }
     }

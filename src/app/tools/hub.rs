@@ -3,14 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::pick::Scope;
+use crate::app::matter::{LEAST_BONDS, MOST_LOOSE, sides};
 use crate::sim::{Angle, AngleDrive, PointId};
-
-/// Neighbours of a hub belong to one piece when bonds lead from one to the other past the hub in so many steps.
-const STEPS: usize = 4;
-/// A hub that no pin holds has so many bonds to each piece.
-const LEAST_BONDS: usize = 2;
-/// Of more points in no triangle none is looked at: nets are made of such.
-const MOST_LOOSE: usize = 400;
 
 /// A hinge that is there.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,7 +81,7 @@ impl<'a> Hubs<'a> {
 
     /// What a point is the hub of: pieces that no short way joins but through it, or what a pin beside a body holds.
     fn hub(&self, point: PointId) -> Option<Hub> {
-        let mut sides = self.sides(point);
+        let mut sides = sides(&self.beside, point);
         sides.sort_by_key(|side| std::cmp::Reverse(side.len()));
         let is_motor =
             |angle: &&Angle| angle.points[1] == point && matches!(angle.drive, Some(AngleDrive::Motor { .. }));
@@ -97,33 +91,6 @@ impl<'a> Hubs<'a> {
         let broad = sides.iter().filter(|side| side.len() >= LEAST_BONDS).count();
         let is_hub = broad > 1 || !motors.is_empty() || (is_pinned && broad > 0 && is_beside_a_body);
         is_hub.then_some(Hub { point, sides, is_pinned, motors })
-    }
-
-    /// The points that one is bonded to, in sets that hang together nearby without it.
-    fn sides(&self, point: PointId) -> Vec<Vec<PointId>> {
-        let mut left = self.beside[point.index()].clone();
-        left.sort_unstable();
-        left.dedup();
-        let mut sides = Vec::new();
-        while let Some(first) = left.first().copied() {
-            let mut seen = vec![first];
-            let mut from = 0;
-            for _ in 0..STEPS {
-                let to = seen.len();
-                for k in from..to {
-                    for &next in &self.beside[seen[k].index()] {
-                        if next != point && !seen.contains(&next) {
-                            seen.push(next);
-                        }
-                    }
-                }
-                from = to;
-            }
-            let side: Vec<PointId> = left.iter().copied().filter(|end| seen.contains(end)).collect();
-            left.retain(|end| !side.contains(end));
-            sides.push(side);
-        }
-        sides
     }
 
     /// The hub of a point that is one.

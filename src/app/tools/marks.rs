@@ -88,6 +88,8 @@ const RING: f64 = 9.0;
 const ALONG: &str = "its pins move too; the Select tool (6) can turn it";
 const WITH_PINS: &str = "paused: a drag moves it with its pins";
 const ALONE: &str = "paused: a drag moves the pin, its body stays";
+/// Said of an obstacle in space before it is dragged.
+const IN_SPACE: &str = "drag: it moves in the plane that faces you, as deep as it is";
 /// Bonds of a body that are drawn at most.
 const MOST: usize = 4000;
 
@@ -182,7 +184,12 @@ fn would_grab(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
         return vec![Mark::Ring(Role::Come, at, 5.0 * scope.scale)];
     }
     let Some(hit) = scope.nearest(at) else {
-        let outline = |number| obstacle(Role::Lead, scope, number);
+        let outline = |number| {
+            let mut marks = obstacle(Role::Lead, scope, number);
+            // In the plane it is seen where it goes.
+            marks.extend((scope.shown.dimensions == 3).then(|| beside(scope, at, IN_SPACE)));
+            marks
+        };
         return scope.block(at).map_or_else(|| scope.ground_marks(at), outline);
     };
     let is_pin = scope.is_pinned(hit.point);

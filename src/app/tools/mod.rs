@@ -40,6 +40,7 @@ mod hover;
 mod hub;
 mod jam;
 mod knot;
+mod label;
 mod lead;
 #[cfg(test)]
 mod lead_tests;
@@ -73,6 +74,7 @@ mod stall;
 #[cfg(test)]
 mod stall_tests;
 mod standing;
+mod stopping;
 mod stops;
 mod strand;
 #[cfg(test)]
@@ -104,6 +106,7 @@ use haul::Haul;
 pub(super) use haul::{HaulWay, Hauled};
 pub(super) use hidden::bodies as hidden_bodies;
 pub(super) use hover::strength;
+pub(super) use label::moved as moved_label;
 use lead::Lead;
 pub(super) use lead::PinWay;
 pub(super) use likeness::marks as labels;
@@ -122,6 +125,7 @@ pub(super) use room::Walls;
 use selection::Selection;
 pub(super) use stall::Stalls;
 pub(super) use standing::Kept;
+use stopping::Stop;
 pub(super) use stops::would_be as would_stop;
 use throw::Throw;
 use wind::Blow;
@@ -158,6 +162,10 @@ enum Doing {
     Moving(Hold, Chosen),
     /// What the hand pressed on from here is moved as a whole: while time stands still all, else an obstacle, which then is hauled.
     Carrying(Hold, Chosen),
+    /// The label with this number is moved.
+    Labelling(usize, Hold),
+    /// A stop of a joint that is selected is dragged along its arc.
+    Stopping(Stop),
     /// What is selected is turned or scaled by a handle.
     Handling(Grip),
     /// What is selected in space is turned or scaled by a ring.

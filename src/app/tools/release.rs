@@ -53,6 +53,8 @@ impl Hand {
                 blow.release(scope, at)
             }
             Doing::Moving(hold, under) => self.end_move(scope, (hold, at), under),
+            Doing::Stopping(stop) => stop.release(scope, (at, self.shift)),
+            Doing::Labelling(number, hold) => self.end_label(scope, (number, hold), at),
             Doing::Carrying(hold, what) => selecting::moved(scope, (hold, at), &what),
             Doing::Handling(grip) => self.end_grip(scope, grip, at),
             Doing::Turning(grip) => self.end_turn(scope, grip, at),

@@ -11,7 +11,7 @@ use super::marks::{Mark, Role};
 use super::pick::Scope;
 use super::region::Region;
 use super::rings::{Ring, RingGrip, Rings};
-use super::{Deed, Doing, Hand, stops};
+use super::{Deed, Doing, Hand, Stop, stops};
 use crate::app::action::Tool;
 use crate::sim::{Knots, PointId};
 
@@ -42,6 +42,11 @@ impl Hand {
         if let Some((rings, ring)) = rings.and_then(|rings| Some((rings, rings.ring(scope, at)?))) {
             self.before = beside(scope, &chosen, at);
             self.doing = Doing::Turning(rings.grip(ring, at));
+            return;
+        }
+        if let Some(stop) = Stop::at(scope, &chosen.points, at).filter(|_| !self.shift && !self.alt) {
+            self.before = Some(chosen);
+            self.doing = Doing::Stopping(stop);
             return;
         }
         let is_free = self.alt || self.draws_lasso;
@@ -208,6 +213,10 @@ impl Hand {
                 let more = outcome.words().map_or_else(String::new, |more| format!(": {more}"));
                 let words = Mark::Words(words, format!("{}{more}", change.words(scope, chosen)));
                 moved.chain(outcome.others(scope)).chain([words]).collect()
+            }
+            (Doing::Stopping(stop), Some(at)) => {
+                let arcs = stop.marks(scope, &chosen.points, (at, self.shift));
+                outline.into_iter().chain(arcs).collect()
             }
             (Doing::Turning(grip), Some(at)) => {
                 let turned = grip.turned(scope, at, self.shift);

@@ -144,6 +144,11 @@ fn a_ball_is_dragged_by_the_hand_while_time_runs() {
     let [before, from] = [center(&room); 2];
     let from = DVec2::from(room.camera.screen_from_world(from).unwrap());
     let to = from + DVec2::new(0.0, -80.0);
+    // It is said and outlined before, as in the plane.
+    let marks = room.with(|hand, scope| hand.marks(scope, Some(from)));
+    let says = |mark: &super::Mark| matches!(mark, super::Mark::Words(_, words) if words.starts_with("drag: it moves"));
+    assert!(marks.len() > 1 && marks.iter().filter(|mark| says(mark)).count() == 1, "{marks:?}");
+    assert_eq!(room.with(|hand, scope| hand.hint(scope, from)), Some("press and drag: move it"));
     assert!(room.with(|hand, scope| hand.press(scope, from)).words.is_none());
     for k in 1..=20 {
         let at = from.lerp(to, f64::from(k) / 20.0);

@@ -7,13 +7,13 @@ use glam::DVec2;
 use super::marks::{Mark, Role};
 use super::pick::Scope;
 use crate::app::matter::{AngleAs, Joint};
-use crate::sim::PointId;
+use crate::sim::{Angle, PointId};
 
 /// Radius of an arc in lengths of the shorter arm, and the least and the greatest one `[logical px]`.
 const SHARE: f64 = 0.45;
 const RADII: [f64; 2] = [16.0, 56.0];
 /// A stop is a line across the arc, from this to that, in its radii.
-const ACROSS: [f64; 2] = [0.75, 1.25];
+pub(super) const ACROSS: [f64; 2] = [0.75, 1.25];
 /// Numbers stand so far out, in radii.
 const OUT: f64 = 1.5;
 /// An arc is cut into pieces no longer than this `[rad]`.
@@ -24,14 +24,19 @@ const KNOB: f64 = 3.5;
 /// So far beyond a stop it is pressed on, not just met `[rad]`.
 const BEYOND: f64 = 0.02;
 /// Arcs that are drawn at most, and those that have numbers.
-const MOST: usize = 64;
+pub(super) const MOST: usize = 64;
 const NUMBERED: usize = 2;
 
 /// The stops of all joints among points, which are ascending.
 pub(super) fn marks(scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
-    let angles = scope.shown.scenery.angles.iter().filter(|angle| AngleAs::Joint.is_meant(points, angle));
-    let joints: Vec<Joint> = angles.filter_map(|angle| Some((angle.points, angle.range?))).take(MOST).collect();
+    let joints: Vec<Joint> =
+        joints(scope, points).filter_map(|angle| Some((angle.points, angle.range?))).take(MOST).collect();
     all(scope, Role::Lead, &joints)
+}
+
+/// Those joints.
+pub(super) fn joints<'a>(scope: Scope<'a>, points: &[PointId]) -> impl Iterator<Item = &'a Angle> {
+    scope.shown.scenery.angles.iter().filter(|angle| angle.range.is_some() && AngleAs::Joint.is_meant(points, angle))
 }
 
 /// Where joints that have none would get them.
@@ -39,7 +44,7 @@ pub(in crate::app) fn would_be(scope: Scope<'_>, joints: &[Joint]) -> Vec<Mark> 
     all(scope, Role::Come, &joints[..joints.len().min(MOST)])
 }
 
-fn all(scope: Scope<'_>, role: Role, joints: &[Joint]) -> Vec<Mark> {
+pub(super) fn all(scope: Scope<'_>, role: Role, joints: &[Joint]) -> Vec<Mark> {
     if scope.shown.dimensions != 2 {
         return Vec::new();
     }
@@ -47,25 +52,47 @@ fn all(scope: Scope<'_>, role: Role, joints: &[Joint]) -> Vec<Mark> {
     joints.iter().filter_map(|joint| arc(scope, role, joint, is_numbered)).flatten().collect()
 }
 
+/// What angles of a joint are seen on.
+pub(super) struct Dial {
+    /// Where the joint is, and the second arm from there `[m]`.
+    pub(super) middle: DVec2,
+    second: DVec2,
+    /// Where the first arm points, from which angles are counted `[rad]`.
+    pub(super) from: f64,
+    /// Radius of the arc `[m]`.
+    radius: f64,
+}
+
+impl Dial {
+    /// That of a joint; `None` where an arm has no length.
+    pub(super) fn of(scope: Scope<'_>, points: [PointId; 3]) -> Option<Self> {
+        let [i, j, k] = points.map(|point| DVec2::from_slice(&scope.shown.place(point.index())[..2]));
+        let (first, second) = (i - j, k - j);
+        let arm = first.length().min(second.length());
+        if !(arm > 0.0 && arm.is_finite()) {
+            return None;
+        }
+        let [low, high] = RADII.map(|radius| radius * scope.scale / scope.camera.pixels_per_metre());
+        Some(Dial { middle: j, second, from: first.to_angle(), radius: (SHARE * arm).clamp(low, high) })
+    }
+
+    /// The pixel of an angle `[rad]`, a share of the radius off the joint; `None` behind what is seen.
+    pub(super) fn at(&self, scope: Scope<'_>, angle: f64, share: f64) -> Option<DVec2> {
+        scope.on_screen(self.middle + share * self.radius * DVec2::from_angle(self.from + angle))
+    }
+}
+
 /// One of them; `None` where an arm has no length or lies behind what is seen.
 fn arc(scope: Scope<'_>, role: Role, (points, [least, most]): &Joint, is_numbered: bool) -> Option<Vec<Mark>> {
-    let [i, j, k] = points.map(|point| DVec2::from_slice(&scope.shown.place(point.index())[..2]));
-    let (first, second) = (i - j, k - j);
-    let arm = first.length().min(second.length());
-    if !(arm > 0.0 && arm.is_finite()) {
-        return None;
-    }
-    let [low, high] = RADII.map(|radius| radius * scope.scale / scope.camera.pixels_per_metre());
-    let radius = (SHARE * arm).clamp(low, high);
-    let from = first.to_angle();
-    let at = |angle: f64, share: f64| scope.on_screen(j + share * radius * DVec2::from_angle(from + angle));
+    let dial = Dial::of(scope, *points)?;
+    let at = |angle: f64, share: f64| dial.at(scope, angle, share);
     let line = |[a, b]: [Option<DVec2>; 2], width: f64| Some(Mark::Line(role, a?, b?, width * scope.scale));
     let count = ((most - least) / PIECE).ceil().max(1.0);
     let along = |place: u32| at(least + (most - least) * f64::from(place) / count, 1.0);
     let pieces = (0..count as u32).filter_map(|place| line([along(place), along(place + 1)], WIDTHS[0]));
     let stops = [*least, *most].into_iter().filter_map(|stop| line(ACROSS.map(|share| at(stop, share)), WIDTHS[1]));
     let mut marks: Vec<Mark> = pieces.chain(stops).collect();
-    let now = within(second.to_angle() - from, 0.5 * (least + most));
+    let now = within(dial.second.to_angle() - dial.from, 0.5 * (least + most));
     let is_beyond = now < least - BEYOND || now > most + BEYOND;
     let knob = if is_beyond { Role::Away } else { role };
     marks.extend(at(now, 1.0).map(|place| Mark::Knob(knob, place, KNOB * scope.scale)));
@@ -77,7 +104,7 @@ fn arc(scope: Scope<'_>, role: Role, (points, [least, most]): &Joint, is_numbere
 }
 
 /// The angle that points the same way and is no more than half a turn from a middle `[rad]`.
-fn within(angle: f64, middle: f64) -> f64 {
+pub(super) fn within(angle: f64, middle: f64) -> f64 {
     angle - TAU * ((angle - middle) / TAU).round()
 }
 

@@ -240,6 +240,8 @@ fn a_stroke_of_the_eraser_takes_all_that_it_goes_over_but_the_ground_as_one_step
     assert_eq!(keys.points, (0..18).collect::<Vec<u32>>(), "two of three boxes");
     assert_eq!((keys.bonds.len(), keys.obstacles.as_slice()), (1, &[1][..]), "a bond of the rope, and the box");
     assert_eq!(deed.edit, Some("erase"), "undo calls it by its tool");
+    let said = deed.words.as_deref();
+    assert_eq!(said, Some("erased 2 bodies, 1 bond and 1 obstacle: Ctrl+Z brings them back"));
     // Esc leaves all of it.
     hand.press(scope(&seen), at(-5.0, 0.0));
     hand.trace(scope(&seen), at(3.0, 0.0));
@@ -308,6 +310,7 @@ fn what_is_erased_is_a_body_a_bond_or_an_obstacle() {
     let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     let count = opened_rims.0.point_count();
     assert!(keys.points.len() > 50 && keys.points.len() < count, "one of two stones: {} of {count}", keys.points.len());
+    assert_eq!(deed.words.as_deref(), Some("erased 1 body: Ctrl+Z brings it back"));
     let springs = opened("spring-damper");
     let middle = 0.5 * (pixel(&springs, 0) + pixel(&springs, 1));
     let deed = clicked(&mut hand, scope(&springs), middle);
@@ -319,6 +322,7 @@ fn what_is_erased_is_a_body_a_bond_or_an_obstacle() {
     let deed = clicked(&mut hand, scope(&solid), DVec2::new(500.0, 350.0));
     let [Do::Delete(keys)] = &deed.commands[..] else { panic!("{deed:?}") };
     assert_eq!(keys.obstacles, [0]);
+    assert_eq!(deed.words.as_deref(), Some("erased 1 obstacle: Ctrl+Z brings it back"));
     assert!(clicked(&mut hand, scope(&solid), DVec2::new(20.0, 600.0)).is_empty(), "nothing is there");
 }
 

@@ -75,7 +75,7 @@ impl Labels {
             let clip_rect = points(pane.clip, self.scale);
             let room = ((clip_rect.shrink(APART), None), &[][..]);
             let mut others = Vec::new();
-            let shape = |(at, words): (glam::DVec2, &str)| {
+            let shape = |(_, at, words): (usize, glam::DVec2, &str)| {
                 let at = Pos2::new(at.x as f32 / self.scale, at.y as f32 / self.scale);
                 let shape = written_apart(&self.context, (at, Anchor::Middle), words, room, &mut others);
                 ClippedShape { clip_rect, shape, transform_after_tessellation: TSTransform::IDENTITY }

@@ -122,13 +122,13 @@ fn laid(context: &Context, (at, anchor): (Pos2, Anchor), words: &str, room: Rect
     (galley, ground)
 }
 
-/// Labels of a scene and the pixels that they stand at: those whose point is gone, behind the camera or beside the picture are left out.
+/// Labels of a scene by their numbers, and the pixels that they stand at: those whose point is gone, behind the camera or beside the picture are left out.
 pub(super) fn seen<'a>(
     labels: &'a [LabelKeys],
     view: &View<'_>,
     camera: &Camera,
     [left, top, width, height]: [u32; 4],
-) -> Vec<(DVec2, &'a str)> {
+) -> Vec<(usize, DVec2, &'a str)> {
     let within = |at: &DVec2| {
         (f64::from(left)..=f64::from(left + width)).contains(&at.x)
             && (f64::from(top)..=f64::from(top + height)).contains(&at.y)
@@ -138,7 +138,8 @@ pub(super) fn seen<'a>(
             DVec3::from(label.at.embed()) + label.point.map_or(Some(DVec3::ZERO), |point| place(view, point))?;
         camera.screen_from_world(place).map(DVec2::from).filter(within)
     };
-    labels.iter().filter_map(|label| Some((pixel(label)?, label.text.as_str()))).collect()
+    let seen = |(number, label): (usize, &'a LabelKeys)| Some((number, pixel(label)?, label.text.as_str()));
+    labels.iter().enumerate().filter_map(seen).collect()
 }
 
 /// Where a point is drawn `[m]`; `None` of one that is not there.
@@ -182,7 +183,7 @@ mod tests {
             for pane in 0..tiles.count() {
                 let (camera, clip) = (tiles.camera(pane, &whole, size), tiles.clip(pane, size));
                 let room = points(clip, 1.0);
-                let of = |(at, words): (DVec2, &str)| {
+                let of = |(_, at, words): (usize, DVec2, &str)| {
                     let at = (Pos2::new(at.x as f32, at.y as f32), Anchor::Middle);
                     written(&context, at, words, (room.shrink(APART), None)).visual_bounding_rect()
                 };

@@ -4,7 +4,7 @@ use super::MOST_INNER;
 use super::cells::cells;
 use crate::picture::{HUES, Picture, Skin, Tint, hue};
 use crate::render::forms::{form, is_rope, ropes};
-use crate::render::look::{Color, Look};
+use crate::render::look::{Look, in_bytes};
 use crate::render::view::View;
 use crate::sim::{Bond, Bonds, PointId};
 
@@ -80,9 +80,8 @@ fn bond_color(view: &View<'_>, look: &Look, points: &[PointId]) -> Option<[u8; 3
     let own: Bonds = view.bonds.iter().filter(|bond| !points.is_empty() && has(&bond.a) && has(&bond.b)).collect();
     let first = own.iter().next()?;
     let is_rope = is_rope(form(&first)) || ropes(&own, points.last()?.index() + 1)[0];
-    let stored = |[red, green, blue, _]: Color| [red, green, blue].map(|part| (255.0 * part).round() as u8);
     let tint = Tint::of(view.tints, first.a.0).and_then(|tint| tint.color);
-    Some(tint.unwrap_or_else(|| stored(if is_rope { look.rope } else { look.bond })))
+    Some(tint.unwrap_or_else(|| in_bytes(if is_rope { look.rope } else { look.bond })))
 }
 
 fn filled_color(view: &View<'_>, points: &[PointId]) -> Option<[u8; 3]> {

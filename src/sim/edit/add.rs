@@ -106,6 +106,10 @@ impl<S: Real, const D: usize> World<S, D> {
         self.leave_out_idle_drives(&detached);
         self.attach(detached);
         self.warn_of_stops_now(angles.clone());
+        if count > 0 {
+            self.warn_of_new_crowds(first);
+            self.warn_of_bare_bodies();
+        }
         Ok(Applied { angles, ..applied })
     }
 

@@ -4,6 +4,7 @@ use egui::{Button, Color32, CornerRadius, Response, RichText, Stroke, Ui};
 
 use crate::app::matter::Preset;
 use crate::app::panels::theme::colors;
+use crate::render::contrast;
 
 /// Buttons for matter by name, in their colours. Returns the one that was clicked.
 pub(in crate::app::panels) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>, Option<Preset>) {
@@ -21,6 +22,9 @@ pub(in crate::app::panels) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (O
     clicked
 }
 
+/// What is written on a button, on a bright ground and on a dark one.
+const INK: [[u8; 3]; 2] = [[18, 22, 30], [250, 251, 253]];
+
 /// A button for a matter, with its name and in its colour; so wide at least, and ringed where it is what is chosen.
 pub(in crate::app::panels) fn swatch(
     ui: &mut Ui,
@@ -28,9 +32,12 @@ pub(in crate::app::panels) fn swatch(
     (is_chosen, width): (bool, f32),
 ) -> Response {
     let edge = if is_chosen { colors(ui).accent } else { Color32::TRANSPARENT };
-    let text = RichText::new(name).color(Color32::from_rgb(18, 22, 30));
+    let [bright, dark] = INK.map(|[red, green, blue]| Color32::from_rgb(red, green, blue));
+    let fill = Color32::from_rgb(red, green, blue);
+    let seen = |ink: Color32| contrast(fill.to_normalized_gamma_f32(), ink.to_normalized_gamma_f32());
+    let text = RichText::new(name).color(if seen(bright) >= seen(dark) { bright } else { dark });
     let button = Button::selectable(is_chosen, text)
-        .fill(Color32::from_rgb(red, green, blue))
+        .fill(fill)
         .stroke(Stroke::new(2.0, edge))
         .corner_radius(CornerRadius::same(7))
         .min_size(egui::vec2(width, 0.0));

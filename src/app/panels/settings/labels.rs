@@ -10,6 +10,7 @@ use super::super::material::short;
 use super::super::theme::as_high_as_buttons;
 use super::super::typed::takes_words;
 use super::super::{ranged, ticks};
+use super::names::Names;
 use super::{Settings, Sink};
 use crate::history::SetKeys;
 use crate::scene::LabelKeys;
@@ -25,9 +26,9 @@ const FARTHEST: f64 = 1e6;
 
 /// All of them, and a button for another one. What is done in one frame, words that are left by a click elsewhere too, is one edit.
 pub(super) fn show(ui: &mut Ui, settings: &Settings, sink: &mut Sink<'_>) {
-    let Settings { labels, middle, .. } = settings;
+    let Settings { labels, middle, points, .. } = settings;
     let now = asked(ui, labels).unwrap_or_else(|| labels.to_vec());
-    let (mut all, mut by) = (now.clone(), None);
+    let (mut all, mut by, mut names) = (now.clone(), None, Names::of(ui, &now));
     let has_room = now.len() < LabelKeys::MOST;
     let added = ui.horizontal(|ui| {
         ui.strong("Labels");
@@ -36,26 +37,30 @@ pub(super) fn show(ui: &mut Ui, settings: &Settings, sink: &mut Sink<'_>) {
     });
     let mut gone = None;
     for (place, label) in all.iter_mut().enumerate() {
-        let (words, cross) = of_words(ui, label, place);
+        let (words, cross) = of_words(ui, label, (place, names.at(place)));
         if cross.clicked() {
             gone = Some(place);
         }
-        let seat = of_place(ui, (label, place), *middle, sink);
+        let seat = of_place(ui, (label, place), (*middle, *points), sink);
         by = [words, cross.clicked().then_some(cross), seat].into_iter().flatten().last().or(by.take());
     }
     if let Some(gone) = gone {
         all.remove(gone);
+        drop_draft(ui, names.remove(gone));
     }
     if added.inner.clicked() {
         // What is typed next is its words.
-        write(ui, all.len());
+        write(ui, names.push());
         all.push(LabelKeys { at: sink.vector(*middle), text: FIRST.to_owned(), point: None });
         by = Some(added.inner);
     }
     if let Some(by) = by.filter(|_| all != now) {
         let asked = Asked { of: Arc::clone(labels), all: all.clone(), until: ui.input(|input| input.time) + SOON };
         ui.data_mut(|data| data.insert_temp(Id::unique(ASKED), asked));
+        names.keep(ui, &all);
         sink.scene(&by, NAME, SetKeys { labels: Some(all), ..SetKeys::default() });
+    } else {
+        names.keep(ui, &now);
     }
 }
 
@@ -86,13 +91,18 @@ fn asked(ui: &Ui, labels: &Arc<Vec<LabelKeys>>) -> Option<Vec<LabelKeys>> {
 const NAME: &str = "labels";
 
 /// The field that the words of a label are written in.
-fn field_id(place: usize) -> Id {
-    Id::unique(("label", place))
+fn field_id(number: u64) -> Id {
+    Id::unique(("label", number))
+}
+
+/// What was written of a label that goes, and not taken yet, goes with it.
+fn drop_draft(ui: &Ui, number: u64) {
+    ui.data_mut(|data| data.remove::<String>(field_id(number)));
 }
 
 /// The words of a label are about to be written: all of them are chosen, so that what is typed takes their place.
-fn write(ui: &Ui, place: usize) {
-    let id = field_id(place);
+fn write(ui: &Ui, number: u64) {
+    let id = field_id(number);
     let mut state = TextEditState::load(ui.ctx(), id).unwrap_or_default();
     let all = CCursorRange::two(CCursor::default(), CCursor::new(FIRST.chars().count()));
     state.cursor.set_char_range(Some(all));
@@ -102,8 +112,8 @@ fn write(ui: &Ui, place: usize) {
 
 /// The words of one, which are taken when the field is left, and a button that takes it away. Esc, or no words, leaves them as they were.
 /// Returns by what they are others, if they are, and the button.
-fn of_words(ui: &mut Ui, label: &mut LabelKeys, place: usize) -> (Option<Response>, Response) {
-    let id = field_id(place);
+fn of_words(ui: &mut Ui, label: &mut LabelKeys, (place, number): (usize, u64)) -> (Option<Response>, Response) {
+    let id = field_id(number);
     let draft = ui.data(|data| data.get_temp::<String>(id));
     let has_draft = draft.is_some();
     let mut text = draft.unwrap_or_else(|| label.text.clone());
@@ -129,12 +139,12 @@ fn of_words(ui: &mut Ui, label: &mut LabelKeys, place: usize) -> (Option<Respons
     (is_written.then_some(field), cross)
 }
 
-/// Where one stands, and the point that it goes along with, if any: its place is seen from there then. Returns by what that is another, if it
-/// is.
+/// Where one stands, and which of so many points it goes along with, if any: its place is seen from there then. Returns by what that is
+/// another, if it is.
 fn of_place(
     ui: &mut Ui,
     (label, place): (&mut LabelKeys, usize),
-    middle: [f64; 3],
+    (middle, points): ([f64; 3], usize),
     sink: &Sink<'_>,
 ) -> Option<Response> {
     let mut changed = None;
@@ -153,8 +163,8 @@ fn of_place(
             }
         }
         let mut follows = label.point.is_some();
-        let by =
-            ticks::check(ui, &mut follows, "point").on_hover_text("it goes along with a point, and is seen from there");
+        let by = ticks::check_if(ui, follows || points > 0, &mut follows, "point");
+        let by = by.on_hover_text("it goes along with a point, and is seen from there");
         if by.changed() {
             // Seen from another origin it would stand anywhere.
             let (at, point) = if follows { ([0.0; 3], Some(0)) } else { (middle, None) };
@@ -162,7 +172,9 @@ fn of_place(
             changed = Some(by);
         }
         let Some(point) = &mut label.point else { return };
-        let by = ui.add(DragValue::new(point).speed(SPEEDS[1]).update_while_editing(false));
+        let most = points.saturating_sub(1) as f64;
+        let field = DragValue::new(point).speed(SPEEDS[1]).max_decimals(0).update_while_editing(false);
+        let by = ranged::field(ui, field, 0.0..=most, "");
         by.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, format!("point of label {}", place + 1)));
         if by.changed() {
             changed = Some(by);

@@ -2,6 +2,7 @@
 
 mod fields;
 mod labels;
+mod names;
 mod push;
 mod sections;
 mod time;
@@ -44,6 +45,8 @@ pub(in crate::app) struct Settings {
     pub(in crate::app) parameters: Vec<(Parameter, Option<f64>)>,
     /// The words that stand in the world.
     pub(in crate::app) labels: Arc<Vec<LabelKeys>>,
+    /// How many points there were ever: one below that is one that a label can go along with.
+    pub(in crate::app) points: usize,
     /// The middle of what is seen `[m]`, while the settings are open.
     pub(in crate::app) middle: [f64; 3],
 }

@@ -3,6 +3,7 @@
 use super::matter::{CLOTH_MASS, ROPE_MASS, rigid};
 use crate::app::action::Primitive;
 use crate::app::matter::Preset;
+use crate::render::{Look, in_bytes};
 use crate::scene::Material;
 
 /// Springs of ropes and cloths of rubber are so many times as stiff as those of what is filled: a rope of the usual size that bears a box of
@@ -10,8 +11,6 @@ use crate::scene::Material;
 const OF_RUBBER: f64 = 0.05;
 /// The same of threads: one bears a kilogram and hardly gives.
 const OF_THREAD: f64 = 4.0;
-/// The colour of a button for what is drawn in colours of its own.
-const PLAIN: [u8; 3] = [200, 204, 212];
 
 /// What a rope or a cloth is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -63,9 +62,10 @@ impl Fibre {
         }
     }
 
-    /// Its colour.
-    pub(in crate::app) fn color(self) -> [u8; 3] {
-        self.preset().map_or(PLAIN, Preset::color)
+    /// Its colour, of a rope or of a cloth: plain ones are drawn as all ropes and bonds are that have none of their own.
+    pub(in crate::app) fn color(self, of: Primitive, look: &Look) -> [u8; 3] {
+        let plain = if of == Primitive::Rope { look.rope } else { look.bond };
+        self.preset().map_or_else(|| in_bytes(plain), Preset::color)
     }
 
     /// Of a rope so long `[m]` that has so many pieces, which pull one behind another.

@@ -12,6 +12,7 @@ use crate::app::player::{Order, Shown, Stage};
 use crate::app::tools::tests::{scope, shown};
 use crate::app::tools::{Deed, Hand, Mark};
 use crate::history::{Do, OneOrEach, SetKeys};
+use crate::render::{Look, Palette, body_color};
 use crate::scene::{ColorKey, KindName, Material, Scene};
 use crate::sim::PointId;
 
@@ -161,6 +162,25 @@ fn ropes_and_cloths_in_space_are_of_it_too() {
             let (mut stage, deed) = (Stage::new(seen.2.clone().into()).unwrap(), of(fibre));
             assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None, "{fibre:?}");
             assert!(stage.history().world().bonds().len() > 3);
+        }
+    }
+}
+
+#[test]
+fn ropes_and_cloths_are_drawn_in_the_colours_of_their_buttons() {
+    for palette in [Palette::Dark, Palette::Light] {
+        let look = Look::in_palette(palette);
+        for (primitive, fibre) in
+            [Primitive::Rope, Primitive::Cloth].into_iter().flat_map(|of| Fibre::ALL.map(|fibre| (of, fibre)))
+        {
+            let mut seen = room();
+            let deed = drag(&seen, &mut with(primitive, fibre), [[-1.0, 2.0], [1.0, 1.0]]);
+            let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+            assert_eq!(stage.obey(Order::Give(deed.commands, deed.edit)), None);
+            stage.show(&mut seen.0);
+            let points: Vec<PointId> = (0..seen.0.point_count() as u32).map(PointId).collect();
+            let drawn = body_color(&seen.0.view(), &look, &points);
+            assert_eq!(drawn, Some(fibre.color(primitive, &look)), "{primitive:?} of {fibre:?}, {palette:?}");
         }
     }
 }
