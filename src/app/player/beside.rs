@@ -69,6 +69,8 @@ pub(super) struct Escort {
     known: Vec<(Option<u64>, u64, Arc<Scenery>)>,
     /// Where each has been since when `[s]`, as far as it stayed there.
     still: Vec<Still>,
+    /// Where each was at the two states of the world between which the picture lies.
+    ends: Vec<Ends>,
     sceneries: u64,
     motion: u64,
     late: Late,
@@ -89,6 +91,7 @@ impl Escort {
     /// The history went elsewhere: of another past, a topology of the same number may be another.
     pub(super) fn have_gone(&mut self) {
         self.known.iter_mut().for_each(|(topology, ..)| *topology = None);
+        self.ends.clear();
         self.motion += 1;
     }
 
@@ -119,16 +122,39 @@ impl Escort {
             self.is_there = false;
             return 0.0;
         }
-        let (start, time) = (Instant::now(), pace.shown_time(history));
+        let (start, states) = (Instant::now(), pace.states(history));
+        let time = states[1];
         let before = self.place(history);
         let budget = BUDGETS[usize::from(!moves)];
         let was_there = self.is_there;
-        self.is_there = history.bring_along(time, &mut || start.elapsed().as_secs_f64() < budget);
+        self.is_there = self.bring(history, states, &mut || start.elapsed().as_secs_f64() < budget);
         self.motion += u64::from(self.place(history) != before || !was_there || moves);
         let behind = history.companions().iter().map(|companion| time - companion.world().time()).fold(0.0, f64::max);
         let is_late = !self.is_there && moves && behind > LAG * pace.rate;
         self.waits = self.late.is_hopeless(is_late.then_some(behind), wall);
         start.elapsed().as_secs_f64()
+    }
+
+    /// Companions go to both states of the world that the picture lies between, `[s]`, as far as `goes_on` lets them: points on straight lines between
+    /// these are as far from the truth in all worlds, and what is left between them is what their methods differ by. Returns whether all are there.
+    fn bring(&mut self, history: &mut History, [from, to]: [f64; 2], goes_on: &mut dyn FnMut() -> bool) -> bool {
+        self.ends.resize_with(history.companions().len(), Ends::default);
+        // Where the last frame ended this one begins.
+        let begins = self.ends.iter().all(|ends| ends.times[1] == from || ends.times == [from, to]);
+        if from < to && !begins {
+            if !history.bring_along(from, goes_on) {
+                return false;
+            }
+            self.note_ends(history, from);
+        }
+        let are_there = history.bring_along(to, goes_on);
+        self.note_ends(history, to);
+        are_there
+    }
+
+    fn note_ends(&mut self, history: &History, time: f64) {
+        let companions = history.companions().iter();
+        self.ends.iter_mut().zip(companions).for_each(|(ends, companion)| ends.note(companion, time));
     }
 
     /// Changes when any of them moved on.
@@ -146,7 +172,9 @@ impl Escort {
         }
         self.known.resize_with(companions.len(), Default::default);
         self.still.resize_with(companions.len(), Default::default);
-        let (time, dimensions) = (pace.shown_time(history), history.world().dimensions());
+        let (states, shown_time, dimensions) =
+            (pace.states(history), pace.shown_time(history), history.world().dimensions());
+        let time = states[1];
         let main = mixed(history, pace, f64::from(mix));
         for (place, (companion, to)) in companions.iter().zip(shown).enumerate() {
             let (reached, slack) = (companion.world().time(), SLACK * companion.world().substep());
@@ -155,7 +183,10 @@ impl Escort {
                 Places::F64(list) => list,
                 Places::F32(_) => Vec::new(),
             };
-            companion.places(time, &mut places);
+            match self.ends.get(place).filter(|ends| ends.know(states)) {
+                Some(ends) => ends.mix(f64::from(mix), &mut places),
+                None => companion.places(shown_time, &mut places),
+            }
             to.distances = distances(&main, &places, dimensions);
             let most = to.distances.iter().copied().filter(|distance| !distance.is_nan()).fold(0.0, f32::max);
             // What is behind by less than is seen says what it said before.
@@ -163,7 +194,7 @@ impl Escort {
                 to.farthest = is_there.then_some(most);
                 to.words = self.words(companion, is_there, time);
             }
-            to.rests = is_there && (companion.world().is_asleep() || self.still[place].look(&places, time));
+            to.rests = is_there && (companion.world().is_asleep() || self.still[place].look(&places, shown_time));
             to.places = Places::F64(places);
             to.motion = self.motion;
             to.title = companion.words();
@@ -194,6 +225,39 @@ impl Escort {
             None if !is_there => format!("catches up: {at:.1} of {time:.1} s"),
             None => String::new(),
         }
+    }
+}
+
+/// Where a companion was at two times.
+#[derive(Default)]
+struct Ends {
+    /// `[s]`.
+    times: [f64; 2],
+    /// `[m]`; empty: not known.
+    places: [Vec<f64>; 2],
+}
+
+impl Ends {
+    /// Where it is at a time that comes after the second one, or is that `[s]`.
+    fn note(&mut self, companion: &Companion, time: f64) {
+        if self.times[1] != time {
+            self.times = [self.times[1], time];
+            self.places.swap(0, 1);
+        }
+        companion.places(time, &mut self.places[1]);
+    }
+
+    /// Whether it is known where it was at both states of the world, or at the one that there is `[s]`.
+    fn know(&self, [from, to]: [f64; 2]) -> bool {
+        self.times[1] == to && !self.places[1].is_empty() && (from == to || self.times[0] == from)
+    }
+
+    /// Where it is between the two, 0 to 1 `[m]`.
+    fn mix(&self, mix: f64, to: &mut Vec<f64>) {
+        let [before, now] = &self.places;
+        let has_before = before.len() == now.len() && mix < 1.0;
+        to.clear();
+        to.extend((0..now.len()).map(|k| if has_before { before[k] + mix * (now[k] - before[k]) } else { now[k] }));
     }
 }
 

@@ -113,3 +113,20 @@ fn under_load_companions_wait_before_anything_else_gives_way_and_come_after_in_a
             && alone.come(&mut History::new(scene().into()).unwrap(), &pace, 1.0) == 0.0
     );
 }
+
+#[test]
+fn while_time_runs_worlds_are_as_far_apart_as_their_methods_and_not_as_points_on_straight_lines_between_steps() {
+    let spring = r#"{"wobble": 1, "gravity": [0, -9.81], "points": {"position": [[0, 0], [1, 0]], "mass": [1, 0.5], "pinned": [0]},
+        "bonds": [{"a": 0, "b": 1, "rest": 0.8, "kind": "spring", "stiffness": 50, "damping": 0.4}]}"#;
+    let mut stage = Stage::new(Scene::parse(spring, "x.json").unwrap().into()).unwrap();
+    stage.obey(Order::Beside(Companions::Reference));
+    let mut seen = 0;
+    for _ in 0..60 {
+        frames(&mut stage, 1);
+        if let Some(most) = shown(&mut stage).beside[0].farthest {
+            assert!(most < 2e-7, "{most} m, where both are right to 1e-7 m");
+            seen += 1;
+        }
+    }
+    assert!(seen > 10, "{seen}");
+}

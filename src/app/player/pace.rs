@@ -271,6 +271,11 @@ impl Pace {
         self.playing && !history.rests()
     }
 
+    /// The times of the last two states, between which the picture lies; the same where nothing is between them `[s]`.
+    pub fn states(&self, history: &History) -> [f64; 2] {
+        [self.previous_time, history.world().time()]
+    }
+
     /// The time of what is drawn, between the last two states `[s]`.
     pub fn shown_time(&self, history: &History) -> f64 {
         let time = history.world().time();
