@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::extent::{points, surroundings};
+use super::extent::{include, points, surroundings};
 use crate::render::{Camera, Pose, View};
 
 /// Room between points and what lies over the picture, as a share of its lesser side `[1]`: pins are as wide.
@@ -14,7 +14,14 @@ pub type Free = [[f64; 2]; 2];
 /// The camera drawn back and moved as little as it takes that all sides of points and walls which it shows lie in the free part of its
 /// picture, in one higher than wide in the middle of its height; in space as it is.
 pub fn clear(camera: Camera, seen: &View<'_>, free: Free) -> Camera {
-    clear_of(camera, &[points(seen), surroundings(seen)], free)
+    clear_with(camera, seen, None, free)
+}
+
+/// The same of one more box, if there is one `[m]`.
+pub(super) fn clear_with(camera: Camera, seen: &View<'_>, more: Option<[[f64; 3]; 2]>, free: Free) -> Camera {
+    let mut own = points(seen);
+    more.iter().flatten().for_each(|corner| include(&mut own, corner));
+    clear_of(camera, &[own, surroundings(seen)], free)
 }
 
 /// The camera moved as little as it takes that all sides of points which it shows lie in the free part of its picture, whatever becomes of walls;

@@ -7,6 +7,7 @@ mod extent;
 mod gallery_tests;
 mod panes;
 mod roaming;
+mod swings;
 #[cfg(test)]
 mod tests;
 
@@ -17,10 +18,11 @@ use crate::scene::{Scene, Vector, ViewKeys};
 
 pub use beside::{Over, beside_all, beside_panels};
 pub use clearing::{Free, clear, whole};
-use clearing::{drawn_back, mirrored, on_screen};
+use clearing::{clear_with, drawn_back, mirrored, on_screen};
 use extent::{include, points, surroundings};
 pub use panes::{free_of_pane, narrowed, shared, tiles};
 pub use roaming::{Followed, follow, followed};
+use swings::swung;
 
 /// Width of the pictures that views are made for, in heights: what is seen to both sides there is seen in narrower ones too.
 const MADE_FOR: f64 = 16.0 / 9.0;
@@ -42,7 +44,7 @@ pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
     if roaming::roams(scene, seen, size) {
         return roaming::camera(scene, seen, size);
     }
-    let camera = look(scene.view.as_ref(), height, seen, size);
+    let camera = look(scene.view.as_ref(), height, fitted(seen, true, swung(scene, seen), size));
     let Pose::Orbit { .. } = camera.pose else { return camera };
     // In space what a narrower picture cuts off is seen from further away.
     let border = BORDER * width.min(tall);
@@ -58,9 +60,12 @@ pub fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
 pub fn opened(scene: &Scene, seen: &View<'_>, size: [u32; 2], (free, over): (Free, Over)) -> Camera {
     let opened = camera(scene, seen, size);
     match opened.pose {
-        Pose::Plane { .. } => beside_all(|free| clear(opened, seen, free), seen, (free, over)),
+        Pose::Plane { .. } => {
+            let swung = swung(scene, seen);
+            beside_all(|free| clear_with(opened, seen, swung, free), seen, (free, over))
+        }
         Pose::Orbit { .. } => {
-            let target = look(scene.view.as_ref(), |height, _| height, seen, size).focus();
+            let target = look(scene.view.as_ref(), |height, _| height, fit(seen, true, size)).focus();
             let about = |camera: &Camera| mirrored(on_screen(camera, seen), camera.screen_from_world(target));
             beside_all(|free| drawn_back(opened, free, about), seen, (free, over))
         }
@@ -82,11 +87,11 @@ pub fn alone(scene: &Scene, seen: &View<'_>) -> Camera {
 
 /// The camera as it stood when something was saved.
 pub fn saved(view: &ViewKeys, seen: &View<'_>, size: [u32; 2]) -> Camera {
-    look(Some(view), |height, _| height, seen, size)
+    look(Some(view), |height, _| height, fit(seen, true, size))
 }
 
-fn look(view: Option<&ViewKeys>, height_at: impl Fn(f64, DVec2) -> f64, seen: &View<'_>, size: [u32; 2]) -> Camera {
-    let mut camera = fit(seen, true, size);
+/// A camera with what a view says of it.
+fn look(view: Option<&ViewKeys>, height_at: impl Fn(f64, DVec2) -> f64, mut camera: Camera) -> Camera {
     let Some(view) = view else { return camera };
     match &mut camera.pose {
         Pose::Plane { center, height } => {
@@ -137,8 +142,14 @@ fn said_width(scene: &Scene) -> Option<f64> {
 
 /// A camera that shows all points, with walls and polygons too or without. Where there are no points it shows those anyway.
 pub fn fit(view: &View<'_>, with_walls: bool, size: [u32; 2]) -> Camera {
+    fitted(view, with_walls, None, size)
+}
+
+/// The same that shows one more box, if there is one `[m]`.
+fn fitted(view: &View<'_>, with_walls: bool, more: Option<[[f64; 3]; 2]>, size: [u32; 2]) -> Camera {
     let dimensions = view.dimensions;
     let mut corners = points(view);
+    more.iter().flatten().for_each(|corner| include(&mut corners, corner));
     if with_walls || view.current.is_empty() {
         surroundings(view).iter().for_each(|corner| include(&mut corners, corner));
     }

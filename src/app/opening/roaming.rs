@@ -4,7 +4,7 @@
 use glam::{DVec2, DVec3};
 
 use super::extent::{points, surroundings};
-use super::{OUTER, SLIMMEST, look};
+use super::{OUTER, SLIMMEST, fit, look};
 use crate::render::{Camera, Pose, View};
 use crate::scene::Scene;
 use crate::sim::PointId;
@@ -87,7 +87,7 @@ pub(super) fn camera(scene: &Scene, seen: &View<'_>, size: [u32; 2]) -> Camera {
     let [width, tall] = size.map(f64::from);
     let [low, high] = points(seen).map(|corner| corner[0]);
     let wide = |height: f64| (SLIMMEST * height).max(ABOUT * OUTER * (high - low)).max(height * width / tall);
-    let mut camera = look(scene.view.as_ref(), |height, _: DVec2| wide(height) * tall / width, seen, size);
+    let mut camera = look(scene.view.as_ref(), |height, _: DVec2| wide(height) * tall / width, fit(seen, true, size));
     if let Pose::Plane { center, height } = &mut camera.pose {
         let [first, last] = between(surroundings(seen).map(|corner| corner[0]), *height * width / tall);
         center.x = (0.5 * (low + high)).clamp(first, last.max(first));
