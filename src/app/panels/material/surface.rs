@@ -18,7 +18,7 @@ pub(super) fn surface(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Si
     share(ui, "friction", 2.0, matter.friction, sink, MatterChange::Friction);
     share(ui, "restitution", 1.0, matter.restitution, sink, MatterChange::Restitution);
     if matter.points > 0 && matter.friction.is_some() {
-        ui.label(RichText::new("between bodies: walls and obstacles have their own").color(colors(ui).weak).small());
+        ui.label(RichText::new("between bodies: walls and obstacles have their own").color(colors(ui).weak));
     }
     skin(ui, matter, sink);
     layers(ui, matter, sink);
