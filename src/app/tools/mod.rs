@@ -21,6 +21,8 @@ mod enclosed;
 mod erase;
 mod facing;
 mod fastened;
+#[cfg(test)]
+mod flip_tests;
 mod floor;
 #[cfg(test)]
 mod grab_tests;
