@@ -93,7 +93,7 @@ use super::action::Tool;
 use crate::sim::PointId;
 use brush::Stroke;
 pub(super) use brush::{Brush, RADII};
-pub(super) use build::{BuiltOf, Fibre, Link, Links, is_of_space};
+pub(super) use build::{BuiltOf, Fibre, Grain, Link, Links, is_of_space};
 use build::{Drag, Maker, Path};
 pub(super) use chosen::Chosen;
 use cutting::Slash;
