@@ -23,7 +23,8 @@ pub(in crate::app) use place::MatterAt;
 pub(super) use rows::{number, row, short};
 pub(super) use sink::Sink;
 use surface::surface;
-pub(super) use swatch::{presets, swatch};
+pub(in crate::app) use swatch::presets;
+pub(super) use swatch::swatch;
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 226.0;
