@@ -73,6 +73,33 @@ fn bodies_have_colours_of_their_own_and_lie_over_those_before_them_until_they_ar
 }
 
 #[test]
+fn within_its_rim_a_body_shows_no_bonds_however_large_it_is_until_strain_is_shown() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let places = [-28., -28., 28., -28., 28., 28., -28., 28.];
+    let ends = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2], [1, 3]];
+    let long = |[a, b]: [u32; 2]| if (a + b) % 2 == 0 { 56.0 * 2_f64.sqrt() } else { 56.0 };
+    let bonds: Bonds = ends.iter().map(|&ends| Bond { rest_length: long(ends), ..bond(ends[0], ends[1]) }).collect();
+    let triangles = [[0, 1, 2], [0, 2, 3]].map(|corners: [u32; 3]| corners.map(PointId));
+    let tints = [Tint { color: Some([47, 158, 91]), ..Tint::new(0, 0) }];
+    let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
+    let seen = View { triangles: &triangles, tints: &tints, ..view(&places, &bonds, 2) };
+    let mut inside = |look: &Look| {
+        let picture = capture.picture(&seen, &pixels(), look).unwrap();
+        let places = (-20..20).flat_map(|y| (-20..20).map(move |x| [f64::from(x), f64::from(y)]));
+        let mut colors: Vec<[u8; 3]> = places.map(|[x, y]| at(&picture, x, y)).collect();
+        colors.sort_unstable();
+        colors.dedup();
+        colors
+    };
+    let plain = inside(&look());
+    assert_eq!(plain.len(), 1, "{plain:?}");
+    let strain = inside(&Look { overlay: Overlay::Strain, ..look() });
+    assert!(strain.len() > 1, "beside colours of strain the bonds are seen: {strain:?}");
+}
+
+#[test]
 fn bodies_lie_over_the_numbers_of_the_grid() {
     if common::gpu().is_none() {
         return;
