@@ -285,7 +285,7 @@ fn outward(side: vec2<f32>) -> vec2<f32> {
 }
 
 // How much white an outline has beside the colour of its body: a dark one would sink into the ground, a bright one would not.
-const LIFT: vec2<f32> = vec2(0.55, 0.25);
+const LIFT: vec2<f32> = vec2(0.55, 0.4);
 // How bright the rim of a limb is on a bright ground, beside its colour.
 const SHADE: f32 = 0.6;
 // Darkest place of a shadow [1].
@@ -327,9 +327,9 @@ fn round_color(in: Fill, color: vec3<f32>) -> vec4<f32> {
     return fogged(vec4(color, clamp(0.5 - off, 0.0, 1.0)), in.position.w);
 }
 
-// The colour of a body as what is within its outline has it.
+// The colour of a body as what is within its outline has it: in the plane its own, in space what light is to shade.
 fn dimmed(color: vec3<f32>) -> vec3<f32> {
-    return mix(frame.ground.rgb, color, 0.8);
+    return select(mix(frame.ground.rgb, color, 0.8), color, DIMENSIONS == 2u);
 }
 
 // What a body is filled with: its colour, or that of what is shown in place of it.
