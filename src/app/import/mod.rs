@@ -307,7 +307,7 @@ impl Wish {
         let mut scene = Scene::of_drawing(name, Arc::clone(picture), keys, self.matter, watch)?;
         if let Some(preset) = self.of {
             // What it covers is known once it is cut out.
-            let area = covered(&*scene.picture_mesh(0)?, self.height);
+            let area = covered(&scene.picture_mesh(0)?, self.height);
             scene.bodies[0].material = Some(of_preset(preset, area));
         }
         if !self.is_apart() {

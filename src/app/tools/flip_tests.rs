@@ -15,7 +15,7 @@ use crate::scene::Scene;
 use crate::sim::AngleDrive;
 
 /// A soft box that flies, an arm with stops and a motor, and an obstacle without symmetry.
-const SCENE: &str = r#"{"wobble": 1, "gravity": [0, 0], "view": {"center": [2, 0], "height": 12},
+const SCENE: &str = r#"{"wobble": 1, "gravity": [0, 0], "contact": true, "view": {"center": [2, 0], "height": 12},
     "points": {"position": [[3, 0], [4, 0], [4.5, 1]], "velocity": [[0, 0], [0, 0], [0.5, -0.2]], "mass": 1},
     "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}],
     "angles": [{"points": [0, 1, 2], "stiffness": 3, "min": 3.5, "max": 5, "drive": {"speed": -2, "torque": 1}}],
@@ -48,6 +48,7 @@ fn a_flip_mirrors_bodies_obstacles_velocities_stops_and_motors_and_so_they_go_on
         let [before, after] = [&plain, &flipped].map(|stage| stage.history().world().angles()[0]);
         assert_eq!(after.range.unwrap(), before.range.map(|[least, most]| [TAU - most, TAU - least]).unwrap());
         assert!(matches!(after.drive, Some(AngleDrive::Motor { speed: 2.0, torque: 1.0, .. })), "{after:?}");
+        assert!(!world.triangles().is_empty());
         for &[a, b, c] in world.triangles() {
             let [a, b, c] = [a, b, c].map(|corner| place(&flipped, corner.index()));
             assert!((b - a).perp_dot(c - a) > 0.0, "its corners are anticlockwise");
@@ -60,7 +61,9 @@ fn a_flip_mirrors_bodies_obstacles_velocities_stops_and_motors_and_so_they_go_on
                 let off = place(&flipped, point).distance(there(&plain, point));
                 assert!(off < 1e-6, "axis {axis}, frame {frame}, point {point}: {off} m");
             }
-            [&mut plain, &mut flipped].map(|stage| stage.obey(Order::Step(None)));
+            for stage in [&mut plain, &mut flipped] {
+                stage.obey(Order::Step(None));
+            }
         }
         // Undo brings all back, and the next one begins with it.
         assert!(matches!(flipped.obey(Order::Undo(None)), Some(Note::Undone(name, _)) if name == "flip"));

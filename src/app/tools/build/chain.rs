@@ -283,7 +283,7 @@ impl Chain {
             None if last.is_none() => "a point: click on, or drag to the next one".to_owned(),
             Some(_) if last.is_none() => "from this point".to_owned(),
             _ if closes => match fills {
-                Some(of) => format!("closes the loop and fills it: {}", of.name().to_lowercase()),
+                Some((of, _)) => format!("closes the loop and fills it: {}", of.name().to_lowercase()),
                 None => format!("closes the loop: {}", links.name()),
             },
             Some(_) if node == last && self.nodes.len() > 1 => "once more ends it".to_owned(),
