@@ -49,8 +49,8 @@ fn color_of(ink: u32) -> vec3<f32> {
 }
 
 // Whether something is shown in place of colours. Bodies in their colours have no lines on them in the plane, however large they are.
-fn shows_map() -> bool {
-    return MAPS && ((frame.strain_scale > 0.0) | (frame.difference_scale > 0.0));
+fn shows_map(other: f32) -> bool {
+    return MAPS && (is_set(frame.strain_scale, other) | is_set(frame.difference_scale, other));
 }
 
 // The colour of a primitive at a point.
@@ -124,7 +124,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
             high = bulge(a, b, position_of(primitive.points[0]), position_of(primitive.points[3]));
         }
         let side = stroke(corner, a, b, out.color, width + 2.0 * high);
-        out.position = select(side.position, nowhere(), has_all && kind == INNER && !shows_map());
+        out.position = select(side.position, nowhere(), has_all && kind == INNER && !shows_map(a.x));
         out.line = side.line;
         out.size = vec3(side.size.x, 0.5 * width, f32(kind));
         out.share = vec3(high, 0.0, 0.0);
@@ -423,7 +423,7 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
         let faced = mix(ASIDE, 1.0, abs(dot(normal, normalize(ahead))));
         color = color * (mix(BRIGHT.x, BRIGHT.y, lit) * faced) * select(REVERSE, vec3(1.0), is_front);
     }
-    if DIMENSIONS == 2u && !shows_map() {
+    if DIMENSIONS == 2u && !shows_map(in.position.x) {
         return fogged(vec4(color, frame.fill_opacity), in.position.w);
     }
     // Distance to the nearest side of the triangle [px].
