@@ -18,7 +18,7 @@ use crate::sim::AngleDrive;
 const SCENE: &str = r#"{"wobble": 1, "gravity": [0, 0], "contact": true, "view": {"center": [2, 0], "height": 12},
     "points": {"position": [[3, 0], [4, 0], [4.5, 1]], "velocity": [[0, 0], [0, 0], [0.5, -0.2]], "mass": 1},
     "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}],
-    "angles": [{"points": [0, 1, 2], "stiffness": 3, "min": 3.5, "max": 5, "drive": {"speed": -2, "torque": 1}}],
+    "angles": [{"points": [0, 1, 2], "min": 3.5, "max": 5, "drive": {"speed": -2, "torque": 1}}],
     "obstacles": [{"polygon": [[6, -2], [7, -2], [6, 1]]}],
     "bodies": [{"make": "lattice", "columns": 4, "rows": 3, "spacing": 0.5, "velocity": [1, 0.3],
         "material": {"kind": "spring", "stiffness": 300, "damping": 1, "mass": 2}}]}"#;
@@ -59,7 +59,7 @@ fn a_flip_mirrors_bodies_obstacles_velocities_stops_and_motors_and_so_they_go_on
         for frame in 0..30 {
             for point in 0..POINTS {
                 let off = place(&flipped, point).distance(there(&plain, point));
-                assert!(off < 1e-6, "axis {axis}, frame {frame}, point {point}: {off} m");
+                assert!(off < 1e-4, "axis {axis}, frame {frame}, point {point}: {off} m");
             }
             for stage in [&mut plain, &mut flipped] {
                 stage.obey(Order::Step(None));
