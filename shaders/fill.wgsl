@@ -1,5 +1,5 @@
 // Fills: bodies without a picture. Primitives of nine kinds in the order that they are drawn in: cells of nets, threads that tore, a soft shadow about what is
-// covered, that, bonds within it that are no side of a triangle, and its outline; of figures of limbs rim and flesh of round strokes in place
+// covered, that, where a map is shown bonds within it that are no side of a triangle, and its outline; of figures of limbs rim and flesh of round strokes in place
 // of outlines, and below them what is covered, seen only where bonds are shown through it.
 
 struct Primitive {
@@ -46,6 +46,11 @@ struct Fill {
 
 fn color_of(ink: u32) -> vec3<f32> {
     return vec3(f32((ink >> 16u) & 255u), f32((ink >> 8u) & 255u), f32(ink & 255u)) / 255.0;
+}
+
+// Whether something is shown in place of colours. Bodies in their colours have no lines on them in the plane, however large they are.
+fn shows_map(other: f32) -> bool {
+    return MAPS && (is_set(frame.strain_scale, other) | is_set(frame.difference_scale, other));
 }
 
 // The colour of a primitive at a point.
@@ -119,7 +124,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> Fill {
             high = bulge(a, b, position_of(primitive.points[0]), position_of(primitive.points[3]));
         }
         let side = stroke(corner, a, b, out.color, width + 2.0 * high);
-        out.position = side.position;
+        out.position = select(side.position, nowhere(), has_all && kind == INNER && !shows_map(a.x));
         out.line = side.line;
         out.size = vec3(side.size.x, 0.5 * width, f32(kind));
         out.share = vec3(high, 0.0, 0.0);
@@ -280,12 +285,12 @@ fn outward(side: vec2<f32>) -> vec2<f32> {
 }
 
 // How much white an outline has beside the colour of its body: a dark one would sink into the ground, a bright one would not.
-const LIFT: vec2<f32> = vec2(0.55, 0.25);
+const LIFT: vec2<f32> = vec2(0.55, 0.4);
 // How bright the rim of a limb is on a bright ground, beside its colour.
 const SHADE: f32 = 0.6;
 // Darkest place of a shadow [1].
 const DARKEST: f32 = 0.6;
-// Opacity of the sides of triangles, and the height of a triangle [px] from which on they are seen, and seen in full.
+// Opacity of the sides of triangles, where a map is shown or in space, and the height of a triangle [px] from which on they are seen, and seen in full.
 const LINES: f32 = 0.13;
 const ROOM: vec2<f32> = vec2(7.0, 22.0);
 // Width of a bond within a body [px], and its room beside its length: it looks as a side of the triangles of a square does, so that two braces
@@ -322,9 +327,9 @@ fn round_color(in: Fill, color: vec3<f32>) -> vec4<f32> {
     return fogged(vec4(color, clamp(0.5 - off, 0.0, 1.0)), in.position.w);
 }
 
-// The colour of a body as what is within its outline has it.
+// The colour of a body as what is within its outline has it: in the plane its own, in space what light is to shade.
 fn dimmed(color: vec3<f32>) -> vec3<f32> {
-    return mix(frame.ground.rgb, color, 0.8);
+    return select(mix(frame.ground.rgb, color, 0.8), color, DIMENSIONS == 2u);
 }
 
 // What a body is filled with: its colour, or that of what is shown in place of it.
@@ -417,6 +422,9 @@ fn fragment(in: Fill, @builtin(front_facing) is_front: bool) -> @location(0) vec
         let ahead = vec3(frame.clip_from_world[0].w, frame.clip_from_world[1].w, frame.clip_from_world[2].w);
         let faced = mix(ASIDE, 1.0, abs(dot(normal, normalize(ahead))));
         color = color * (mix(BRIGHT.x, BRIGHT.y, lit) * faced) * select(REVERSE, vec3(1.0), is_front);
+    }
+    if DIMENSIONS == 2u && !shows_map(in.position.x) {
+        return fogged(vec4(color, frame.fill_opacity), in.position.w);
     }
     // Distance to the nearest side of the triangle [px].
     let off = in.share / steps;

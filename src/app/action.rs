@@ -202,6 +202,10 @@ pub enum Action {
     Copy,
     /// Selects all bodies and obstacles.
     SelectAll,
+    /// Mirrors what is selected, left and right.
+    FlipAcross,
+    /// Mirrors what is selected, up and down.
+    FlipOver,
     /// What is selected is selected as one from now on.
     Group,
     /// It is not any more.

@@ -104,7 +104,7 @@ object! {
             turn: f64,
             /// The axis of the turn, of any length above 0, in space: z if not said.
             axis: Vector,
-            /// > 0, 1 if not said: one factor, or in the plane two, along x and y.
+            /// 1 if not said: one factor, > 0, or in the plane two, along x and y, below 0 where it is mirrored.
             scale: Factors,
             /// The place that stays where it is but for `by` `[m]`: the middle of what is moved if not said.
             about: Vector,

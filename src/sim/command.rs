@@ -159,7 +159,8 @@ pub struct Selection {
 }
 
 /// Places change: scaled and turned about a place, then moved. Velocities turn and do not scale; rest lengths of bonds with both ends moved
-/// scale as the bonds do, angles at rest turn as their arms do; masses and stiffness stay.
+/// scale as the bonds do, angles at rest turn as their arms do; masses and stiffness stay. A factor below 0 mirrors, velocities and what drives
+/// angles too.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     /// Points.
@@ -172,7 +173,7 @@ pub struct Motion {
     pub turn: f64,
     /// Of the turn: of any length above 0, in the plane z.
     pub axis: [f64; 3],
-    /// Factors along x, y and z `[1]`, > 0, before it is turned; in space all the same.
+    /// Factors along x, y and z `[1]`, before it is turned: not 0, in space > 0 and all the same.
     pub scale: [f64; 3],
     /// About this place `[m]`; `None`: the mean of the points, of the corners of the obstacles where there are none.
     pub about: Option<[f64; 3]>,

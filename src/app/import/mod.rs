@@ -14,10 +14,11 @@ mod worker;
 
 use std::sync::Arc;
 
+use super::matter::Preset;
 use super::player::Coming;
 use crate::history::History;
-use crate::picture::{self, Ground, Picture, PictureError, Settings, Size, Watch};
-use crate::scene::{BodyKeys, Cut, KindName, Matter, PatternName, Scene, SceneError};
+use crate::picture::{self, Ground, Picture, PictureError, PictureMesh, Settings, Size, Watch};
+use crate::scene::{BodyKeys, Cut, KindName, Material, Matter, PatternName, Scene, SceneError};
 use painting::Painting;
 use worker::{Forecast, Worker};
 
@@ -39,6 +40,8 @@ pub(super) enum Answer {
 pub(super) struct Wish {
     pub(super) settings: Settings,
     pub(super) matter: Matter,
+    /// The matter by name that it is of, with the density of that; `None`: what the numbers say.
+    pub(super) of: Option<Preset>,
     /// Young's modulus of a soft body `[N/m]`.
     pub(super) young: f64,
     /// Height of the picture in the world `[m]`.
@@ -201,13 +204,18 @@ impl Import {
         seen: [[f64; 2]; 2],
     ) -> impl FnOnce(&History) -> Result<Coming, String> + Send + 'static {
         let (wish, picture) = (self.wish, Arc::clone(&self.picture));
+        let area = self.area();
         move |history| {
             let (scene, world) = (history.scene(), history.world());
-            let keys = wish.keys(&picture);
+            let keys = wish.keys(&picture, area);
             let added = match wish.matter {
                 Matter::Fixed => scene.obstacle_to_add(world, (&picture, &keys), seen),
                 _ => scene.body_to_add(world, (&picture, keys), seen, wish.apart),
             };
+            let added = added.map(|mut keys| {
+                keys.bodies.iter_mut().for_each(|body| wish.weigh(body));
+                keys
+            });
             added.map(Coming::of).map_err(|error| error.to_string())
         }
     }
@@ -220,16 +228,34 @@ impl Import {
         if self.wish.matter == Matter::Fixed {
             return Err(scene.complaint("an obstacle does not take the place of a body: add it to the scene"));
         }
-        let mut keys = self.wish.keys(&self.picture);
-        if (self.wish.matter, self.wish.young) == (matter, young) {
+        let mut keys = self.wish.keys(&self.picture, self.area());
+        if (self.wish.of, self.wish.matter, self.wish.young) == (None, matter, young) {
             keys.material = None;
         }
         let mut changed = scene.with_picture_anew(body, Arc::clone(&self.picture), keys)?;
         if self.is_canvas() {
             changed.name = Some(self.name.clone());
         }
-        if self.wish.apart { changed.in_parts(body) } else { Ok(changed) }
+        if !self.wish.apart {
+            return Ok(changed);
+        }
+        let first = changed.bodies.len();
+        let mut changed = changed.in_parts(body)?;
+        let parts = changed.bodies.len() + 1 - first;
+        changed.bodies[body..body + parts].iter_mut().for_each(|part| self.wish.weigh(part));
+        Ok(changed)
     }
+
+    /// What the body covers, as it was cut out last `[m^2]`.
+    fn area(&self) -> Option<f64> {
+        let made = self.forecast.as_ref()?.as_ref().ok()?;
+        Some(covered(&made.mesh, self.wish.height))
+    }
+}
+
+/// What a body covers that is cut out of a picture so high `[m^2]`, its strokes too.
+fn covered(mesh: &PictureMesh, height: f64) -> f64 {
+    mesh.areas.iter().sum::<f64>() * (height / f64::from(mesh.picture[1])).powi(2)
 }
 
 /// The first body of a scene that is cut out of a picture: its number, with what it is made of, how it is cut out, and the picture.
@@ -251,7 +277,11 @@ fn of_body(scene: &Scene) -> Result<Option<Body>, SceneError> {
     };
     let young = material.young.unwrap_or(Matter::YOUNG);
     let pattern = keys.pattern.unwrap_or(PatternName::Edges);
-    Ok(Some(((body, matter, young), Wish { settings, matter, young, height, pattern, apart: false }, picture)))
+    Ok(Some((
+        (body, matter, young),
+        Wish { settings, matter, of: None, young, height, pattern, apart: false },
+        picture,
+    )))
 }
 
 impl Wish {
@@ -259,22 +289,50 @@ impl Wish {
     fn of(picture: &Picture, ground: Ground) -> Self {
         let settings = Settings::of(picture, ground);
         let (matter, young, pattern) = (Matter::Soft, Matter::YOUNG, PatternName::Braced);
-        Wish { settings, matter, young, height: 2.0, pattern, apart: false }
+        Wish { settings, matter, of: None, young, height: 2.0, pattern, apart: false }
     }
 
-    fn keys(&self, picture: &Picture) -> BodyKeys {
-        let material = self.matter.material((self.matter == Matter::Soft).then_some(self.young));
+    /// A body that covers so much, where that is known `[m^2]`.
+    fn keys(&self, picture: &Picture, area: Option<f64>) -> BodyKeys {
+        let material = match self.of.zip(area) {
+            Some((preset, area)) => of_preset(preset, area),
+            None => self.matter.material((self.matter == Matter::Soft).then_some(self.young)),
+        };
         let pattern = (self.pattern != PatternName::Edges).then_some(self.pattern);
         BodyKeys { material: Some(material), pattern, ..BodyKeys::cut(&self.settings, self.height, picture) }
     }
 
     fn scene(&self, name: &str, picture: &Arc<Picture>, watch: &Watch) -> Result<Scene, SceneError> {
-        let scene = Scene::of_drawing(name, Arc::clone(picture), self.keys(picture), self.matter, watch)?;
-        if self.is_apart() { scene.in_parts(0) } else { Ok(scene) }
+        let keys = self.keys(picture, None);
+        let mut scene = Scene::of_drawing(name, Arc::clone(picture), keys, self.matter, watch)?;
+        if let Some(preset) = self.of {
+            // What it covers is known once it is cut out.
+            let area = covered(&scene.picture_mesh(0)?, self.height);
+            scene.bodies[0].material = Some(of_preset(preset, area));
+        }
+        if !self.is_apart() {
+            return Ok(scene);
+        }
+        let mut scene = scene.in_parts(0)?;
+        scene.bodies.iter_mut().for_each(|part| self.weigh(part));
+        Ok(scene)
+    }
+
+    /// A part of the body is of the matter by itself: as stiff as its own mass says.
+    fn weigh(&self, part: &mut BodyKeys) {
+        let mass = part.material.as_ref().and_then(|material| material.mass);
+        if let Some((preset, mass)) = self.of.zip(mass) {
+            part.material = Some(of_preset(preset, mass / preset.material(1.0, 1.0).mass.unwrap_or(1.0)));
+        }
     }
 
     /// Parts that move become bodies of their own.
     fn is_apart(&self) -> bool {
         self.apart && self.matter != Matter::Fixed
     }
+}
+
+/// What a body of a picture that covers so much is of `[m^2]`; it keeps the colours of its picture.
+fn of_preset(preset: Preset, area: f64) -> Material {
+    Material { color: None, ..preset.material(area, 1.0) }
 }

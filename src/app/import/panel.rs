@@ -13,7 +13,9 @@ use crate::scene::Matter;
 const PATIENCE: Duration = Duration::from_millis(400);
 const LOOK: Duration = Duration::from_millis(100);
 /// Width of the screen from which on the sliders stand beside the picture `[points]`.
-const WIDE: f32 = 780.0;
+const WIDE: f32 = 840.0;
+/// Width of the sliders at least: the longest name of one has room `[points]`.
+const COLUMN: f32 = 336.0;
 /// Height of what stands over and under the part that scrolls: title, buttons, margins, the bar below `[points]`.
 const BESIDE: f32 = 174.0;
 /// Height of a line of words below the buttons `[points]`.
@@ -49,7 +51,9 @@ pub(super) fn show(import: &mut Import, context: &egui::Context, can_add: bool) 
             // The picture stays, whatever is looked for beside it.
             ui.horizontal_top(|ui| {
                 ui.vertical(|ui| picture(ui, import, preview::LARGEST.min(tall - TOOLS)));
+                // All that is left beside it is theirs: the bar that scrolls them stands at the edge of the dialog.
                 let beside = egui::ScrollArea::vertical().max_height(tall).min_scrolled_height(tall);
+                let beside = beside.auto_shrink([false, true]);
                 from_top(beside).show(ui, |ui| ui.vertical(|ui| sliders(ui, import)));
             });
         } else {
@@ -78,7 +82,7 @@ fn picture(ui: &mut egui::Ui, import: &mut Import, side: f32) {
 }
 
 fn sliders(ui: &mut egui::Ui, import: &mut Import) {
-    ui.set_width(290.0);
+    ui.set_width(ui.available_width().max(COLUMN));
     let is_painted = import.painting.is_some();
     wishes::show(ui, &mut import.wish, (&import.picture, import.ground), is_painted);
     ui.separator();
@@ -198,6 +202,30 @@ mod tests {
 
     /// The last of what is scrolled.
     const LAST: &str = "parts as bodies of their own";
+
+    #[test]
+    fn the_settings_take_all_that_the_picture_leaves_and_grow_no_wider() {
+        for size in [[900.0, 500.0], [1280.0, 720.0]] {
+            let import = Import::of_canvas(|| ()).unwrap();
+            let shown = |ui: &mut egui::Ui, import: &mut Import| _ = import.show(ui.ctx(), true);
+            let mut panel = Harness::builder().with_size(size).build_ui_state(shown, import);
+            panel.run_steps(6);
+            let dialog = |panel: &Harness<'_, Import>| {
+                panel.ctx.memory(|memory| memory.area_rect(egui::Id::unique("import"))).unwrap()
+            };
+            let before = dialog(&panel);
+            assert!(before.width() < size[0], "{size:?}: {before}");
+            panel.run_steps(30);
+            assert_eq!(dialog(&panel).width(), before.width(), "{size:?}");
+            // A line across the settings ends where the dialog does, but for margins and the bar.
+            let name = panel.get_by_label(LAST).rect();
+            assert!(name.left() > before.left() + preview::LEAST && name.right() < before.right(), "{size:?}: {name}");
+            assert!(
+                before.right() - name.left() < COLUMN + MARGINS,
+                "{size:?}: no strip beside them: {name}, {before}"
+            );
+        }
+    }
 
     #[test]
     fn a_canvas_that_is_opened_again_is_at_its_top() {

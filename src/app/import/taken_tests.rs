@@ -7,7 +7,11 @@ use std::time::{Duration, Instant};
 use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Shape};
 
 use super::{Answer, Import};
+use crate::app::matter::{Among, Preset};
+use crate::app::player::{Order, Shown, Stage};
 use crate::picture::{Picture, Size, Threshold};
+use crate::scene::{Material, Matter};
+use crate::sim::PointId;
 
 /// An opaque grey picture, whose lightness is told by where its pixels are, from 0 to 1 along both sides.
 fn grey(light: impl Fn(f64, f64) -> f64) -> Arc<Picture> {
@@ -168,4 +172,33 @@ fn enter_does_what_the_first_button_does() {
     screen.import.enter();
     screen.frame(Vec::new());
     assert_eq!(screen.answer, Some(Answer::Open));
+}
+
+#[test]
+fn a_matter_by_name_is_what_the_panel_of_what_is_selected_calls_it_and_a_number_is_none() {
+    let mut screen = Screen::of(blot());
+    // A firm jelly at first: its springs are to its mass as the law of matters by name has them, between soft jelly and what hardly gives.
+    let material = screen.import.scene().unwrap().bodies[0].material.clone().unwrap();
+    let firm = 0.75_f64.sqrt() * material.young.unwrap() / material.mass.unwrap();
+    assert!((2000.0..3000.0).contains(&firm), "{firm} 1/s^2");
+    for preset in [Preset::Jelly, Preset::Rubber, Preset::Wood, Preset::Steel] {
+        screen.click(preset.name());
+        assert_eq!(screen.import.wish.of, Some(preset));
+        let scene = screen.import.scene().unwrap();
+        let material = scene.bodies[0].material.clone().unwrap();
+        let area = std::f64::consts::PI * 0.09 * 2.0 * 3.0;
+        let all_of = preset.material(area, 1.0);
+        assert!((material.mass.unwrap() / all_of.mass.unwrap() - 1.0).abs() < 0.05, "{material:?}, {area} m^2");
+        let soft = |material: &Material| material.stiffness.map(|stiffness| stiffness / material.mass.unwrap());
+        assert!(soft(&material).zip(soft(&all_of)).is_none_or(|(one, other)| (one / other - 1.0).abs() < 1e-9));
+        assert_eq!((material.kind, material.color), (all_of.kind, None), "it keeps the colours of its picture");
+        let mut stage = Stage::new(scene.into()).unwrap();
+        let points = (0..stage.history().world().point_count() as u32).map(PointId).collect();
+        stage.obey(Order::Inspect(Among { points, ..Among::default() }));
+        let mut shown = Shown::default();
+        stage.show(&mut shown);
+        assert_eq!(shown.matter.unwrap().preset(), Some(preset));
+    }
+    screen.click("springs");
+    assert_eq!((screen.import.wish.of, screen.import.wish.matter), (None, Matter::Soft));
 }

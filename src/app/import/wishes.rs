@@ -7,7 +7,7 @@ use egui::Slider;
 use super::Wish;
 use crate::app::lengths::length;
 use crate::app::panels::theme::as_high_as_buttons;
-use crate::app::panels::{ranged, ticks};
+use crate::app::panels::{presets, ranged, ticks};
 use crate::picture::{Ground, Picture, Settings, Size, Strokes, Threshold};
 use crate::scene::{Matter, PatternName};
 
@@ -134,9 +134,16 @@ fn slider(
 
 /// What the body is made of.
 fn body(ui: &mut egui::Ui, wish: &mut Wish, is_painted: bool) {
+    ui.label("made of");
+    if let (_, Some(preset)) = presets(ui, wish.of) {
+        wish.of = Some(preset);
+        // Rigid ones have no stiffness to be set.
+        wish.matter = if preset.material(1.0, 1.0).stiffness.is_some() { Matter::Soft } else { Matter::Rigid };
+    }
+    let before = (wish.matter, wish.young);
     ui.horizontal(|ui| {
         as_high_as_buttons(ui);
-        ui.label("made of");
+        ui.label("or of");
         let kinds = [
             (Matter::Soft, "springs"),
             (Matter::Rigid, "rigid bonds"),
@@ -144,7 +151,9 @@ fn body(ui: &mut egui::Ui, wish: &mut Wish, is_painted: bool) {
             (Matter::Fixed, "obstacle"),
         ];
         for (matter, label) in kinds {
-            ui.selectable_value(&mut wish.matter, matter, label);
+            if ui.selectable_label(wish.of.is_none() && wish.matter == matter, label).clicked() {
+                (wish.matter, wish.of) = (matter, None);
+            }
         }
     });
     let moves = wish.matter != Matter::Fixed;
@@ -165,6 +174,10 @@ fn body(ui: &mut egui::Ui, wish: &mut Wish, is_painted: bool) {
     ui.add_enabled_ui(wish.matter == Matter::Soft, |ui| {
         slider(ui, (&mut wish.young, 100.0..=100_000.0), ("stiffness", " N/m"), true);
     });
+    // Whoever sets a number means that.
+    if (wish.matter, wish.young) != before {
+        wish.of = None;
+    }
     // The body itself may be less high than what it is cut out of.
     let name = if is_painted { "height of the canvas" } else { "height of the picture" };
     slider(ui, (&mut wish.height, 0.2..=10.0), (name, " m"), true);

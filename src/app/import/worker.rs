@@ -123,7 +123,7 @@ fn forecast(name: &str, picture: &Arc<Picture>, wish: Wish, watch: &Watch) -> Re
     let said = |error: SceneError| error.message;
     let scene = wish.scene(name, picture, watch).map_err(said)?;
     let mesh = match wish.matter {
-        Matter::Fixed => Wish { matter: Matter::Soft, apart: false, ..wish }.scene(name, picture, watch),
+        Matter::Fixed => Wish { matter: Matter::Soft, of: None, apart: false, ..wish }.scene(name, picture, watch),
         _ => Ok(scene.clone()),
     };
     let mesh = mesh.and_then(|scene| scene.picture_mesh(0)).map_err(said)?;
@@ -159,6 +159,7 @@ mod tests {
         let wish = |spacing| Wish {
             settings: Settings { size: Size::Spacing(spacing), ..Settings::default() },
             matter: Matter::Soft,
+            of: None,
             young: 1e3,
             height: 1.0,
             pattern: PatternName::Edges,

@@ -54,11 +54,11 @@ impl Group {
     /// That of an action.
     fn of(action: Action) -> Self {
         use Action::{
-            Cancel, Clear, Copy, Delete, Dice, Duplicate, Faster, FindSetting, Finish, Fit, FullScreen, Gallery, Help,
-            Hide, Home, Import, LargerRegion, Lessons, New, NextScene, NextShowing, Open, Paint, Palette, Paste,
-            PinWhileHeld, Plots, PreviousScene, Quit, Redo, Reset, Rewind, Save, Screenshot, SelectAll, Settings, Show,
-            ShowHidden, Slower, SmallerRegion, Step, StepBack, Stronger, Take, ToggleGrid, ToggleHud, ToggleMesh,
-            TogglePanels, TogglePlay, ToggleTrails, Undo, Ungroup, Weaker, Wind,
+            Cancel, Clear, Copy, Delete, Dice, Duplicate, Faster, FindSetting, Finish, Fit, FlipAcross, FlipOver,
+            FullScreen, Gallery, Help, Hide, Home, Import, LargerRegion, Lessons, New, NextScene, NextShowing, Open,
+            Paint, Palette, Paste, PinWhileHeld, Plots, PreviousScene, Quit, Redo, Reset, Rewind, Save, Screenshot,
+            SelectAll, Settings, Show, ShowHidden, Slower, SmallerRegion, Step, StepBack, Stronger, Take, ToggleGrid,
+            ToggleHud, ToggleMesh, TogglePanels, TogglePlay, ToggleTrails, Undo, Ungroup, Weaker, Wind,
         };
         match action {
             PreviousScene | NextScene | Gallery | New | Dice | Open | Save | Screenshot | Import | Paint | Quit => {
@@ -68,7 +68,7 @@ impl Group {
             Take(_) | Wind | PinWhileHeld | Finish | StepBack | SmallerRegion | LargerRegion | Weaker | Stronger => {
                 Group::Tools
             }
-            Undo | Redo | Delete | Duplicate | Copy | Paste | Clear | Cancel => Group::Edit,
+            Undo | Redo | Delete | Duplicate | Copy | FlipAcross | FlipOver | Paste | Clear | Cancel => Group::Edit,
             SelectAll | Action::Group | Ungroup | Hide | ShowHidden => Group::Selection,
             Fit | Home | NextShowing | Show(_) | ToggleMesh | ToggleGrid | ToggleTrails | Palette => Group::View,
             Settings | FindSetting | Plots | Lessons | TogglePanels | ToggleHud | Help | FullScreen => Group::Panels,

@@ -99,6 +99,10 @@ fn clicks_ask_for_what_is_written_on_them() {
     assert_eq!(screen.click("relaxed"), [Wish::Matter(MatterChange::Relaxed, false)]);
     assert!(!screen.frame(Vec::new()).1.iter().any(|(text, _)| text == "Group"), "one body is selected as one anyway");
     assert_eq!(screen.click("tears"), [Wish::Matter(MatterChange::Breaks(0.5), false)]);
+    assert_eq!(screen.click("Flip left-right"), [Wish::Act(Action::FlipAcross)]);
+    assert_eq!(screen.click("Flip up-down"), [Wish::Act(Action::FlipOver)]);
+    screen.facts.dimensions = 3;
+    assert!(!screen.frame(Vec::new()).1.iter().any(|(text, _)| text.starts_with("Flip")), "it is of the plane");
     let two = Matter { bodies: 2, ..(*matter()).clone() };
     assert_eq!(matter().bodies, 1);
     let mut screen = Screen::new(Some(Arc::new(two)));

@@ -1,8 +1,9 @@
 //! What the tool for building makes, beside the tools.
 
 use egui::epaint::PathShape;
-use egui::{Area, Id, Painter, Pos2, Rect, RectAlign, Response, RichText, Shape, Stroke, Tooltip, Ui};
+use egui::{Area, ComboBox, Id, Painter, Pos2, Rect, RectAlign, Response, RichText, Shape, Stroke, Tooltip, Ui};
 
+use super::choosing;
 use super::folded::untitled;
 use super::icons::{self, Icon};
 use super::material::swatch;
@@ -10,7 +11,7 @@ use super::theme::{colors, floating};
 use super::{Facts, Wish, low, ticks};
 use crate::app::action::Primitive;
 use crate::app::matter::Preset;
-use crate::app::tools::{Fibre, Link, is_of_space};
+use crate::app::tools::{Fibre, Grain, Link, is_of_space};
 use crate::render::Look;
 
 /// What each makes, and how.
@@ -48,8 +49,8 @@ const FRAME: f32 = 10.0;
 /// From the edge of the panel to what is said of what stands in it `[points]`.
 const TO_TOOLTIP: f32 = 6.0;
 
-/// Height of all that may stand below them: what drawn bonds are, and the matters `[points]`.
-const BELOW: f32 = 260.0;
+/// Height of all that may stand below them: what drawn bonds are, the matters, and how fine they are `[points]`.
+const BELOW: f32 = 310.0;
 
 /// How many stand in a row, where there is so much height for all `[points]`.
 fn columns(height: f32) -> usize {
@@ -122,6 +123,33 @@ fn links(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
     }
 }
 
+/// Said of fineness, and where what is built has none.
+const HOW_FINE: &str = "how many points it is made of, whatever its size; it is as stiff, and takes more time";
+const NOT_FINE: &str = "of boxes, discs, rims and filled loops";
+
+/// How finely what is filled is built.
+fn fineness(ui: &mut Ui, (edge, width): (f32, f32), of: Primitive, grain: &mut Grain) {
+    let name = ui.label(RichText::new("fineness").color(colors(ui).weak)).id;
+    let list = |ui: &mut Ui| {
+        let menu = ComboBox::from_id_salt("fineness").width(width).selected_text(grain.name()).show_ui(ui, |ui| {
+            for other in Grain::ALL {
+                if choosing::choice(ui, *grain == other, other.name()).clicked() {
+                    *grain = other;
+                }
+            }
+        });
+        menu.response.labelled_by(name)
+    };
+    let menu = ui.add_enabled_ui(is_filled(of), list).inner;
+    say(&menu, edge, HOW_FINE);
+    beside(Tooltip::for_disabled(&menu), (menu.rect, edge), NOT_FINE);
+}
+
+/// Whether it is made of a matter; a loop of bonds is filled with Shift too.
+fn is_filled(of: Primitive) -> bool {
+    matches!(of, Primitive::Box | Primitive::Disc | Primitive::Rim | Primitive::Bonds)
+}
+
 /// Said of matters where what is built is of none of them: of figures, and of all else.
 const OF_FIGURES: &str = "a figure has rigid limbs: soft ones would not hold its joints";
 const OF_ITS_OWN: &str = "for boxes, discs, rims and filled loops; ropes and cloths have others";
@@ -137,6 +165,9 @@ fn matters(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
         Primitive::Rope => fibres(ui, sides, (Primitive::Rope, &facts.look), &mut of.rope),
         Primitive::Cloth => fibres(ui, sides, (Primitive::Cloth, &facts.look), &mut of.cloth),
         other => presets(ui, sides, other, &mut of.filled),
+    }
+    if facts.dimensions != 3 {
+        fineness(ui, sides, facts.primitive, &mut of.grain);
     }
     if of != facts.built_of {
         wishes.push(Wish::BuildOf(of));
@@ -156,8 +187,7 @@ fn fibres(ui: &mut Ui, (edge, width): (f32, f32), (of, look): (Primitive, &Look)
 
 /// What is filled is made of.
 fn presets(ui: &mut Ui, (edge, width): (f32, f32), of: Primitive, chosen: &mut Preset) {
-    // A loop of bonds is filled with Shift too.
-    let is_of_any = matches!(of, Primitive::Box | Primitive::Disc | Primitive::Rim | Primitive::Bonds);
+    let is_of_any = is_filled(of);
     let why = if of == Primitive::Figure { OF_FIGURES } else { OF_ITS_OWN };
     // A cloth is something else that is built.
     for preset in Preset::ALL.into_iter().filter(|preset| *preset != Preset::Cloth) {
@@ -308,6 +338,12 @@ mod tests {
             panel.run_steps(3);
             assert_eq!(*panel.state(), [Wish::BuildOf(rubber(primitive))], "{primitive:?} in {dimensions}");
         }
+        let mut fine = panel(Primitive::Disc, 2);
+        fine.get_by_value("medium").click();
+        fine.run_steps(3);
+        fine.get_by_label("very fine").click();
+        fine.run_steps(3);
+        assert_eq!(*fine.state(), [Wish::BuildOf(BuiltOf { grain: Grain::VeryFine, ..BuiltOf::default() })]);
         let mut figure = panel(Primitive::Figure, 2);
         figure.get_by_label("Rubber").click();
         figure.run_steps(3);

@@ -74,6 +74,8 @@ impl Session {
             Action::Delete => self.delete(),
             Action::Duplicate => self.duplicate(),
             Action::Copy => self.copy(),
+            Action::FlipAcross => self.flip(0),
+            Action::FlipOver => self.flip(1),
             Action::SelectAll => self.select_all(),
             Action::Group => self.group(),
             Action::Ungroup => self.ungroup(),

@@ -41,6 +41,7 @@ impl Session {
         self.move_plots();
         self.weigh();
         let facts = self.facts();
+        let waited = facts.waits;
         (self.figures, self.settings) = (self.shown().figures.clone(), self.shown().settings.clone());
         self.matter.clone_from(&self.player.shown().matter);
         let mut input = self.egui.take_egui_input(&self.window);
@@ -111,6 +112,10 @@ impl Session {
         }
         if let Some(place) = answered {
             self.answered(place);
+        }
+        // What stood over the world was closed: no panel says any longer that the world waits for it.
+        if waited && !self.waits() {
+            self.show_panels();
         }
     }
 

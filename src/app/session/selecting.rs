@@ -34,6 +34,12 @@ impl Session {
         chosen
     }
 
+    /// What is selected is mirrored: left and right, axis 0, or up and down, axis 1.
+    pub(super) fn flip(&mut self, axis: usize) {
+        let deed = self.with_scope(|hand, scope| hand.flip(scope, axis));
+        self.do_deed(deed);
+    }
+
     /// All bodies and obstacles are selected.
     pub(super) fn select_all(&mut self) {
         self.with_scope(|hand, scope| hand.select_all(scope));

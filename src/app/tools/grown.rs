@@ -49,6 +49,8 @@ impl Growth {
     /// where triangles or a net are filled, of three where bonds fill space. Stiffness and damping of a spring go with the geometric mean of
     /// the factors of its ends, so frequencies stay.
     pub(super) fn of(scope: Scope<'_>, chosen: &Chosen, factors: DVec3) -> Self {
+        // What is mirrored is as large as before.
+        let factors = factors.abs();
         let scenery = &scope.shown.scenery;
         let count = scope.shown.point_count().min(scenery.masses.len());
         let is_inside = |ends: &[PointId; 2]| ends.iter().all(|end| end.index() < count);

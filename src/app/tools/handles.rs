@@ -28,8 +28,10 @@ const RADIUS: f64 = 6.0;
 const REACH: f64 = 10.0;
 /// What is less wide or high on the screen cannot be scaled that way `[logical px]`.
 const LEAST: f64 = 2.0;
-/// The least and the greatest factor of a drag `[1]`.
-const FACTORS: [f64; 2] = [0.05, 20.0];
+/// The least and the greatest factor of a drag `[1]`: past the least a body would be a sliver.
+const FACTORS: [f64; 2] = [0.1, 20.0];
+/// Said of a drag that would make it smaller, or lead it past the side that stays.
+const LEAST_SIZE: &str = "a tenth is the least: Flip in the panel mirrors it";
 /// Turns go in steps of this while Shift is held `[rad]`.
 const STEP: f64 = PI / 12.0;
 
@@ -68,7 +70,7 @@ pub(super) enum Change {
     Turn(f64),
     /// In space, about x, y or z `[rad]`.
     Spin(usize, f64),
-    /// Along x and y `[1]`; in space the same along all axes.
+    /// Along x and y `[1]`, below 0 where it is mirrored; in space the same along all axes.
     Scale([f64; 2]),
 }
 
@@ -119,6 +121,11 @@ impl Frame {
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, handle)| handle)
     }
 
+    /// The place in its middle `[m]`.
+    pub(super) fn middle(&self) -> DVec2 {
+        0.5 * (self.low + self.high)
+    }
+
     /// A handle is taken at a pixel.
     pub(super) fn grip(&self, scope: Scope<'_>, handle: Handle, from: DVec2) -> Grip {
         Grip { handle, from, about: self.still(handle), thin: self.thin(scope) }
@@ -128,7 +135,7 @@ impl Frame {
     fn still(&self, handle: Handle) -> DVec2 {
         let Frame { low, high } = *self;
         match handle {
-            Handle::Turn => 0.5 * (low + high),
+            Handle::Turn => self.middle(),
             Handle::Corner(0) => high,
             Handle::Corner(1) => DVec2::new(low.x, high.y),
             Handle::Corner(2) => low,
@@ -187,6 +194,18 @@ impl Grip {
 }
 
 impl Change {
+    /// What is left and right is exchanged, axis 0, or what is up and down, axis 1.
+    pub(super) fn flip(axis: usize) -> Self {
+        let mut factors = [1.0; 2];
+        factors[axis] = -1.0;
+        Change::Scale(factors)
+    }
+
+    /// Whether it makes a left hand a right one.
+    fn is_mirror(self) -> bool {
+        matches!(self, Change::Scale([x, y]) if x * y < 0.0)
+    }
+
     /// What is left of it to be done after another one of its kind; `None`: nothing.
     pub(super) fn after(self, done: Change) -> Option<Self> {
         match (self, done) {
@@ -261,8 +280,12 @@ impl Change {
             Change::Shift(by) => format!("{:.2} {:.2} m", by.x, by.y),
             Change::Turn(angle) => format!("{:.0}°", angle.to_degrees()),
             Change::Spin(axis, angle) => Turned::About(axis, angle).words(),
-            Change::Scale([x, y]) if x == y => format!("× {x:.2}{grown}"),
-            Change::Scale([x, y]) => format!("{x:.2} × {y:.2}{grown}"),
+            Change::Scale(factors) => {
+                let [x, y] = factors;
+                let size = if x == y { format!("× {x:.2}") } else { format!("{x:.2} × {y:.2}") };
+                let least = if factors.contains(&FACTORS[0]) { format!(": {LEAST_SIZE}") } else { String::new() };
+                format!("{size}{grown}{least}")
+            }
         }
     }
 
@@ -306,7 +329,9 @@ impl Change {
             .map(|([point, normal], _)| {
                 let [point, normal] = [point, normal].map(|x| DVec2::new(x[0], x[1]));
                 let along = moved(point + normal.perp()) - moved(point);
-                [moved(point), -along.perp()].map(|x| x.extend(0.0).to_array())
+                // A mirror leads the free side to the other hand.
+                let hand = if self.is_mirror() { 1.0 } else { -1.0 };
+                [moved(point), hand * along.perp()].map(|x| x.extend(0.0).to_array())
             })
             .collect();
         let is_moved = |point: PointId| chosen.points.binary_search(&point).is_ok();
@@ -356,6 +381,9 @@ impl Change {
             }
             Change::Scale([1.0, 1.0]) => return Deed::default(),
             Change::Scale([x, y]) if x == y => ("scale", MoveKeys { scale: Some(Factors::One(x)), about, ..keys }),
+            Change::Scale(factors) if self.is_mirror() => {
+                ("flip", MoveKeys { scale: Some(Factors::Each(factors)), about, ..keys })
+            }
             Change::Scale(factors) => ("scale", MoveKeys { scale: Some(Factors::Each(factors)), about, ..keys }),
         };
         Deed::edit(name, Do::Move(Box::new(keys)))

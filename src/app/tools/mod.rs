@@ -21,6 +21,8 @@ mod enclosed;
 mod erase;
 mod facing;
 mod fastened;
+#[cfg(test)]
+mod flip_tests;
 mod floor;
 #[cfg(test)]
 mod grab_tests;
@@ -91,7 +93,7 @@ use super::action::Tool;
 use crate::sim::PointId;
 use brush::Stroke;
 pub(super) use brush::{Brush, RADII};
-pub(super) use build::{BuiltOf, Fibre, Link, Links, is_of_space};
+pub(super) use build::{BuiltOf, Fibre, Grain, Link, Links, is_of_space};
 use build::{Drag, Maker, Path};
 pub(super) use chosen::Chosen;
 use cutting::Slash;

@@ -31,8 +31,8 @@ const OFF: f64 = 16.0;
 const WIDTHS: [f64; 3] = [2.0, 0.8, 3.0];
 /// A ring that is seen so much from its side is turned by pulling along it: the cosine of the view to its axis `[1]`.
 const SIDEWAYS: f64 = 0.25;
-/// The least and the greatest factor of a drag `[1]`.
-const FACTORS: [f64; 2] = [0.05, 20.0];
+/// The least and the greatest factor of a drag `[1]`: past the least a body would be a speck.
+const FACTORS: [f64; 2] = [0.1, 20.0];
 /// Turns go in steps of this while Shift is held `[rad]`.
 const STEP: f64 = PI / 12.0;
 /// Axes and the colours of their rings, as in other programs for space: x red, y green, z blue.
@@ -252,6 +252,7 @@ impl Turned {
     pub(super) fn words(self) -> String {
         match self {
             Turned::About(axis, angle) => format!("{:.0}° about {}", angle.to_degrees(), AXES[axis].2),
+            Turned::By(factor) if factor == FACTORS[0] => format!("× {factor:.2}: a tenth is the least"),
             Turned::By(factor) => format!("× {factor:.2}"),
         }
     }

@@ -15,6 +15,10 @@ use super::{Deed, Doing, Hand, Stop, stops};
 use crate::app::action::Tool;
 use crate::sim::{Knots, PointId};
 
+/// Said of what cannot be mirrored: nothing, and what is in space.
+const NOTHING: &str = "select something first, with the Select tool (6)";
+const FLAT: &str = "only in the plane can it be flipped";
+
 /// A press that moves less than this is a click `[logical px]`.
 const CLICK: f64 = 4.0;
 
@@ -127,6 +131,13 @@ impl Hand {
         let Some(frame) = Frame::of(scope, &chosen) else { return Deed::default() };
         let change = grip.change(scope, to, self.shift);
         change.fitted(scope, &chosen, change.about(&frame, grip.handle))
+    }
+
+    /// What is selected is mirrored about its middle: left and right, axis 0, or up and down, axis 1.
+    pub(in crate::app) fn flip(&self, scope: Scope<'_>, axis: usize) -> Deed {
+        let Some(chosen) = self.chosen(scope) else { return Deed::words(NOTHING.to_owned()) };
+        let Some(frame) = Frame::of(scope, &chosen) else { return Deed::words(FLAT.to_owned()) };
+        Change::flip(axis).fitted(scope, &chosen, frame.middle())
     }
 
     pub(super) fn end_turn(&self, scope: Scope<'_>, grip: RingGrip, to: DVec2) -> Deed {

@@ -256,7 +256,7 @@ fn bind(gpu: &Gpu, layout: &wgpu::BindGroupLayout, buffers: &[&GrowingBuffer]) -
 /// What is drawn on bodies beside their triangles, by their places.
 #[derive(Default)]
 struct Lines {
-    /// Bonds within them.
+    /// Bonds within them, which are seen where a map is shown.
     inner: Vec<Vec<[u32; 2]>>,
     /// Those that are figures of limbs.
     limbs: Vec<Limbs>,

@@ -30,6 +30,8 @@ pub(crate) struct Detached<S, const D: usize> {
     moved_of: Vec<u32>,
     /// What the live step is to move of them is to go together.
     pub(crate) are_together: bool,
+    /// Left is right: what was known of the sides that they touch is of another world.
+    pub(super) is_mirrored: bool,
     /// When `[s]`.
     time: f64,
 }
@@ -132,7 +134,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let number = |group: usize| groups.binary_search(&group).map_or(u32::MAX, |found| found as u32);
         let of = |&point: &u32| self.slot(point as usize).map_or(u32::MAX, |[group, _]| number(group));
         let moved_of = points.iter().map(of).collect();
-        Detached { points, state, groups, moved, moved_of, are_together: false, time: t }
+        Detached { points, state, groups, moved, moved_of, are_together: false, is_mirrored: false, time: t }
     }
 
     /// Every point has a slot of its own, and every new one none.
@@ -153,8 +155,12 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// The same where nothing came, went or changed but who moves it.
     pub(crate) fn put_back(&mut self, detached: Detached<S, D>) -> Vec<usize> {
-        let Detached { mut points, state, groups, moved, moved_of, are_together, time: t } = detached;
-        let heritage = groups.iter().filter_map(|&group| self.heritage(group, &points)).collect::<Vec<_>>();
+        let Detached { mut points, state, groups, moved, moved_of, are_together, is_mirrored, time: t } = detached;
+        let mut heritage = Vec::new();
+        for &group in &groups {
+            let forgets = is_mirrored && matches!(self.plan.groups[group].kernel(), Some(Kernel::Live));
+            heritage.extend(if forgets { None } else { self.heritage(group, &points) });
+        }
         for &group in &groups {
             self.vacate(group);
         }

@@ -11,6 +11,7 @@ use crate::sim::command::Motion;
 use crate::sim::contact::convex::{Convex, Rotation};
 use crate::sim::contact::polygon::Polygon;
 use crate::sim::contact::surface::Plane;
+use crate::sim::drive::AngleDrive;
 use crate::sim::force::angle::{Angle, measured};
 use crate::sim::model::Model;
 use crate::sim::plan::{self, Sets};
@@ -21,13 +22,15 @@ use crate::sim::world::World;
 /// An angle at rest is no nearer to none, or to a whole turn `[rad]`.
 const LEAST_ANGLE: f64 = 1e-6;
 
-/// Rest lengths, angles and areas at rest that follow a scale, by their places in their lists.
+/// Rest lengths, angles, areas at rest and triangles that follow a scale, by their places in their lists.
 struct Scaled {
     /// `[m]`
     rests: Vec<(usize, f64)>,
     angles: Vec<(usize, Angle)>,
     /// `[m^2]`
     areas: Vec<(usize, f64)>,
+    /// Corners of what is mirrored, anticlockwise again.
+    triangles: Vec<(usize, [PointId; 3])>,
 }
 
 /// Scaled and turned about a place, then moved.
@@ -72,10 +75,16 @@ impl Placement {
         }
     }
 
-    /// The factor, where it is the same in the plane whichever way one looks.
+    /// What lengths are multiplied by, where it is the same in the plane whichever way one looks.
     fn even(&self) -> Option<f64> {
-        let [x, y, _] = self.scale;
+        let [x, y, _] = self.scale.map(f64::abs);
         (x == y).then_some(x)
+    }
+
+    /// Whether left becomes right in the plane: one factor of two is below 0.
+    fn is_mirror(&self) -> bool {
+        let [x, y, _] = self.scale;
+        x * y < 0.0
     }
 
     fn scaled(&self, from: [f64; 3]) -> [f64; 3] {
@@ -95,7 +104,8 @@ impl Placement {
 
     /// Whether its parts, one after the other, are all of it.
     pub(super) fn has_parts(&self) -> bool {
-        self.angle == 0.0 || self.even().is_some()
+        let is_plain = self.scale.iter().all(|factor| *factor > 0.0);
+        is_plain && (self.angle == 0.0 || self.even().is_some())
     }
 
     /// Places a plane.
@@ -132,7 +142,7 @@ impl Placement {
         }
         let (before, after) = (length(embed(along)), length(self.scaled(embed(along))));
         let [x, y, _] = self.scale;
-        if before > 0.0 { after / before } else { (x * y).sqrt() }
+        if before > 0.0 { after / before } else { (x * y).abs().sqrt() }
     }
 
     /// The normal of a plane that is moved so.
@@ -141,13 +151,16 @@ impl Placement {
             Some(_) => self.direction(normal),
             None => {
                 let normal: [f64; 3] = embed(normal);
-                self.direction(truncate(std::array::from_fn(|axis| normal[axis] / self.scale[axis])))
+                self.direction(truncate(std::array::from_fn(|axis| normal[axis] / self.scale[axis].abs())))
             }
         }
     }
 
+    /// Where a direction points afterwards: it is mirrored and turned, not scaled.
     fn direction<const D: usize>(&self, v: [f64; D]) -> [f64; D] {
-        truncate(self.turned(embed(v)))
+        let v: [f64; 3] = embed(v);
+        let mirrored = std::array::from_fn(|axis| if self.scale[axis] < 0.0 { -v[axis] } else { v[axis] });
+        truncate(self.turned(mirrored))
     }
 }
 
@@ -160,8 +173,12 @@ impl<S: Real, const D: usize> World<S, D> {
         self.check_points(points)?;
         self.check_obstacles(obstacles)?;
         finite("by, turn, scale and about", by.iter().chain(about.iter().flatten()).chain(factors).chain([turn]))?;
-        if let Some(factor) = factors.iter().find(|factor| **factor <= 0.0) {
-            return Err(invalid(format!("scale is {factor}: it must be > 0")));
+        if let Some(factor) = factors.iter().find(|factor| **factor == 0.0 || (D == 3 && **factor < 0.0)) {
+            let law = if D == 3 { "it must be > 0" } else { "it must not be 0" };
+            return Err(invalid(format!("scale is {factor}: {law}")));
+        }
+        if over.is_some() && factors.iter().any(|factor| *factor < 0.0) {
+            return Err(invalid("over is given with a scale below 0: what is mirrored is put there, leave it out"));
         }
         finite("axis", axis.iter())?;
         if *axis == [0.0; 3] {
@@ -205,6 +222,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let scaled = (*factors != [1.0; 3]).then(|| self.scaled(&numbers, &placement));
         let mut detached = self.detach(&numbers, moved.is_some());
+        detached.is_mirrored = placement.is_mirror() && !numbers.is_empty();
         for (point, track) in &mut model.pin_motion {
             if numbers.binary_search(&point.0).is_ok() {
                 track.knots.iter_mut().for_each(|(_, x)| *x = placement.place(*x));
@@ -377,34 +395,54 @@ impl<S: Real, const D: usize> World<S, D> {
         let [x, y, _] = placement.scale;
         let areas = self.model.rest_areas.iter().zip(&self.model.triangles).enumerate();
         let areas = areas.filter(|(_, (_, corners))| is_whole(corners));
-        Scaled { rests, angles, areas: areas.map(|(k, (rest, _))| (k, rest * (x * y))).collect() }
+        let areas = areas.map(|(k, (rest, _))| (k, rest * (x * y).abs())).collect();
+        let covered = self.model.triangles.iter().enumerate();
+        let covered = covered.filter(|(_, corners)| D == 2 && placement.is_mirror() && is_whole(corners));
+        Scaled { rests, angles, areas, triangles: covered.map(|(k, &[a, b, c])| (k, [a, c, b])).collect() }
     }
 
-    /// An angle whose points are placed: at rest, and at its stops, it is turned by as much as it turns.
+    /// An angle whose points are placed: at rest, and at its stops, it is turned by as much as it turns; mirrored, it is the rest of a turn, and
+    /// what drives it goes the other way.
     fn placed_angle(&self, angle: &Angle, placement: &Placement) -> Angle {
         let [i, j, k] = angle.points;
         let stretches = [[j, i], [j, k]].map(|ends| placement.stretch(self.along(ends)));
         let arms = [0, 1].map(|arm| angle.arms[arm] * stretches[arm]);
+        let angle = if placement.is_mirror() { mirrored(angle) } else { *angle };
         if placement.even().is_some() {
-            return Angle { arms, ..*angle };
+            return Angle { arms, ..angle };
         }
         let places: [[f64; D]; 3] = angle.points.map(|point| self.place(point.index()));
-        let turned = measured(places.map(|place| placement.place(place))).0 - measured(places).0;
+        let before = measured(places).0;
+        let before = if placement.is_mirror() { -before } else { before };
+        let turned = measured(places.map(|place| placement.place(place))).0 - before;
         let turned = libm::atan2(libm::sin(turned), libm::cos(turned));
         let rest = (angle.rest + turned).rem_euclid(TAU).clamp(LEAST_ANGLE, TAU - LEAST_ANGLE);
-        Angle { arms, rest, range: angle.range.map(|range| range.map(|stop| stop + turned)), ..*angle }
+        Angle { arms, rest, range: angle.range.map(|range| range.map(|stop| stop + turned)), ..angle }
     }
 
-    fn take_scaled(&mut self, Scaled { rests, angles, areas }: Scaled) {
+    fn take_scaled(&mut self, Scaled { rests, angles, areas, triangles }: Scaled) {
         let bonds = Arc::make_mut(&mut self.bonds);
         for (k, rest_length) in rests {
             bonds.set(k, Bond { rest_length, ..bonds.get(k) });
         }
-        if angles.is_empty() && areas.is_empty() {
+        if angles.is_empty() && areas.is_empty() && triangles.is_empty() {
             return;
         }
         let model = Arc::make_mut(&mut self.model);
         angles.into_iter().for_each(|(k, angle)| model.angles.list[k] = angle);
         areas.into_iter().for_each(|(k, rest)| model.rest_areas[k] = rest);
+        triangles.into_iter().for_each(|(k, corners)| model.triangles[k] = corners);
     }
+}
+
+/// An angle as a mirror shows it: between the same points, measured the same way round.
+fn mirrored(angle: &Angle) -> Angle {
+    // Not -0.
+    let other = |x: f64| 0.0 - x;
+    let drive = angle.drive.map(|drive| match drive {
+        AngleDrive::Servo { amplitude, signal } => AngleDrive::Servo { amplitude: other(amplitude), signal },
+        AngleDrive::Motor { speed, torque, signal } => AngleDrive::Motor { speed: other(speed), torque, signal },
+    });
+    let rest = (TAU - angle.rest).clamp(LEAST_ANGLE, TAU - LEAST_ANGLE);
+    Angle { rest, range: angle.range.map(|[least, most]| [TAU - most, TAU - least]), drive, ..*angle }
 }

@@ -23,7 +23,8 @@ pub(in crate::app) use place::MatterAt;
 pub(super) use rows::{number, row, short};
 pub(super) use sink::Sink;
 use surface::surface;
-pub(super) use swatch::{presets, swatch};
+pub(in crate::app) use swatch::presets;
+pub(super) use swatch::swatch;
 
 /// Width of the panel `[points]`.
 pub(super) const WIDTH: f32 = 226.0;
@@ -109,6 +110,12 @@ pub(in crate::app) fn lies(context: &egui::Context) -> Option<Rect> {
 /// A button: its name, what it does, and the action.
 const PASTE: (&str, &str, Action) = ("Paste", "what was copied, into the middle of what is seen", Action::Paste);
 
+/// Mirrors, of the plane.
+const FLIPS: [(&str, &str, Action); 2] = [
+    ("Flip left-right", "mirror it, with its velocity and what drives it", Action::FlipAcross),
+    ("Flip up-down", "turn it upside down as a mirror does, with its velocity", Action::FlipOver),
+];
+
 /// How to select more than one body, or less.
 const HOW: &str = "Shift adds to what is selected; a double click or Ctrl+click takes one bond or one point";
 
@@ -164,8 +171,9 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         };
         let first =
             [("Copy", "to the clipboard", Action::Copy), PASTE, ("Duplicate", "a copy beside it", Action::Duplicate)];
-        for (name, words, action) in first.into_iter().chain(group).chain([("Delete", "take it away", Action::Delete)])
-        {
+        let flips = if facts.dimensions == 3 { &[][..] } else { &FLIPS[..] }.iter().copied();
+        let last = [("Delete", "take it away", Action::Delete)];
+        for (name, words, action) in first.into_iter().chain(group).chain(flips).chain(last) {
             if ui.button(name).on_hover_text(described(words, action)).clicked() {
                 sink.act(action);
             }

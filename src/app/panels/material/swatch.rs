@@ -7,7 +7,7 @@ use crate::app::panels::theme::colors;
 use crate::render::contrast;
 
 /// Buttons for matter by name, in their colours. Returns the one that was clicked.
-pub(in crate::app::panels) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>, Option<Preset>) {
+pub(in crate::app) fn presets(ui: &mut Ui, chosen: Option<Preset>) -> (Option<Response>, Option<Preset>) {
     let mut clicked = (None, None);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;

@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use super::corners::{area, crossing};
 use super::fill::filled;
+use super::grain::Grain;
 use super::links::Links;
 use super::outline::{label, line, pixel};
 use super::tie::{is_walled_off, nearest_of_skin};
@@ -51,8 +52,8 @@ pub(super) enum Node {
 #[derive(Clone, Copy)]
 pub(in crate::app::tools) struct How {
     pub(super) links: Links,
-    /// What a loop is filled with; `None`: it is not.
-    pub(super) fills: Option<Preset>,
+    /// What a loop is filled with, and how finely; `None`: it is not.
+    pub(super) fills: Option<(Preset, Grain)>,
 }
 
 /// Points and bonds that are being drawn.
@@ -282,7 +283,7 @@ impl Chain {
             None if last.is_none() => "a point: click on, or drag to the next one".to_owned(),
             Some(_) if last.is_none() => "from this point".to_owned(),
             _ if closes => match fills {
-                Some(of) => format!("closes the loop and fills it: {}", of.name().to_lowercase()),
+                Some((of, _)) => format!("closes the loop and fills it: {}", of.name().to_lowercase()),
                 None => format!("closes the loop: {}", links.name()),
             },
             Some(_) if node == last && self.nodes.len() > 1 => "once more ends it".to_owned(),

@@ -1,5 +1,6 @@
 //! What is built is made of: what is filled a matter, ropes and cloths a fibre each.
 
+use super::grain::Grain;
 use super::matter::{CLOTH_MASS, ROPE_MASS, rigid};
 use crate::app::action::Primitive;
 use crate::app::matter::Preset;
@@ -91,6 +92,8 @@ impl Fibre {
 pub(in crate::app) struct BuiltOf {
     /// Boxes, discs, rims and loops.
     pub(in crate::app) filled: Preset,
+    /// How finely these are made.
+    pub(in crate::app) grain: Grain,
     pub(in crate::app) rope: Fibre,
     pub(in crate::app) cloth: Fibre,
 }

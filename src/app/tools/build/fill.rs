@@ -6,28 +6,27 @@ use glam::DVec2;
 
 use super::chain::Node;
 use super::corners::area;
+use super::grain::Grain;
 use crate::app::matter::Preset;
 use crate::picture::{Boundary, Settings, fill_boundary};
 use crate::scene::{AddKeys, BondKeys, MassKeys, Material, PointKeys, Row, SkinKeys, Vector};
 use crate::sim::bond::lower_first;
 
-/// Sides of triangles in the side of a square as large as the loop `[1]`.
-const FINE: f64 = 5.0;
 /// A corner of the mesh is a corner of the loop when it is no further from it, in sides of triangles `[1]`.
 const SAME: f64 = 1e-6;
 
-/// What brings the body of a matter within `corners` `[m]`, in a world where the next point gets the number `next`: those of its corners that are points
+/// What brings the body of a matter, so fine, within `corners` `[m]`, in a world where the next point gets the number `next`: those of its corners that are points
 /// of the world stay these. `is_covered` says which of these are of a body that is filled already.
 ///
 /// Errors: in words, that no triangles can be made.
 pub(super) fn filled(
     (corners, nodes): (&[DVec2], &[Node]),
-    of: Preset,
+    (of, grain): (Preset, Grain),
     (next, is_covered): (u32, impl Fn(u32) -> bool),
 ) -> Result<AddKeys, String> {
     let size = area(corners);
     let settings = Settings::default();
-    let (spacing, middle) = (size.abs().sqrt() / FINE, corners[0]);
+    let (spacing, middle) = (size.abs().sqrt() / grain.of_loop(), corners[0]);
     let unit = settings.spacing() / spacing;
     let mut rim = rim(corners, spacing);
     if size < 0.0 {

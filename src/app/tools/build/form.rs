@@ -6,7 +6,9 @@ use super::Maker;
 use super::figure::Figure;
 use super::grid::{Fineness, Grid};
 use crate::app::action::Primitive;
+use crate::app::count::counted;
 use crate::body::hanging;
+use crate::scene::{AddKeys, Scene};
 use crate::sim::PointId;
 
 /// A primitive in its place.
@@ -81,8 +83,6 @@ pub(super) struct End {
 const TALL: f64 = 1.7;
 /// Thickness of a slope, in what a click makes `[1]`.
 const THICK: f64 = 0.25;
-/// Cells of a soft box: enough to bend, few enough for many of them.
-const BOX: Fineness = Fineness { across: 1..=5, most: 40 };
 /// Cells of a cloth.
 pub(super) const CLOTH: Fineness = Fineness { across: 2..=10, most: 16 };
 /// Pieces of a rope as long as what a click makes.
@@ -98,7 +98,7 @@ impl Form {
         let round = Round { center: from, radius: from.distance(to) };
         Some(match maker.primitive {
             Primitive::Bonds | Primitive::Polygon => return None,
-            Primitive::Box => Form::Box(Grid::fit(from, to, &BOX)),
+            Primitive::Box => Form::Box(Grid::fit(from, to, &maker.of.grain.of_box())),
             Primitive::Disc => Form::Disc(round),
             Primitive::Rope => Form::rope(ends, usual, maker.slack()),
             Primitive::Cloth => Form::Cloth { grid: Grid::fit(from, to, &CLOTH), hangs: !maker.is_free },
@@ -136,6 +136,17 @@ impl Form {
         let ends = if is_on_a_point(to) && !is_on_a_point(from) { [to, from] } else { ends };
         let pieces = PIECES * (1.0 + slack) * from.at.distance(to.at) / usual;
         Form::Rope { ends, pieces: pieces.round().clamp(ALL_PIECES[0], ALL_PIECES[1]) as u32, slack }
+    }
+
+    /// Its size, as one says it, and of how many points it is where that is chosen.
+    pub(super) fn said(&self, keys: &AddKeys) -> String {
+        let size = self.words();
+        match self {
+            Form::Box(_) | Form::Disc(_) | Form::Rim(_) => {
+                format!("{size}, {}", counted(keys.point_count(&Scene::default()), "point"))
+            }
+            _ => size,
+        }
     }
 
     /// Its size, as one says it.

@@ -24,8 +24,8 @@ struct Outlined {
 }
 
 impl Outlined {
-    fn of(form: &Form) -> Option<Self> {
-        let shape = form.keys(0, BuiltOf::default()).shape(0)?;
+    fn of(form: &Form, built_of: BuiltOf) -> Option<Self> {
+        let shape = form.keys(0, built_of).shape(0)?;
         let cover = Cover::of(&shape)?;
         let at = |corner: u32| shape.places.get(corner as usize).copied().map_or(DVec2::NAN, DVec2::from);
         let sides = outer_sides(shape.triangles.iter().copied()).into_iter().map(|side| side.ends.map(at)).collect();
@@ -60,15 +60,15 @@ impl Outlined {
 }
 
 impl Form {
-    /// The same, where one rope's loose end meets it a little aside, so that a point of its skin is there.
-    pub(super) fn hung(self, scope: Scope<'_>) -> Self {
+    /// The same, built of this, where one rope's loose end meets it a little aside, so that a point of its skin is there.
+    pub(super) fn hung(self, scope: Scope<'_>, of: BuiltOf) -> Self {
         if !matches!(self, Form::Box(_) | Form::Disc(_) | Form::Rim(_)) {
             return self;
         }
         let ropes = loose_ropes(scope);
         let metre = scope.camera.pixels_per_metre() / scope.scale;
         let meets = |form: &Form| {
-            let outlined = Outlined::of(form)?;
+            let outlined = Outlined::of(form, of)?;
             let mut met = ropes.iter().filter_map(|rope| outlined.met_by(rope, NEAR / metre));
             // What hangs on several ropes hangs as it is drawn.
             met.next().filter(|_| met.next().is_none()).map(|place| (place, outlined))

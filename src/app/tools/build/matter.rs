@@ -7,6 +7,7 @@ use glam::DVec2;
 use super::fibre::{BuiltOf, Fibre};
 use super::figure::Figure;
 use super::form::{End, Form, Hold, Round, chain};
+use super::grain::Grain;
 use super::grid::Grid;
 use crate::app::matter::Preset;
 use crate::scene::{
@@ -22,14 +23,10 @@ pub(super) const CLOTH_MASS: f64 = 0.3;
 pub(super) const ROPE_MASS: f64 = 0.15;
 /// Springs of a rim are so many times as stiff as those of what is filled: it is thin and bends by far more.
 const OF_RIM: f64 = 16.0;
-/// Points on the rim of a disc: an even number without one at the bottom, so that it stands as a mirror image of itself and rolls to no side.
-const ON_RIM: f64 = 18.0;
 /// How a disc is turned `[rad]`: so that a load on its middle squashes it along a row of its points. Across, it would roll until it is so.
 const TURNED: f64 = PI / 6.0;
 /// Inner over outer radius of a rim.
 pub(super) const INNER: f64 = 0.75;
-/// Points around each ring of a rim.
-const SECTORS: u64 = 18;
 /// Friction of obstacles `[1]`.
 pub(super) const FRICTION: f64 = 0.5;
 
@@ -43,10 +40,10 @@ impl Form {
         };
         match self {
             Form::Box(grid) => body(block(grid, of.filled)),
-            Form::Disc(round) => body(disc(round, of.filled)),
+            Form::Disc(round) => body(disc(round, (of.filled, of.grain))),
             Form::Rope { ends, pieces, slack } => rope(ends, (*pieces, *slack, of.rope), next),
             Form::Cloth { grid, hangs } => body(cloth(grid, *hangs, of.cloth)),
-            Form::Rim(round) => body(rim(round, of.filled)),
+            Form::Rim(round) => body(rim(round, (of.filled, of.grain))),
             Form::Figure(figure) => body(of_figure(figure)),
             Form::SolidBox([low, high]) => {
                 let keys = BoxKeys { min: vector(*low), max: vector(*high), angle: None, rotation: None };
@@ -89,11 +86,11 @@ fn block(grid: &Grid, of: Preset) -> BodyKeys {
     }
 }
 
-fn disc(&Round { center, radius }: &Round, of: Preset) -> BodyKeys {
+fn disc(&Round { center, radius }: &Round, (of, grain): (Preset, Grain)) -> BodyKeys {
     BodyKeys {
         make: MakerName::Disc,
         radius: Some(radius),
-        spacing: Some(TAU * radius / ON_RIM),
+        spacing: Some(TAU * radius / f64::from(grain.around())),
         angle: Some(TURNED),
         origin: Some(vector(center)),
         material: Some(of.material(PI * radius * radius, 1.0)),
@@ -101,17 +98,17 @@ fn disc(&Round { center, radius }: &Round, of: Preset) -> BodyKeys {
     }
 }
 
-fn rim(&Round { center, radius }: &Round, of: Preset) -> BodyKeys {
+fn rim(&Round { center, radius }: &Round, (of, grain): (Preset, Grain)) -> BodyKeys {
     let area = PI * radius * radius * (1.0 - INNER * INNER);
     use BraceName::{Falling, Inner, Outer, Rising, Spoke};
     BodyKeys {
         make: MakerName::Rim,
         radius: Some(radius),
         inner_radius: Some(INNER * radius),
-        sectors: Some(SECTORS),
+        sectors: Some(u64::from(grain.around())),
         bracing: Some(vec![Outer, Inner, Spoke, Rising, Falling]),
         origin: Some(vector(center)),
-        material: Some(of.material(area, OF_RIM)),
+        material: Some(of.material(area, OF_RIM * grain.of_rim())),
         ..BodyKeys::default()
     }
 }

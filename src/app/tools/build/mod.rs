@@ -8,6 +8,9 @@ mod fibre;
 mod figure;
 mod fill;
 mod form;
+mod grain;
+#[cfg(test)]
+mod grain_tests;
 mod grid;
 mod hung;
 mod laid;
@@ -38,6 +41,7 @@ use crate::sim::PointId;
 pub(in crate::app) use fibre::{BuiltOf, Fibre};
 pub(super) use form::short;
 use form::{End, Form, Hold};
+pub(in crate::app) use grain::Grain;
 pub(in crate::app) use links::{Link, Links};
 pub(super) use path::Path;
 pub(in crate::app) use space::is_of_space;
@@ -168,7 +172,7 @@ impl Maker {
             return Path::default().marks(self, scope, Some(at));
         }
         match self.form(scope, drag, at) {
-            Ok(form) => outline::of(&form, scope, at, (!self.is_free).then(|| self.held(scope, drag, at))),
+            Ok(form) => outline::of((&form, self.of), scope, at, (!self.is_free).then(|| self.held(scope, drag, at))),
             Err(words) => vec![outline::label(scope, at, words)],
         }
     }
@@ -225,7 +229,7 @@ impl Maker {
 
     /// A form where the loose end of a rope meets it, if it is to be tied to that.
     fn hung(self, scope: Scope<'_>, form: Form) -> Form {
-        if self.is_free { form } else { form.hung(scope) }
+        if self.is_free { form } else { form.hung(scope, self.of) }
     }
 
     /// The points that a drag to a pixel is drawn from and to, that what is drawn can be tied to.

@@ -21,8 +21,13 @@ const LETTER: DVec2 = DVec2::new(7.5, 22.0);
 
 /// The outline where it will be, what it puts beside itself, the ropes and the points that it is tied to, those that it is drawn from and to being
 /// `held`, and its size; `None`: it is tied to nothing.
-pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2, held: Option<Vec<PointId>>) -> Vec<Mark> {
-    let keys = form.keys(scope.shown.point_count() as u32, BuiltOf::default());
+pub(super) fn of(
+    (form, built_of): (&Form, BuiltOf),
+    scope: Scope<'_>,
+    at: DVec2,
+    held: Option<Vec<PointId>>,
+) -> Vec<Mark> {
+    let keys = form.keys(scope.shown.point_count() as u32, built_of);
     let outcome = coming(scope, &keys);
     let held = held.filter(|_| outcome.refused.is_none());
     let knots = held.map_or_else(Vec::new, |held| knot::knots(scope, &keys, (outcome.way, Some(&held[..]))));
@@ -32,7 +37,7 @@ pub(super) fn of(form: &Form, scope: Scope<'_>, at: DVec2, held: Option<Vec<Poin
     let tied = knot::words(scope, &knots).map(|words| format!("{words} (not with Shift)"));
     let words: Vec<String> = outcome.words().into_iter().chain(tied).collect();
     let more = if words.is_empty() { String::new() } else { format!(": {}", words.join("; ")) };
-    let words = off(&marks, scope, at, format!("{}{more}", form.words()));
+    let words = off(&marks, scope, at, format!("{}{more}", form.said(&keys)));
     marks.push(words);
     marks
 }

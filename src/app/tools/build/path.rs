@@ -20,7 +20,7 @@ pub(in crate::app::tools) struct Path {
 impl Maker {
     /// What a chain comes to: a loop is filled by the switch or by Shift.
     fn how(self) -> How {
-        How { links: self.links, fills: (self.links.fills || self.is_free).then_some(self.of.filled) }
+        How { links: self.links, fills: (self.links.fills || self.is_free).then_some((self.of.filled, self.of.grain)) }
     }
 
     fn draws_polygon(self) -> bool {

@@ -193,7 +193,7 @@ fn the_outline_is_what_the_release_makes() {
             _ => None,
         })
     };
-    assert_eq!(size(&hand.marks(scope(&seen), Some(at(&seen, 0.0, 0.0)))).as_deref(), Some("1.00 × 1.00 m"));
+    assert_eq!(size(&hand.marks(scope(&seen), Some(at(&seen, 0.0, 0.0)))).as_deref(), Some("1.00 × 1.00 m, 36 points"));
     hand.press(scope(&seen), at(&seen, -1.0, 0.5));
     let marks = hand.marks(scope(&seen), Some(at(&seen, 0.37, -0.5)));
     let deed = hand.release(scope(&seen), at(&seen, 0.37, -0.5));
