@@ -128,6 +128,7 @@ pub(super) use standing::Kept;
 use stopping::Stop;
 pub(super) use stops::would_be as would_stop;
 use throw::Throw;
+pub(super) use touching::gap_in;
 use wind::Blow;
 
 /// What is in the hand.
