@@ -411,6 +411,23 @@ fn a_car_that_the_tools_build_stays_where_it_is_on_level_ground() {
     assert!(most < 0.03, "it creeps {most} m in 10 s");
 }
 
+#[test]
+fn a_hinge_joins_a_body_to_a_wheel_only_where_the_click_lies_on_both() {
+    // A plank whose right end lies over a wheel: its rim crosses the plank's middle at 0.61 m.
+    let text = r#"{"wobble": 1, "gravity": [0, 0], "view": {"center": [0, 0], "height": 10},
+        "bodies": [{"make": "lattice", "columns": 17, "rows": 5, "spacing": 0.125, "origin": [-1, -0.25],
+            "material": {"kind": "rigid", "mass": 2}},
+          {"make": "disc", "radius": 0.4, "spacing": 0.15, "origin": [1, 0],
+            "material": {"kind": "spring", "stiffness": 3000, "damping": 10, "mass": 1}}]}"#;
+    let seen = shown(Scene::parse(text, "x.json").unwrap());
+    let metres = 1.0 / scope(&seen).camera.pixels_per_metre();
+    for (x, joins) in [(0.6 - 13.0 * metres, false), (0.6 - 6.0 * metres, false), (0.7, true)] {
+        let at = DVec2::from(seen.1.screen_from_world([x, 0.0, 0.0].into()).unwrap());
+        let said = said(&seen, &hand(Tool::Motor), at);
+        assert_eq!(said.contains("joins both bodies"), joins, "at {x}: {said}");
+    }
+}
+
 /// Two boxes that overlap, and a disc on the first.
 const ARM: &str = r#"{"wobble": 1, "gravity": [0, 0], "view": {"center": [0, 0], "height": 10},
     "bodies": [{"make": "lattice", "columns": 9, "rows": 4, "spacing": 0.25, "origin": [-2, 0],
