@@ -10,6 +10,7 @@ use super::pick::Scope;
 use super::tests::{scope, shown};
 use super::{Deed, Drives, Hand};
 use crate::app::action::Tool;
+use crate::app::matter::Among;
 use crate::app::player::{Note, Order, Shown, Stage};
 use crate::history::Do;
 use crate::render::Camera;
@@ -331,6 +332,22 @@ fn a_box_on_two_discs_with_motors_drives_and_stays_upright() {
         let is_carried = tilt < 0.3 && far > 3.0 && low < 0.2;
         assert!(is_carried, "{edge}: it tilts by {tilt} rad, drives {far} m in 3 s and hangs {low} m lower");
     }
+}
+
+#[test]
+fn the_hubs_of_a_car_are_no_part_of_its_name() {
+    let mut seen = shown(Scene::parse(&CAR.replace("EDGE", "-0.5"), "x.json").unwrap());
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    for x in [-0.7, 0.7] {
+        let at = DVec2::from(seen.1.screen_from_world([x, -0.85, 0.0].into()).unwrap());
+        give(&mut stage, hand(Tool::Motor).press(scope(&seen), at));
+        stage.show(&mut seen.0);
+    }
+    let points = (0..seen.0.point_count() as u32).map(PointId).collect();
+    stage.obey(Order::Inspect(Among { points, ..Among::default() }));
+    stage.show(&mut seen.0);
+    let name = seen.0.matter.as_ref().unwrap().name.clone().unwrap();
+    assert!(name.starts_with("2 discs and ") && !name.contains("net") && !name.contains("point"), "{name}");
 }
 
 #[test]
