@@ -121,7 +121,7 @@ pub(super) use push::PushWay;
 use region::Region;
 pub(super) use rings::Ring;
 use rings::RingGrip;
-pub(super) use room::Walls;
+pub(super) use room::{Walls, over};
 use selection::Selection;
 pub(super) use stall::Stalls;
 pub(super) use standing::Kept;
