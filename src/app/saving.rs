@@ -81,6 +81,12 @@ fn documents(home: &Path, list: Option<&str>) -> PathBuf {
     }
 }
 
+/// What files of a scene are named after: what it is called since it was saved, the file that it lies in, else its own name.
+pub(super) fn named_after(called: Option<&str>, file: Option<&Path>, scene: &str) -> String {
+    let stem = file.and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned());
+    called.map(str::to_owned).or(stem).unwrap_or_else(|| scene.to_owned())
+}
+
 /// A name in `folder` that no file has: the scene's with a number.
 pub(super) fn free_name(folder: &Path, scene: &str, ending: &str) -> PathBuf {
     let named = |number: u32| folder.join(format!("wobble-{}-{number:03}.{ending}", plain(scene)));
@@ -137,6 +143,14 @@ mod tests {
         assert_eq!(free_name(folder.path(), "a/b c", "png").file_name().unwrap(), "wobble-a-b-c-002.png");
         assert_eq!(plain(""), "scene");
         assert_eq!(plain_name("a/b c", "json"), "a-b-c.json");
+    }
+
+    #[test]
+    fn pictures_are_named_after_the_file_that_a_scene_was_saved_to_or_opened_from() {
+        let file = Path::new("/data/my car.json");
+        assert_eq!(named_after(None, None, "Untitled"), "Untitled");
+        assert_eq!(named_after(None, Some(file), "Untitled"), "my car");
+        assert_eq!(named_after(Some("ride"), Some(file), "Untitled"), "ride", "a recording lies in no scene file");
     }
 
     #[test]

@@ -144,7 +144,7 @@ static GALLERY: [Entry; 53] = [
         39,
         "Catapult",
         "A weight on the short arm drops, the long one throws a box, and the tower that it hits falls.",
-        "R, and cut the weight off at once: the box stays, it moves by 0.1 m; pull the arm down, lay the box on it, and let go."
+        "R, and cut the weight off at once: the box stays, it moves by 0.1 m; R, pull the arm down once it has thrown, stop time (Space), pin its tip (2), lay the box on it (1), and unpin it."
     ),
     entry!(
         "cradle",

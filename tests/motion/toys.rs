@@ -199,6 +199,18 @@ fn the_catapult_hits_its_tower() {
 }
 
 #[test]
+fn a_pin_in_the_tip_of_the_catapult_holds_its_box_until_it_is_taken_away() {
+    let mut world = world("catapult");
+    let start = world.sample(0.0).position[11];
+    world.apply(&Command::Pin(vec![PointId(6)])).unwrap();
+    let held = until(&mut *world, 2.0).position[11];
+    assert!((held[0] - start[0]).abs() < 0.5, "it stays on the arm: {held:?}");
+    world.apply(&Command::Unpin(vec![PointId(6)])).unwrap();
+    let thrown = until(&mut *world, 5.0).position[11];
+    assert!(thrown[0] > held[0] + 2.0, "from {held:?} to {thrown:?}");
+}
+
+#[test]
 fn the_net_tears_where_it_is_pulled_and_not_by_itself() {
     let mut world = world("tearable-net");
     until(&mut *world, 3.0);

@@ -18,6 +18,7 @@ use crate::scene::{
 };
 use crate::sim::{Dynamics, PointId};
 use keys::{angle_keys, bond_keys, solid};
+pub(super) use room::IN_ANOTHER;
 
 /// What was copied: the keys that bring it, its points counted from 0, where it was.
 #[derive(Clone, Debug, PartialEq)]

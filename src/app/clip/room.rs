@@ -8,7 +8,9 @@ use crate::scene::room::{Drawing, Lies, Wanted, in_view};
 use crate::sim::Dynamics;
 
 /// Said of a copy that is put where another body is: nothing is free.
-pub(super) const IN_ANOTHER: &str = "no free space in view: it overlaps another body";
+pub(in crate::app) const IN_ANOTHER: &str = "no free space in view: it overlaps another body";
+/// Said of a copy that is put into what another body goes around.
+const IN_HOLLOW: &str = "no free space in view: it lies in the hollow of another body";
 /// Said of a copy that is put beside what it is of: there is room for it, but not in view.
 const OUT_OF_VIEW: &str = "no free space in view: it lies beside it, partly out of view (F shows all)";
 /// Said where it would lie in obstacles or beyond walls wherever it is put.
@@ -47,6 +49,7 @@ fn in_plane(clip: &Clip, world: &dyn Dynamics, wish: &Wish) -> Result<Place, Str
     let lies_in = match lies {
         Lies::Free => None,
         Lies::OutOfView => Some(OUT_OF_VIEW),
+        Lies::InHollow => Some(IN_HOLLOW),
         Lies::InAnother => Some(IN_ANOTHER),
     };
     Ok(Place { by: by.extend(0.0).to_array(), lies_in })

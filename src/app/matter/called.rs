@@ -26,8 +26,13 @@ pub(super) fn name_of(
     };
     let mut parts = bodies(points, tints);
     if parts.len() > 1 {
-        // The hub of a hinge is a point by itself.
-        parts.retain(|(_, points)| points.len() > 1);
+        // The hub of a hinge is a point by itself, and so are several: no bond joins them but through what turns about them.
+        let is_known = |body: Option<u32>| body.is_some_and(|body| matches!(names.get(body as usize), Some(Some(_))));
+        let has =
+            |points: &[PointId], bond: &Bond| [bond.a, bond.b].iter().all(|end| points.binary_search(end).is_ok());
+        parts.retain(|(body, points)| {
+            points.len() > 1 && (is_known(*body) || bonds.iter().any(|(_, bond)| has(points, bond)))
+        });
     }
     match &parts[..] {
         [] | [_] => one(points, parts.first().and_then(|(body, _)| *body)),

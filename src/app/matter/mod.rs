@@ -6,6 +6,7 @@ mod bending;
 mod bending_tests;
 mod borne;
 mod called;
+mod carried;
 mod change;
 mod common;
 mod extent;

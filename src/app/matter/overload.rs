@@ -1,6 +1,7 @@
 //! How weight goes down through soft bodies, bond by bond: what gives way under what lies on it, with what it stands on, and the stiffness
 //! that bears it.
 
+use super::carried::{Carried, stands};
 use crate::app::player::Shown;
 use crate::picture::Tint;
 use crate::sim::bond::lower_first;
@@ -25,14 +26,21 @@ const FREE: f64 = 8.0 / 9.0;
 /// Where so much of the springs of a body is too soft, all of them are made stiffer.
 const MOST: f64 = 0.8;
 
+/// What is made stiffer as it is bent now stores no more than so many times what lifts its bodies by their heights `[1]`.
+const LEAP: f64 = 2.0;
+
 /// A part of soft bodies that gives way.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) struct Overload {
     /// By what share of its height it sinks `[1]`.
     pub(in crate::app) share: f64,
+    /// It is all of these bodies: their own weight is too much for them.
+    pub(in crate::app) is_whole: bool,
+    /// It takes more stiffness to bear it, which would throw what is bent now.
+    pub(in crate::app) is_first: bool,
     /// Springs of what gives way and of what that stands on, ascending by their numbers.
     pub(in crate::app) bonds: Vec<u32>,
-    /// So stiff they bear it `[N/m]`.
+    /// So stiff they bear it, or rise without a leap `[N/m]`.
     pub(in crate::app) stiffness: f64,
 }
 
@@ -65,6 +73,8 @@ struct Standing {
     /// The struts of each point, one point's after another's, and where each point's begin.
     struts: Vec<Strut>,
     begins: Vec<u32>,
+    /// The acceleration against what is up `[m/s^2]`.
+    gravity: (f64, [f64; 3]),
     /// Points of soft bodies, from above.
     order: Vec<u32>,
     /// Stiffness of springs by their places `[N/m]`; `None` of what is rigid.
@@ -73,7 +83,8 @@ struct Standing {
     ends: Vec<[u32; 2]>,
 }
 
-/// What of some points, ascending, gives way in a world as it is shown; nothing in space, and where nothing falls.
+/// What of some points, ascending, gives way in a world as it is shown; nothing in space, where nothing falls, of what stands on nothing, and
+/// of what springs bear already, as what they are pressed by tells.
 pub(in crate::app) fn overload(shown: &Shown, among: &[PointId]) -> Option<Overload> {
     let standing = Standing::of(shown)?;
     let now = standing.sinks(|place| standing.springs[place]);
@@ -83,20 +94,46 @@ pub(in crate::app) fn overload(shown: &Shown, among: &[PointId]) -> Option<Overl
         standing.order.iter().filter(|point| is_meant(point)).map(|&point| point as usize).collect();
     let sink = standing.sinking(&meant, &now);
     let gives_way = |point: &usize| sink[standing.body[*point] as usize] && share(&now, *point) > GIVES_WAY;
-    let gives: Vec<usize> = meant.into_iter().filter(gives_way).collect();
+    let mut gives: Vec<usize> = meant.into_iter().filter(gives_way).collect();
+    if gives.is_empty() {
+        return None;
+    }
+    let carried = Carried::of(shown, (&standing.body, standing.high.len()), standing.gravity);
+    let mut judged: Vec<Option<bool>> = vec![None; standing.high.len()];
+    gives.retain(|&point| {
+        let own = standing.body[point];
+        let gives = || !carried.bears_itself(own as usize) && standing.stands_on_something(shown, own);
+        *judged[own as usize].get_or_insert_with(gives)
+    });
     let most = gives.iter().map(|&point| share(&now, point)).fold(0.0, f64::max);
     let part = standing.under(&gives);
     let is_of_it = |place: usize| standing.ends[place].iter().all(|&end| part[end as usize]);
     let alike =
         standing.sinks(|place| standing.springs[place].map(|stiffness| if is_of_it(place) { 1.0 } else { stiffness }));
     let least = gives.iter().map(|&point| share(&alike, point)).fold(0.0, f64::max) / BORNE;
-    let digit = 10_f64.powf(least.max(f64::MIN_POSITIVE).log10().floor() - 1.0);
-    let stiffness = (least / digit).ceil() * digit;
+    let stiffness = in_two_digits(least, f64::ceil);
+    let without_leap = standing.without_leap(shown, &carried, (&is_of_it, stiffness));
+    let is_first = without_leap < stiffness;
+    let stiffness = if is_first { in_two_digits(without_leap, f64::floor) } else { stiffness };
     let softer = (0..standing.ends.len()).filter(|&place| is_of_it(place));
     let softer = softer.filter(|&place| standing.springs[place].is_some_and(|own| own < stiffness));
     let mut bonds: Vec<u32> = softer.map(|place| standing.numbers[place]).collect();
     bonds.sort_unstable();
-    (!bonds.is_empty() && stiffness.is_finite()).then_some(Overload { share: most, bonds, stiffness })
+    let is_giving = |point: &&u32| judged[standing.body[**point as usize] as usize] == Some(true);
+    let is_whole = standing.order.iter().filter(is_giving).all(is_meant);
+    (!bonds.is_empty() && stiffness.is_finite()).then_some(Overload {
+        share: most,
+        is_whole,
+        is_first,
+        bonds,
+        stiffness,
+    })
+}
+
+/// A number in two digits.
+fn in_two_digits(x: f64, to_whole: impl Fn(f64) -> f64) -> f64 {
+    let digit = 10_f64.powf(x.max(f64::MIN_POSITIVE).log10().floor() - 1.0);
+    to_whole(x / digit) * digit
 }
 
 impl Standing {
@@ -163,6 +200,7 @@ impl Standing {
             high,
             struts: struts.into_iter().map(|(_, strut)| strut).collect(),
             begins,
+            gravity: (g, up),
             order,
             springs,
             numbers: (0..scenery.bonds.len()).map(|place| scenery.bond_number(place)).collect(),
@@ -194,6 +232,32 @@ impl Standing {
     /// What stands on the ground by itself.
     fn stands(&self, point: usize) -> bool {
         self.height[point] <= STANDS * self.high[self.body[point] as usize]
+    }
+
+    /// Whether a body stands on anything.
+    fn stands_on_something(&self, shown: &Shown, body: u32) -> bool {
+        let is_foot = |point: &&u32| self.body[**point as usize] == body && self.stands(**point as usize);
+        let feet: Vec<PointId> = self.order.iter().filter(is_foot).map(|&point| PointId(point)).collect();
+        stands(shown, (&self.body, body), (&feet, self.high[body as usize]))
+    }
+
+    /// The stiffness `[N/m]`, up to one that is wished, that the softer ones of some springs can have as they are stretched and pressed now: they
+    /// store so much more then, Σ (k - k_b) d_b^2 / 2, as [`LEAP`] says. An estimate from the safe side: none is softer than the softest.
+    fn without_leap(&self, shown: &Shown, carried: &Carried, (is_of_it, wished): (impl Fn(usize) -> bool, f64)) -> f64 {
+        let (mut squares, mut softest) = (0.0, wished);
+        let mut is_of = vec![false; self.high.len()];
+        for (place, bond) in shown.scenery.bonds.iter().enumerate() {
+            let Some(own) = self.springs[place].filter(|&own| is_of_it(place) && own < wished) else { continue };
+            let long = length(sub(shown.place(bond.a.index()), shown.place(bond.b.index())));
+            let short = bond.rest_length - long;
+            if bond.limit.acts(-short, 0.0) {
+                squares += 0.5 * short * short;
+            }
+            softest = softest.min(own);
+            is_of[self.body[bond.a.index()] as usize] = true;
+        }
+        let lifts: f64 = (0..is_of.len()).filter(|&body| is_of[body]).map(|body| carried.weight(body)).sum();
+        (softest + LEAP * lifts / squares).min(wished)
     }
 
     /// How far each point sinks `[m]`, with springs so stiff by their places `[N/m]`, `None`: rigid.
@@ -357,6 +421,47 @@ mod tests {
             assert!(with < 0.25, "at {left} to {right}, {low} it stands, sunk by {with}");
             assert!(without > 0.3, "at {left} to {right}, {low} it does not without it, sunk by {without}");
         }
+    }
+
+    fn points(stage: &mut Stage) -> Vec<PointId> {
+        (0..shown(stage).point_count() as u32).map(PointId).collect()
+    }
+
+    #[test]
+    fn what_stands_on_nothing_is_not_told_and_what_stands_by_itself_is_told_of_itself() {
+        for (height, is_told) in [(3.0, false), (0.01, true)] {
+            let text = format!(
+                r#"{{"wobble": 1, "gravity": [0, -9.81], "contact": true, "bounds": {{"min": [-9, 0], "max": [9, 9]}},
+                "bodies": [{{"make": "lattice", "columns": 13, "rows": 11, "spacing": 0.1, "origin": [0, {height}],
+                "material": {{"kind": "spring", "stiffness": 60, "damping": 0.5, "mass": 48}}}}]}}"#
+            );
+            let mut stage = Stage::new(Scene::parse(&text, "x.json").unwrap().into()).unwrap();
+            let all = points(&mut stage);
+            let found = overload(&shown(&mut stage), &all);
+            assert_eq!(found.as_ref().map(|found| (found.is_whole, found.is_first)), is_told.then_some((true, false)));
+            let part = overload(&shown(&mut stage), &all[100..]);
+            assert_eq!(part.map(|found| found.is_whole), is_told.then_some(false), "the rest is what it stands on");
+        }
+    }
+
+    #[test]
+    fn what_is_bent_already_is_made_only_so_stiff_that_it_does_not_leap() {
+        let mut stage = block();
+        let all = points(&mut stage);
+        let whole = Among { points: all.clone(), ..Among::default() };
+        stage.obey(Order::Change { among: whole, change: MatterChange::Density(30.0), goes_on: false });
+        // It has begun to sink.
+        (0..12).for_each(|_| _ = stage.obey(Order::Step(None)));
+        let now = shown(&mut stage);
+        let found = overload(&now, &all).unwrap();
+        assert!(found.is_first && found.stiffness > 60.0, "{} N/m", found.stiffness);
+        let short = |bond: Bond| bond.rest_length - length(sub(now.place(bond.a.index()), now.place(bond.b.index())));
+        let squares: f64 = now.scenery.bonds.iter().map(|bond| 0.5 * short(bond).powi(2)).sum();
+        let standing = Standing::of(&now).unwrap();
+        let weight = Carried::of(&now, (&standing.body, standing.high.len()), standing.gravity).weight(0);
+        let more = (found.stiffness - 60.0) * squares;
+        assert!(more <= LEAP * weight, "{more} J more, of something that {weight} J lift");
+        assert!(more > 0.8 * LEAP * weight, "as much as may be, in two digits: {more} J");
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! What the tools for muscles and motors make, beside the tools.
 
-use egui::{Area, ComboBox, Id, Label, Rect, Response, RichText, Slider, Ui};
+use egui::{Area, ComboBox, Id, Label, Rect, Response, RichText, Slider, SliderClamping, Ui};
 
 use super::choosing::choice;
 use super::folded::titled;
+use super::motors::FASTEST;
 use super::theme::{colors, floating};
 use super::wave::{self, slider};
 use super::{Facts, Wish, low, ranged, ticks};
@@ -105,7 +106,11 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives, hinge: Option<bool>) {
     ui.add(Label::new(RichText::new(said).color(colors(ui).weak)).wrap());
     if motor.is_on != Some(false) {
         let said = "below 0 clockwise, as a wheel rolls to the right";
-        slider(ui, "speed", &mut motor.speed, -MOST[1]..=MOST[1], " rad/s").on_hover_text(said);
+        // What is typed goes further than the knob.
+        let knob = Slider::new(&mut motor.speed, -MOST[1]..=MOST[1]).clamping(SliderClamping::Never).max_decimals(2);
+        let knob = knob.suffix(" rad/s").text("speed");
+        ranged::slider(ui, knob, -FASTEST..=FASTEST, " rad/s").on_hover_text(said);
+        motor.speed = motor.speed.clamp(-FASTEST, FASTEST);
         torque(ui, &mut motor.torque);
         let said = "its speed goes to and fro";
         ticks::check(ui, &mut motor.has_wave, "wave").on_hover_text(said);
@@ -215,6 +220,16 @@ mod tests {
         }
         assert_eq!(speed_at(Some(false), Some(true), HAS_ONE_OFF), None);
         assert_eq!(speed_at(Some(false), Some(false), HAS_NONE_OFF), None);
+    }
+
+    #[test]
+    fn a_motor_is_as_fast_as_is_typed_up_to_ten_times_what_its_slider_reaches() {
+        let (context, mut facts) = (egui::Context::default(), Facts { tool: Tool::Motor, ..Facts::default() });
+        for (typed, is) in [(15.0, 15.0), (150.0, 150.0), (-200.0, -200.0), (500.0, 200.0)] {
+            facts.drives.motor.speed = typed;
+            (0..3).for_each(|_| _ = frame(&context, &mut facts, Vec::new()));
+            assert_eq!(facts.drives.motor.speed, is, "{typed} rad/s");
+        }
     }
 
     #[test]

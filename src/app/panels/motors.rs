@@ -9,7 +9,7 @@ use crate::app::matter::{Common, MatterChange, MotorChange, Motors, Span};
 
 /// How fast a speed changes as it is dragged, for each point `[rad/s]`, and the most that it is set to.
 const DRAGGED: f64 = 0.1;
-const FASTEST: f64 = 100.0;
+pub(super) const FASTEST: f64 = 200.0;
 
 /// What of them can be set.
 pub(super) fn show(ui: &mut Ui, motors: &Motors, sink: &mut Sink<'_>) {

@@ -137,8 +137,10 @@ impl Order {
 
     /// Whether somebody does something to the world by it, edit or not: what only looks at it, or lets time go by, is nothing done.
     pub(super) fn is_deed(&self) -> bool {
+        // The hover force that comes and goes with tools pushes nothing by that.
+        let is_given = |commands: &[Do]| commands.iter().any(|act| !matches!(act, Do::Mouse(_)));
         let is_hand =
-            matches!(self, Order::Give(commands, None) if !commands.is_empty()) || matches!(self, Order::Press(true));
+            matches!(self, Order::Give(commands, None) if is_given(commands)) || matches!(self, Order::Press(true));
         let is_gone = matches!(self, Order::GoTo(..) | Order::ToBranch(..) | Order::Reset | Order::LeadPins(_));
         self.is_edit() || is_hand || is_gone || matches!(self, Order::Give(_, Some(_)) | Order::Exact | Order::TakeBack)
     }

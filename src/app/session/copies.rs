@@ -4,12 +4,12 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::Session;
 use crate::app::action::Tool;
-use crate::app::clip::{Clip, Wish};
+use crate::app::clip::{Clip, IN_ANOTHER, Wish};
 use crate::app::count::counted;
 use crate::app::fetch;
 use crate::app::matter::Among;
 use crate::app::player::Order;
-use crate::app::tools::Chosen;
+use crate::app::tools::{Chosen, over};
 use crate::history::History;
 
 /// What copies beside what is selected are called when they are undone, and what comes from the clipboard.
@@ -139,7 +139,10 @@ impl Session {
             hand.select_copy(Chosen { points, obstacles });
         });
         match (said, why) {
-            (Some(said), _) => self.panels.notes.warn(said.to_owned()),
+            (Some(said), _) => {
+                let words = lies_in_words(said, over(self.shown()));
+                self.panels.notes.warn(words);
+            }
             (None, Some(why)) => {
                 self.complain(&format!("the copy is there, but bodies pass through each other: {why}"))
             }
@@ -148,9 +151,30 @@ impl Session {
     }
 }
 
+/// What is said of where a copy lies; over another body as of one that is built there.
+fn lies_in_words(said: &str, over: Option<&str>) -> String {
+    match over.filter(|_| said == IN_ANOTHER) {
+        Some(over) => format!("no free space in view: the copy lies {over}"),
+        None => said.to_owned(),
+    }
+}
+
 /// So many points and obstacles.
 fn in_words(points: usize, obstacles: usize) -> String {
     let all = [(points, "point"), (obstacles, "obstacle")].into_iter().filter(|(count, _)| *count > 0);
     let all: Vec<String> = all.map(|(count, name)| counted(count, name)).collect();
     all.join(" and ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{IN_ANOTHER, lies_in_words};
+
+    #[test]
+    fn a_copy_that_lies_over_another_body_is_told_of_as_what_is_built_there() {
+        let over = "over another body: they part as time runs, unless they are hinged (8)";
+        assert!(lies_in_words(IN_ANOTHER, Some(over)).ends_with(&format!("the copy lies {over}")));
+        assert_eq!(lies_in_words(IN_ANOTHER, None), IN_ANOTHER, "where bodies pass through each other none part");
+        assert_eq!(lies_in_words("out of view", Some(over)), "out of view");
+    }
 }

@@ -12,12 +12,14 @@ use crate::scene::{EMPTY, MakerName, Scene};
 const SEEDS: u64 = 1_000_000;
 
 impl Session {
-    /// Opens an empty scene, in which time runs: what is built there falls. The present one is kept, and undo goes back to it.
+    /// Opens an empty scene, in which time runs if it did: what is built there falls. The present one is kept, and undo goes back to it.
     pub(super) fn open_empty(&mut self) {
         match EMPTY.scene() {
             Ok(scene) => {
+                let plays = self.player.is_playing();
                 self.open(scene.into());
-                self.say("an empty scene: build (5), draw (N), or open a picture; Ctrl+Z goes back".to_owned());
+                self.player.play(plays);
+                self.say(empty_words(plays).to_owned());
             }
             Err(error) => self.complain(&error.to_string()),
         }
@@ -51,6 +53,14 @@ impl Session {
             }
             Err(words) => self.say(words.to_owned()),
         }
+    }
+}
+
+/// What is said of an empty scene in which time runs or stands still.
+fn empty_words(plays: bool) -> &'static str {
+    match plays {
+        true => "an empty scene: build (5), draw (N), or open a picture; Ctrl+Z goes back",
+        false => "an empty scene, paused: Space runs it; build (5), draw (N), or open a picture; Ctrl+Z goes back",
     }
 }
 
@@ -100,6 +110,11 @@ mod tests {
         assert_eq!((world.point_count(), world.dimensions()), (0, 2));
         assert!(world.contact().is_some() && world.bounds().is_some() && world.mouse_force().is_some());
         assert_eq!(world.settings().gravity, Some([0.0, -9.81, 0.0]));
+    }
+
+    #[test]
+    fn an_empty_scene_after_a_pause_says_what_runs_it() {
+        assert!(empty_words(false).contains("paused: Space runs it") && !empty_words(true).contains("Space"));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::app::opening::keys;
 use crate::app::panels::{SaveTo, Sheet, Wish, ask_to_save, is_recording};
 use crate::app::player::Order;
 use crate::app::recent::Used;
-use crate::app::saving::{Chosen, Saving, folder, free_name, plain_name, saved_again};
+use crate::app::saving::{Chosen, Saving, folder, free_name, named_after, plain_name, saved_again};
 use crate::render::{Capture, View};
 
 impl Session {
@@ -49,9 +49,12 @@ impl Session {
         }
     }
 
-    /// A name that no file has, of this ending, where files go that nobody named a place for.
+    /// A name that no file has, of this ending, where files go that nobody named a place for: after the file that the scene was saved to or
+    /// opened from, if there is one.
     pub(super) fn free_path(&self, ending: &str) -> PathBuf {
-        free_name(&folder(self.recent.saved()), self.scene.name(), ending)
+        let called = self.player.called().or(self.player.start().name());
+        let name = named_after(called, self.player.file(), self.scene.name());
+        free_name(&folder(self.recent.saved()), &name, ending)
     }
 
     /// A path can be written.

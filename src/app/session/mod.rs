@@ -84,8 +84,8 @@ const FIRST_FRAME: f64 = 1.0 / 60.0;
 /// Figures are shown anew so often at most: nobody reads faster.
 const FIGURES_EVERY: Duration = Duration::from_millis(100);
 
-/// What it depends on whether bodies bear their weight: the topology, gravity, and whose it is.
-type Borne = (u64, Option<[f64; 3]>, Option<Chosen>);
+/// What it depends on whether bodies bear their weight: the topology, gravity, whose it is, and how often time has asked for another look.
+type Borne = (u64, Option<[f64; 3]>, Option<Chosen>, i64);
 
 /// The scene, its player and its window.
 pub(super) struct Session {

@@ -19,6 +19,12 @@ const HIDDEN: &str = "hidden: the Select tool (6) shows its outline; Ctrl+Shift+
 /// Said where nothing is selected.
 const NOTHING: &str = "select something first, with the Select tool (6)";
 
+/// How often it is looked at again whether bodies bear their weight `[s]`, of no more bonds than this, and of what is selected once it is no
+/// faster than this `[m/s]`.
+const LOOKS: f64 = 0.5;
+const MOST_WEIGHED: usize = 20_000;
+const STILL: f64 = 0.1;
+
 /// So many points of a selection are looked at, where it is asked where that is seen.
 const MOST_SEEN: usize = 2_000;
 /// What the pointer is on is looked for among so many points: more would take longer than a frame.
@@ -102,13 +108,24 @@ impl Session {
         let chosen = (self.hand.tool() != Tool::Paint).then(|| self.inspected.clone());
         let shown = self.player.shown();
         let is_asked = chosen.as_ref().is_none_or(|chosen| !chosen.points.is_empty());
-        let of = is_asked.then_some((shown.topology, shown.settings.gravity, chosen));
+        // How it stands is another thing once it has fallen.
+        let goes_on = shown.scenery.bonds.len() <= MOST_WEIGHED;
+        let look = if goes_on { (shown.figures.time / LOOKS).floor() as i64 } else { 0 };
+        let of = is_asked.then_some((shown.topology, shown.settings.gravity, chosen, look));
         if of == self.bearings.0 {
             return;
         }
+        // What still falls or sinks is left as it was judged.
+        if let (Some(new), Some(old)) = (&of, &self.bearings.0) {
+            let is_same = (new.0, new.1, &new.2) == (old.0, old.1, &old.2);
+            let speed = shown.figures.velocity.map_or(0.0, |velocity| DVec3::from(velocity).length());
+            if is_same && speed > STILL {
+                return;
+            }
+        }
         let (bearings, among) = match &of {
-            Some((.., Some(chosen))) => (Bearings::default(), chosen.points.clone()),
-            Some((.., None)) => (Bearings::of(shown), self.painted.iter().copied().collect()),
+            Some((.., Some(chosen), _)) => (Bearings::default(), chosen.points.clone()),
+            Some((.., None, _)) => (Bearings::of(shown), self.painted.iter().copied().collect()),
             None => Default::default(),
         };
         let overload = if among.is_empty() { None } else { overload(shown, &among) };
@@ -117,8 +134,13 @@ impl Session {
 
     /// What gives way under its load is made stiff enough for it, with what it stands on.
     pub(super) fn bear(&mut self) {
-        let Some(overload) = self.overload.clone() else { return };
-        let among = Among { bonds: Some(overload.bonds.clone()), ..Among::default() };
+        let among: Vec<PointId> = match self.hand.tool() {
+            Tool::Paint => self.painted.iter().copied().collect(),
+            _ => self.inspected.points.clone(),
+        };
+        // As it is bent now, which it was not when that was offered.
+        let Some(overload) = overload(self.shown(), &among) else { return };
+        let among = Among { bonds: Some(overload.bonds), ..Among::default() };
         let change = MatterChange::Bears(overload.stiffness);
         self.player.ask(Order::Change { among, change, goes_on: false });
         self.dirty = true;

@@ -279,7 +279,7 @@ mod tests {
     use super::super::fresh::rolled;
     use super::*;
     use crate::app::player::{Keeping, Note};
-    use crate::app::tools::{SCENES, scene_of};
+    use crate::app::tools::{SCENES, scene_of, strength};
     use crate::history::Do;
     use crate::scene::{EMPTY, Scene};
     use crate::sim::{Cursor, PointId};
@@ -358,6 +358,9 @@ mod tests {
         player.play(false);
         player.ask(Order::Bound(BYTES));
         assert!(!player.is_used(), "looking on is nothing done");
+        player.give(vec![strength(0.0)], None);
+        player.give(vec![strength(60.0)], None);
+        assert!(!player.is_used(), "nor is the hover force that another tool takes away");
         let pin = |point| vec![Do::Pin(vec![PointId(point)])];
         player.give(pin(0), None);
         assert!(player.is_used(), "a hand that only grabs has done something");

@@ -10,6 +10,7 @@ use super::pick::Scope;
 use super::tests::{scope, shown};
 use super::{Deed, Drives, Hand};
 use crate::app::action::Tool;
+use crate::app::matter::Among;
 use crate::app::player::{Note, Order, Shown, Stage};
 use crate::history::Do;
 use crate::render::Camera;
@@ -334,6 +335,22 @@ fn a_box_on_two_discs_with_motors_drives_and_stays_upright() {
 }
 
 #[test]
+fn the_hubs_of_a_car_are_no_part_of_its_name() {
+    let mut seen = shown(Scene::parse(&CAR.replace("EDGE", "-0.5"), "x.json").unwrap());
+    let mut stage = Stage::new(seen.2.clone().into()).unwrap();
+    for x in [-0.7, 0.7] {
+        let at = DVec2::from(seen.1.screen_from_world([x, -0.85, 0.0].into()).unwrap());
+        give(&mut stage, hand(Tool::Motor).press(scope(&seen), at));
+        stage.show(&mut seen.0);
+    }
+    let points = (0..seen.0.point_count() as u32).map(PointId).collect();
+    stage.obey(Order::Inspect(Among { points, ..Among::default() }));
+    stage.show(&mut seen.0);
+    let name = seen.0.matter.as_ref().unwrap().name.clone().unwrap();
+    assert!(name.starts_with("2 discs and ") && !name.contains("net") && !name.contains("point"), "{name}");
+}
+
+#[test]
 fn a_click_on_a_wheel_that_is_squashed_or_off_its_hub_takes_the_hub_that_is_there() {
     let seen = shown(Scene::parse(WHEELS, "x.json").unwrap());
     let at = |x: f64, y: f64| DVec2::from(seen.1.screen_from_world([x, y, 0.0].into()).unwrap());
@@ -409,6 +426,23 @@ fn a_car_that_the_tools_build_stays_where_it_is_on_level_ground() {
         most = most.max((place(&stage) - from).abs());
     }
     assert!(most < 0.03, "it creeps {most} m in 10 s");
+}
+
+#[test]
+fn a_hinge_joins_a_body_to_a_wheel_only_where_the_click_lies_on_both() {
+    // A plank whose right end lies over a wheel: its rim crosses the plank's middle at 0.61 m.
+    let text = r#"{"wobble": 1, "gravity": [0, 0], "view": {"center": [0, 0], "height": 10},
+        "bodies": [{"make": "lattice", "columns": 17, "rows": 5, "spacing": 0.125, "origin": [-1, -0.25],
+            "material": {"kind": "rigid", "mass": 2}},
+          {"make": "disc", "radius": 0.4, "spacing": 0.15, "origin": [1, 0],
+            "material": {"kind": "spring", "stiffness": 3000, "damping": 10, "mass": 1}}]}"#;
+    let seen = shown(Scene::parse(text, "x.json").unwrap());
+    let metres = 1.0 / scope(&seen).camera.pixels_per_metre();
+    for (x, joins) in [(0.6 - 13.0 * metres, false), (0.6 - 6.0 * metres, false), (0.7, true)] {
+        let at = DVec2::from(seen.1.screen_from_world([x, 0.0, 0.0].into()).unwrap());
+        let said = said(&seen, &hand(Tool::Motor), at);
+        assert_eq!(said.contains("joins both bodies"), joins, "at {x}: {said}");
+    }
 }
 
 /// Two boxes that overlap, and a disc on the first.

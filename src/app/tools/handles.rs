@@ -19,6 +19,8 @@ use crate::sim::PointId;
 
 /// The box keeps so far off what is in it `[logical px]`.
 const MARGIN: f64 = 9.0;
+/// What lies no further beyond what is free lies at its edge `[logical px]`: as far as outlines reach.
+const EDGE: f64 = 2.0;
 /// The handle that turns is so far above the box `[logical px]`.
 const ABOVE: f64 = 28.0;
 /// Half the side of a corner's handle, radius of the one that turns `[logical px]`.
@@ -91,7 +93,14 @@ impl Frame {
         let [left, right, below, above] = [low.x - off, high.x + off, low.y + off, high.y - off];
         let corners = [[left, below], [right, below], [right, above], [left, above]].map(DVec2::from);
         let is_seen = corners[3].cmplt(scope.free[1]).all() && corners[1].cmpgt(scope.free[0]).all();
-        Some(if is_seen { corners.map(|at| scope.kept(at, RADIUS)) } else { corners })
+        // Around what lies right at the edge of what is free, as on a floor there, it goes a little beyond.
+        let edges = [[low.x, low.y], [high.x, low.y], [high.x, high.y], [low.x, high.y]].map(DVec2::from);
+        let near = DVec2::splat(EDGE * scope.scale);
+        let kept = |(at, edge): (DVec2, DVec2)| {
+            let is_free = edge.cmpge(scope.free[0] - near) & edge.cmple(scope.free[1] + near);
+            DVec2::select(is_free, at, scope.kept(at, RADIUS))
+        };
+        Some(if is_seen { std::array::from_fn(|k| kept((corners[k], edges[k]))) } else { corners })
     }
 
     /// Which ways it is too thin to be scaled.
@@ -106,7 +115,8 @@ impl Frame {
         let top = 0.5 * (corners[2] + corners[3]);
         let above = top - DVec2::new(0.0, ABOVE * scope.scale);
         // With a box that is seen, as far as there is room.
-        let above = if top == scope.kept(top, RADIUS) { scope.kept(above, RADIUS) } else { above };
+        let is_near = top.distance(scope.kept(top, RADIUS)) <= (MARGIN + EDGE + RADIUS) * scope.scale;
+        let above = if is_near { scope.kept(above, RADIUS) } else { above };
         let mut handles = vec![(Handle::Turn, above)];
         if self.thin(scope) != [true; 2] {
             handles.extend(corners.into_iter().enumerate().map(|(k, at)| (Handle::Corner(k), at)));

@@ -2,11 +2,12 @@
 
 use glam::{DVec2, DVec3};
 
+use super::areas::is_in;
 use super::drives::MotorChoice;
 use super::effort;
 use super::hub::{Hub, Hubs};
 use super::marks::{Mark, Role};
-use super::pick::Scope;
+use super::pick::{Scope, distance_to_segment};
 use super::skin;
 use super::touching::{gap, touches};
 use crate::history::{Do, MoveKeys};
@@ -40,6 +41,8 @@ const HINGED_AT: f64 = 0.5;
 const SQUASHED: f64 = 0.5;
 /// What lies so near is meant by a click `[logical px]`.
 const SNAP: f64 = 12.0;
+/// A click lies on a body whose edge is no farther from it `[logical px]`.
+const EDGE: f64 = 4.0;
 /// What is lifted off a floor to be turned stands so far above it, and is lifted no further, in its radius `[1]`.
 const CLEAR: f64 = 0.02;
 const MOST_LIFT: f64 = 0.25;
@@ -150,14 +153,16 @@ impl Hinge {
         if spokes.len() < 2 {
             return Some(Err("a hinge needs a body of three points or more"));
         }
-        // What is not round is held by what lies at the click, not by what lies as far off as it is long.
-        let arm = spokes.iter().map(far).fold(0.0, f64::max);
-        let reach = SNAP * scope.scale / scope.camera.pixels_per_metre();
-        let most = if meant.is_some() { NEAR * radius } else { (NEAR * arm).max(reach) };
-        let is_other = |point: &PointId| scope.is_there(*point) && body.binary_search(point).is_err();
-        let others = (0..scope.shown.point_count() as u32).map(PointId).filter(is_other);
-        let others = others.filter(|point| hubs.at(*point).is_none());
-        let other = others.min_by(|a, b| far(a).total_cmp(&far(b))).filter(|point| far(point) <= most);
+        let most = NEAR * radius;
+        let is_other =
+            |point: &PointId| scope.is_there(*point) && body.binary_search(point).is_err() && hubs.at(*point).is_none();
+        // What holds a wheel may lie beside it; all else is joined where the click lies on both.
+        let others: Vec<PointId> = match meant {
+            Some(_) => (0..scope.shown.point_count() as u32).map(PointId).filter(is_other).collect(),
+            None => touched(scope, pixel).into_iter().filter(is_other).collect(),
+        };
+        let nearest_other = others.into_iter().min_by(|a, b| far(a).total_cmp(&far(b)).then(a.cmp(b)));
+        let other = nearest_other.filter(|point| meant.is_none() || far(point) <= most);
         // What a motor on the ground pushes against is no body.
         let holder = other.map(|point| Hubs::of(scope, point).piece(point)).filter(|holder| holder.len() > 1);
         let holder = holder.unwrap_or_default();
@@ -320,6 +325,21 @@ impl Hinge {
         let every = around.len().div_ceil(TURNED).max(1);
         around.into_iter().step_by(every).collect()
     }
+}
+
+/// The corners and ends of what a pixel lies on: triangles that cover it, bonds that pass it within [`EDGE`].
+fn touched(scope: Scope<'_>, pixel: DVec2) -> Vec<PointId> {
+    let scenery = &scope.shown.scenery;
+    let covers = |corners: &&[PointId; 3]| {
+        let [Some(a), Some(b), Some(c)] = corners.map(|corner| scope.pixel(corner)) else { return false };
+        is_in([a, b, c], pixel)
+    };
+    let passes = |ends: &&[PointId; 2]| {
+        let [Some(from), Some(to)] = ends.map(|end| scope.pixel(end)) else { return false };
+        distance_to_segment(pixel, from, to) <= EDGE * scope.scale
+    };
+    let corners = scenery.triangles.iter().filter(covers).flatten();
+    corners.chain(scenery.bonds.ends().iter().filter(passes).flatten()).copied().collect()
 }
 
 /// Pins of this mass `[kg]` at these places `[m]`, numbered from the next on.

@@ -123,13 +123,14 @@ pub(super) use push::PushWay;
 use region::Region;
 pub(super) use rings::Ring;
 use rings::RingGrip;
-pub(super) use room::Walls;
+pub(super) use room::{Walls, over};
 use selection::Selection;
 pub(super) use stall::Stalls;
 pub(super) use standing::Kept;
 use stopping::Stop;
 pub(super) use stops::would_be as would_stop;
 use throw::Throw;
+pub(super) use touching::gap_in;
 use wind::Blow;
 
 /// What is in the hand.

@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 use super::enclosed::Cover;
 use super::marks::{self, Mark, Role};
 use super::pick::{Scope, is_inside};
+use crate::app::player::Shown;
 use crate::scene::{AddKeys, Vector};
 use crate::sim::contact::obstacles::Obstacles;
 use crate::sim::contact::surface::Plane;
@@ -140,14 +141,19 @@ pub(super) fn coming(scope: Scope<'_>, keys: &AddKeys) -> Outcome {
     let way = if way.length() > least { way } else { DVec2::ZERO };
     let refused = (is_stuck && shape.pinned.is_empty()).then_some(NO_ROOM[what]);
     let stays = (is_stuck && refused.is_none()).then_some(STAYS[what]);
-    let meets = scope.shown.settings.contact.flatten().is_some_and(|contact| contact.with_others);
-    let is_over = || meets && cover.as_ref().is_some_and(|cover| cover.lies_over(scope, way));
-    let over = is_over().then_some(OVER[usize::from(!scope.shown.figures.playing)]);
+    let is_over = |_: &&'static str| cover.as_ref().is_some_and(|cover| cover.lies_over(scope, way));
+    let over = over(scope.shown).filter(is_over);
     let said = stays.or((way != DVec2::ZERO).then_some(OUT[what]));
     // What is whole and hangs on nothing is put there by the tool, so that the world has nothing to say of it.
     let is_whole = shape.pinned.is_empty() && keys.bonds.is_empty() && keys.points.is_none();
     let own = if is_whole { way } else { DVec2::ZERO };
     Outcome { way, own, refused, said, over, ..Outcome::default() }
+}
+
+/// What is said of a body that is put over another one; nothing where bodies pass through each other.
+pub(in crate::app) fn over(shown: &Shown) -> Option<&'static str> {
+    let meets = shown.settings.contact.flatten().is_some_and(|contact| contact.with_others);
+    meets.then_some(OVER[usize::from(!shown.figures.playing)])
 }
 
 /// Against gravity; nowhere where nothing falls.

@@ -556,6 +556,23 @@ fn handles_keep_off_what_lies_over_the_world_and_do_there_what_they_do() {
     assert!(far.iter().all(|(_, place)| place.x < out_of_view.free[0].x), "a box out of view stays there: {far:?}");
 }
 
+#[test]
+fn the_box_goes_around_what_lies_at_the_edge_of_what_is_free() {
+    let seen = discs();
+    let mut hand = hand();
+    click(&mut hand, &seen, at(&seen, -2.0, 0.0));
+    // Its lowest point lies right there, as on a floor.
+    let free = [at(&seen, -5.0, 5.0), at(&seen, 5.0, -1.0)];
+    let scope = super::Scope { free, ..scope(&seen) };
+    let frame = Frame::of(scope, &hand.chosen(scope).unwrap()).unwrap();
+    let ends = frame.marks(scope, None).into_iter().filter_map(|mark| match mark {
+        Mark::Line(_, from, to, _) => Some(from.y.max(to.y)),
+        _ => None,
+    });
+    let lowest = ends.fold(f64::NEG_INFINITY, f64::max);
+    assert!(lowest > free[1].y + 4.0, "below the disc, which ends at {}: {lowest}", free[1].y);
+}
+
 /// Presses twice in one place, the second time soon after the first.
 fn double_click(hand: &mut Hand, seen: &Seen, pixel: DVec2) {
     hand.hasten(false);

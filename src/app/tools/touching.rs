@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::hinge::place;
 use super::pick::{Scope, distance_to_sides};
+use crate::app::player::Scenery;
 use crate::sim::PointId;
 
 /// A body touches what is no farther from one of its points than this share of how far it reaches `[1]`.
@@ -13,7 +14,11 @@ const STEEP: f64 = 0.7;
 
 /// How far a place is from the nearest wall, plane or obstacle `[m]`.
 pub(super) fn gap(scope: Scope<'_>, at: DVec2) -> f64 {
-    let scenery = &scope.shown.scenery;
+    gap_in(&scope.shown.scenery, at)
+}
+
+/// The same, of what stands about a world.
+pub(in crate::app) fn gap_in(scenery: &Scenery, at: DVec2) -> f64 {
     let walls = scenery.bounds.iter().flat_map(|[low, high]| {
         [0, 1].into_iter().flat_map(move |axis| [(at[axis] - low[axis]).abs(), (high[axis] - at[axis]).abs()])
     });

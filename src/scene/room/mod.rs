@@ -22,6 +22,8 @@ pub(crate) enum Lies {
     Free,
     /// Nothing is there, but a part of it is out of view.
     OutOfView,
+    /// In the hollow of another body, and nothing else is there.
+    InHollow,
     /// In another body: nothing is free.
     InAnother,
 }
@@ -111,7 +113,7 @@ pub(crate) fn in_view(world: &dyn Dynamics, own: &Drawing, wanted: Wanted) -> Op
         return Some((wanted.by + search.way(side), Lies::OutOfView));
     }
     if let Some(by) = search.nearest(&search.taken) {
-        return Some((by, Lies::Free));
+        return Some((by, Lies::InHollow));
     }
     Some((search.nearest(&search.solid)?, Lies::InAnother))
 }
@@ -352,6 +354,12 @@ mod tests {
         let small = [DVec2::splat(-1.5), DVec2::splat(1.5)];
         assert_eq!(in_view(&*full, &square(1.0), wanted(0.0, small)).map(|(_, lies)| lies), Some(Lies::InAnother));
         assert_eq!(in_view(&*full, &square(1.0), wanted(0.0, SEEN)).map(|(_, lies)| lies), Some(Lies::Free));
+        let ring = world(
+            r#", "points": {"position": [[-3, -3], [3, -3], [3, 3], [-3, 3]]},
+            "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}, {"a": 3, "b": 0}]"#,
+        );
+        let within = [DVec2::splat(-2.0), DVec2::splat(2.0)];
+        assert_eq!(in_view(&*ring, &square(1.0), wanted(0.0, within)).map(|(_, lies)| lies), Some(Lies::InHollow));
         let solid = world(r#", "obstacles": [{"box": {"min": [-20, -20], "max": [20, 20]}}]"#);
         assert_eq!(in_view(&*solid, &square(1.0), wanted(0.0, SEEN)), None);
     }

@@ -149,6 +149,13 @@ impl Form {
         }
     }
 
+    /// What the start and the end of a rope hang on that was drawn from a place `[m]`: its points are numbered from the end that is tied.
+    pub(super) fn holds(&self, from: DVec2) -> Option<[Hold; 2]> {
+        let Form::Rope { ends: [first, last], .. } = self else { return None };
+        let is_turned = last.at.distance(from) < first.at.distance(from);
+        Some(if is_turned { [last.hold, first.hold] } else { [first.hold, last.hold] })
+    }
+
     /// Its size, as one says it.
     pub(super) fn words(&self) -> String {
         let sides = |size: DVec2| format!("{} × {} m", short(size.x), short(size.y));

@@ -36,7 +36,7 @@ use super::pick::Scope;
 use crate::app::action::Primitive;
 use crate::app::tools::room::coming;
 use crate::history::{Do, SetKeys};
-use crate::scene::{AddKeys, Meeting};
+use crate::scene::Meeting;
 use crate::sim::PointId;
 pub(in crate::app) use fibre::{BuiltOf, Fibre};
 pub(super) use form::short;
@@ -149,14 +149,14 @@ impl Maker {
                 let knots =
                     if self.is_free { Vec::new() } else { knot::knots(scope, &keys, (outcome.way, Some(&held[..]))) };
                 outcome.put(&mut keys);
-                let pins = pins_of(self.primitive, &keys);
+                let ends = form.holds(drag.from).and_then(|holds| ends_said(scope, holds));
                 let commands = knot::tied(scope, keys, &knots);
                 let mut deed = Deed { commands, edit: Some(self.primitive.name()), ..Deed::default() };
                 let meets = scope.shown.settings.contact.flatten().is_some();
                 if self.primitive == Primitive::Figure && !meets {
                     deed.commands.insert(0, meeting());
                 }
-                deed.words = outcome.told().or(knot::words(scope, &knots)).or(pins.map(str::to_owned));
+                deed.words = outcome.told().or(knot::words(scope, &knots)).or(ends);
                 deed
             }
             Err(words) => Deed::words(words),
@@ -271,19 +271,21 @@ impl Maker {
     }
 }
 
-/// Which ends of a rope are pinned, in words: that it holds itself is seen only once it hangs.
-fn pins_of(primitive: Primitive, keys: &AddKeys) -> Option<&'static str> {
-    let rope = keys.bodies.first().filter(|_| primitive == Primitive::Rope)?;
-    pinned_ends([rope.pinned.contains(&0), rope.pinned.iter().any(|point| *point != 0)])
-}
-
-/// The same where it is known of its start and its end.
-fn pinned_ends(is_pinned: [bool; 2]) -> Option<&'static str> {
-    match is_pinned {
-        [false, false] => None,
-        [true, false] => Some("its start is pinned"),
-        [false, true] => Some("its end is pinned"),
-        [true, true] => Some("both ends are pinned"),
+/// What the start and the end of a rope hang on, in words: that it holds itself is seen only once it hangs.
+fn ends_said(scope: Scope<'_>, holds: [Hold; 2]) -> Option<String> {
+    let said = |hold: Hold| match hold {
+        Hold::None => None,
+        Hold::Pin => Some("pinned"),
+        Hold::Point(point) if scope.is_pinned(point) => Some("tied to the pin"),
+        Hold::Point(point) if scope.body(point).len() > 1 => Some("tied to the body"),
+        Hold::Point(_) => Some("tied to the point"),
+    };
+    match holds.map(said) {
+        [None, None] => None,
+        [Some(start), None] => Some(format!("its start is {start}")),
+        [None, Some(end)] => Some(format!("its end is {end}")),
+        [Some(start), Some(end)] if start == end && start == "pinned" => Some("both ends are pinned".to_owned()),
+        [Some(start), Some(end)] => Some(format!("its start is {start}, its end is {end}")),
     }
 }
 

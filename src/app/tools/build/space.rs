@@ -7,7 +7,7 @@ use super::form::{ALL_PIECES, CLOTH, Hold, PIECES, short};
 use super::grid::Grid;
 use super::laid::{Lies, Solids, is_hidden, surface};
 use super::matter::{FRICTION, like, part};
-use super::{CLICK, Drag, LEAST, Maker, OF_THE_PLANE, TOO_SMALL, outline, pinned_ends, plumb, usual_size};
+use super::{CLICK, Drag, LEAST, Maker, OF_THE_PLANE, TOO_SMALL, ends_said, outline, plumb, usual_size};
 use crate::app::action::Primitive;
 use crate::app::tools::Deed;
 use crate::app::tools::marks::{Mark, Role};
@@ -57,7 +57,7 @@ pub(super) fn build(maker: Maker, scope: Scope<'_>, drag: &Drag, at: DVec2) -> D
         Ok((_, Lies::Within)) => Deed::words(WITHIN.to_owned()),
         Ok((form, _)) => {
             let keys = form.keys(scope.shown.point_count() as u32, maker.of);
-            let words = form.pins().map(str::to_owned);
+            let words = form.ends(scope);
             Deed { words, ..Deed::edit(maker.primitive.name(), Do::Add(Box::new(keys))) }
         }
         Err(words) => Deed::words(words),
@@ -244,10 +244,10 @@ impl Form {
         }
     }
 
-    /// Which ends of a rope are pinned, in words.
-    fn pins(&self) -> Option<&'static str> {
+    /// What the ends of a rope hang on, in words.
+    fn ends(&self, scope: Scope<'_>) -> Option<String> {
         let Form::Rope { holds, .. } = self else { return None };
-        pinned_ends(holds.map(|hold| hold == Hold::Pin))
+        ends_said(scope, *holds)
     }
 
     fn words(&self) -> String {

@@ -278,6 +278,21 @@ fn ropes_and_cloths_hang_where_they_begin_unless_shift_is_held() {
 }
 
 #[test]
+fn what_each_end_of_a_rope_hangs_on_is_said_as_it_was_drawn() {
+    let text = r#"{"wobble": 1, "points": {"position": [[-2, 0], [2, 0]], "pinned": [1]},
+        "bodies": [{"make": "disc", "radius": 0.5, "spacing": 0.2, "origin": [0, -2]}], "contact": true, "view": {"center": [0, 0], "height": 8}}"#;
+    let seen = shown(Scene::parse(text, "x.json").unwrap());
+    for (from, to, words) in [
+        ([0.0, 2.0], [0.0, -2.0], "its start is pinned, its end is tied to the body"),
+        ([0.0, -2.0], [0.0, 2.0], "its start is tied to the body"),
+        ([-2.0, 0.0], [2.0, 0.0], "its start is tied to the point, its end is tied to the pin"),
+    ] {
+        let deed = drag(&seen, &mut hand(Primitive::Rope), from, to);
+        assert_eq!(deed.words.as_deref(), Some(words), "{from:?} to {to:?}");
+    }
+}
+
+#[test]
 fn a_rope_is_bonded_to_the_points_that_it_begins_and_ends_on() {
     let text = r#"{"wobble": 1, "points": {"position": [[-2, 0], [2, 0]]}, "view": {"center": [0, 0], "height": 8}}"#;
     let seen = shown(Scene::parse(text, "x.json").unwrap());
