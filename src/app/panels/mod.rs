@@ -177,7 +177,7 @@ pub(super) enum Wish {
     GoTo(f64),
     /// What is to be worked out to go to another time is not.
     Stay,
-    /// The end of another branch.
+    /// Another branch, where it was left.
     ToBranch(usize),
     /// Every island is moved by its own method, whatever that costs.
     Exact,
