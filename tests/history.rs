@@ -168,6 +168,69 @@ fn an_edit_is_what_has_a_name_and_a_drag_is_one() {
     assert_eq!(history.world().time(), old.end);
 }
 
+/// The names of the branches that are listed.
+fn listed(history: &History) -> Vec<String> {
+    history.branches().into_iter().map(|branch| branch.name).collect()
+}
+
+/// What undo leaves behind while time runs is reached by redo, and is no timeline; what was undone is one once something else is done.
+#[test]
+fn undo_while_time_runs_leaves_no_branches_in_the_list() {
+    let mut history = history("rim");
+    for k in 0..6 {
+        play(&mut history, 10);
+        history.give(vec![strength(20.0 + f64::from(k))], Some("Stronger")).unwrap();
+    }
+    play(&mut history, 10);
+    for _ in 0..6 {
+        history.undo().unwrap();
+        play(&mut history, 10);
+        assert_eq!(history.branches().len(), 1, "{:?}", history.branches());
+    }
+    for k in 0..6 {
+        assert_eq!(history.redo().unwrap().name, "Stronger", "{k}");
+        play(&mut history, 3);
+        assert_eq!(history.branches().len(), 1, "{:?}", history.branches());
+    }
+    assert_eq!(history.redo(), None);
+    (0..6).for_each(|_| _ = history.undo().unwrap());
+    play(&mut history, 10);
+    history.give(vec![strength(5.0)], Some("Other")).unwrap();
+    assert_eq!(listed(&history), ["Stronger", "Other"]);
+    history.to_branch(history.branches()[0].number);
+    assert_eq!((history.undoes().as_deref(), history.redo()), (Some("Stronger"), None), "all of it is there");
+}
+
+/// A timeline whose last edit was undone is gone back to as it was when it was left, whether time ran on then or not; redo has that edit.
+#[test]
+fn a_branch_is_gone_back_to_where_it_was_left() {
+    for runs_on in [0, 20] {
+        let mut history = history("rim");
+        play(&mut history, 30);
+        history.give(vec![strength(90.0)], Some("Stronger")).unwrap();
+        play(&mut history, 30);
+        history.give(vec![Do::Clear], Some("Delete all")).unwrap();
+        let empty = hash(&history);
+        history.undo().unwrap();
+        play(&mut history, runs_on);
+        let left = hash(&history);
+        history.go_to(0.2 * history.world().time());
+        history.give(vec![strength(5.0)], Some("Drag")).unwrap();
+        play(&mut history, 10);
+        assert_eq!(listed(&history), ["Stronger", "Drag"], "{runs_on}");
+        let drag = hash(&history);
+        let branches = history.branches();
+        history.to_branch(branches[0].number);
+        assert_eq!(hash(&history), left, "{runs_on}");
+        assert_eq!((history.world().time(), history.undoes().as_deref()), (branches[0].end, Some("Stronger")));
+        assert_eq!(history.branches().len(), 2, "{runs_on}: {:?}", history.branches());
+        assert_eq!(history.redo().unwrap().name, "Delete all");
+        assert_eq!((hash(&history), history.redo()), (empty, None), "{runs_on}");
+        history.to_branch(branches[1].number);
+        assert_eq!(hash(&history), drag, "{runs_on}");
+    }
+}
+
 #[test]
 fn a_reset_is_undone_as_one() {
     let mut history = history("rim");

@@ -256,6 +256,8 @@ pub enum Action {
     Save,
     /// Writes the picture to a file.
     Screenshot,
+    /// Writes the last seconds to a file, as an animated picture.
+    Clip,
     /// Opens or closes what can be set of the scene.
     Settings,
     /// Opens the settings at the field of their search.
@@ -300,7 +302,7 @@ impl Action {
 
     /// Whether it is done while a panel lies over the world: nothing there reaches the world.
     pub fn reaches_through(self) -> bool {
-        use Action::{Cancel, FullScreen, Gallery, Help, Open, Paste, Quit, Save, Screenshot};
-        matches!(self, Cancel | FullScreen | Gallery | Help | Open | Paste | Quit | Save | Screenshot)
+        use Action::{Cancel, Clip, FullScreen, Gallery, Help, Open, Paste, Quit, Save, Screenshot};
+        matches!(self, Cancel | Clip | FullScreen | Gallery | Help | Open | Paste | Quit | Save | Screenshot)
     }
 }

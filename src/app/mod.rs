@@ -10,6 +10,7 @@ mod clip;
 mod count;
 pub mod distances;
 mod fetch;
+pub mod film;
 mod framing;
 mod gone;
 mod import;

@@ -20,18 +20,25 @@ pub(super) enum Chosen {
     NoDialog,
 }
 
+/// What files are called that a dialog lists, and what they end in.
+pub(super) type Kind = (&'static str, &'static [&'static str]);
+
 /// A name that is being chosen.
 pub(super) struct Saving {
     chosen: Receiver<Chosen>,
 }
 
 impl Saving {
-    /// Opens the dialog over `window` with the path of a scene or of a recording of one.
-    pub(super) fn new(window: &Window, path: &Path, wake: impl Fn() + Send + 'static) -> Self {
+    /// Opens the dialog over `window` with the path of a file, among others of its kind: what these are called, and what they end in.
+    pub(super) fn new(
+        window: &Window,
+        (path, (kind, endings)): (&Path, Kind),
+        wake: impl Fn() + Send + 'static,
+    ) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let dialog = AsyncFileDialog::new().set_title("Save").set_parent(window);
         let dialog = path.parent().iter().fold(dialog, |dialog, begins| dialog.set_directory(begins));
-        let chosen = dialog.set_file_name(name).add_filter("Scenes and recordings", &["json", "jsonl"]).save_file();
+        let chosen = dialog.set_file_name(name).add_filter(kind, endings).save_file();
         let (sender, receiver) = channel();
         let start = Instant::now();
         std::thread::spawn(move || {

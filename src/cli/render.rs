@@ -4,22 +4,16 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use glam::DVec3;
-use image::codecs::gif::{GifEncoder, Repeat};
-use image::{Delay, Frame, ImageFormat, RgbaImage};
+use image::{ImageFormat, RgbaImage};
 
 use super::replay::say_notes;
 use super::{progress, values};
-use crate::app::distances;
-use crate::app::opening::{self, Followed};
-use crate::app::player::driven;
-use crate::app::words::Labels;
-use crate::history::{Companion, Do, Entry, Replay, Start, chunk, distances};
+use crate::app::film::{Film, Gif, Shot, scale_factor};
+use crate::app::{distances, opening};
+use crate::history::{Replay, Start, chunk};
 use crate::output;
-use crate::picture::{Skin, Tint};
-use crate::render::{Camera, Capture, Look, Overlay, Palette, Pane, Tiles, Trails, View};
+use crate::render::{Look, Overlay, Palette, Tiles, Trails, View};
 use crate::scene::{Scene, SolverName};
-use crate::sim::{Cursor, Dynamics, PointId, Positions};
 
 /// What to draw and where to write it.
 #[derive(Args)]
@@ -99,8 +93,8 @@ fn switch(text: &str) -> Result<bool, String> {
 
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let start = Start::load(&arguments.scene)?;
-    let (scene, commands) = (start.scene(), &start.recording().commands);
-    let mut run = Replay::new(start.recording(), &arguments.scene)?;
+    let scene = start.scene();
+    let run = Replay::new(start.recording(), &arguments.scene)?;
     say_notes(start.recording(), &arguments.scene);
     for warning in run.world().warnings() {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
@@ -108,58 +102,37 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let alone = opening::alone(scene, &View::of(run.world()));
     let worlds = (1 + scene.beside.len(), arguments.size);
     let tiles = opening::tiles((scene, &alone), &View::of(run.world()), worlds, ([0.0; 2], 0.0));
-    let mut own = opening::camera(scene, &View::of(run.world()), tiles.pane(arguments.size));
+    let camera = opening::camera(scene, &View::of(run.world()), tiles.pane(arguments.size));
     let followed = opening::followed(scene, &View::of(run.world()), tiles.pane(arguments.size));
     let difference_full = distances::full_distance(&alone) as f32;
-    let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, .. } = *arguments;
-    let overlay = arguments.overlay(scene);
-    let scale_factor = scale_factor(arguments.size);
-    let look = Look {
-        overlay,
-        has_mesh,
-        has_fills,
-        has_grid,
-        difference_full,
-        scale_factor,
-        ..Look::in_palette(arguments.palette.into())
+    let Arguments { mesh: has_mesh, fills: has_fills, grid: has_grid, size, .. } = *arguments;
+    let (overlay, palette) = (arguments.overlay(scene), Palette::from(arguments.palette));
+    let scale_factor = scale_factor(size);
+    let look =
+        Look { overlay, has_mesh, has_fills, has_grid, difference_full, scale_factor, ..Look::in_palette(palette) };
+    let shot = Shot {
+        tiles,
+        camera,
+        followed: Some(followed),
+        look,
+        beside: overlay,
+        palette,
+        has_labels: true,
+        followers: Box::new(Trails::usual),
+        trail: TRAIL * scene.rate(),
+        size,
     };
-    let mut beside = Neighbors::new(&start, scene)?;
-    beside.name(&tiles)?;
-    let mut capture = Capture::new(arguments.size, scene.dimensions())?;
-    let mut labels = Labels::new(&scene.labels, (arguments.palette.into(), scale_factor));
+    let mut film = Film::new((start.recording(), run), &scene.beside, None, shot)?;
+    name(&film.titles(), &tiles)?;
     let count = arguments.count();
     let bar = progress::frames(quiet, u64::from(count));
     let mut animation = Vec::new();
-    let mut trails = Trails::new(TRAIL * scene.rate());
-    lead_up(&mut run, commands, arguments.time, &mut trails, &mut beside)?;
+    film.lead_up(arguments.time)?;
     for index in 0..count {
-        let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
-        run.advance(commands, time)?;
-        let is_driven =
-            commands.iter().any(|entry| entry.at <= time && matches!(entry.act, Do::Key { down: true, .. }));
-        follow(&mut own, run.world(), &followed, is_driven);
-        let camera = tiles.whole(&own, arguments.size);
-        beside.reach(commands, time);
-        let skins = run.skins();
-        let main = Moment::of(run.world(), (&skins, run.tints()), time, &mut trails);
-        let others = beside.moments(time, &main);
-        let moments: Vec<&Moment<'_>> = std::iter::once(&main).chain(&others).collect();
-        let panes: Vec<Pane<'_>> = moments
-            .iter()
-            .enumerate()
-            .map(|(place, moment)| {
-                // The trails of all are compared on the first.
-                let trails = moments.iter().zip(0..).filter(|(_, of)| place == 0 || *of == place);
-                let trails = trails.map(|(moment, of)| (moment.trails, of)).collect();
-                let view = View { trails, ..moment.view(u64::from(index)) };
-                Pane::of(&tiles, place, view, &camera, look, arguments.size)
-            })
-            .collect();
-        labels.say(run.labels());
-        let picture = labels.picture(&mut capture, &panes)?;
+        let picture = film.picture(arguments.time + f64::from(index) / arguments.fps * scene.rate())?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
-            let scene = inside(&run)?;
+            let scene = inside(film.run())?;
             output::replace(&path, |to| write_png(&picture, &scene, to))?;
         }
         if !arguments.animations().is_empty() {
@@ -197,158 +170,19 @@ impl Arguments {
     }
 }
 
-/// The camera goes along with what it follows from the start, else with what keys drive, as that of the window does once one was pressed.
-fn follow(camera: &mut Camera, world: &dyn Dynamics, followed: &Followed, is_driven: bool) {
-    if world.dimensions() != 2 {
-        return;
-    }
-    let points = followed.or_driven(|| if is_driven { driven(world) } else { Vec::new() });
-    let positions = world.positions();
-    let place =
-        |point: PointId| DVec3::new(positions.get(2 * point.index()), positions.get(2 * point.index() + 1), 0.0);
-    followed.lead(camera, points.into_iter().map(place));
-}
-
 /// How long trails of points last `[s of wall time]`.
 const TRAIL: f64 = 2.5;
-/// The shorter side of pictures up to which lines and numbers have their usual width `[px]`: in larger ones they grow along.
-const USUAL_SIDE: f32 = 1080.0;
-
-/// Pixels of a picture of this size in a logical one.
-fn scale_factor(size: [u32; 2]) -> f32 {
-    (size[0].min(size[1]) as f32 / USUAL_SIDE).max(1.0)
-}
-
-/// Stretches of the trail before the first picture.
-const LEAD: u32 = 120;
-
-/// Goes to the first picture, and notes where points were on the way, as far as trails last, in a scene that has some.
-fn lead_up(
-    run: &mut Replay,
-    commands: &[Entry],
-    time: f64,
-    trails: &mut Trails,
-    beside: &mut Neighbors,
-) -> anyhow::Result<()> {
-    if !Trails::suit(&View::of(run.world())) {
+/// Says what is where beside the scene.
+fn name(titles: &[&str], tiles: &Tiles) -> std::io::Result<()> {
+    if titles.is_empty() {
         return Ok(());
     }
-    let from = (time - trails.length()).max(0.0);
-    for step in 0..LEAD {
-        let at = from + (time - from) * f64::from(step) / f64::from(LEAD);
-        run.advance(commands, at)?;
-        let world = run.world();
-        let view = View::of(world);
-        trails.note(world.time(), &view, &Trails::usual(&view));
-        beside.reach(commands, at);
-        beside.note();
-    }
-    Ok(())
-}
-
-/// A world at a time that lies in its next substep.
-struct Moment<'a> {
-    world: &'a dyn Dynamics,
-    skins: &'a [Skin],
-    tints: &'a [Tint],
-    time: f64,
-    /// Where its points are `[m]`.
-    places: Vec<f64>,
-    /// How far they are from where the first world has them `[m]`.
-    distances: Option<Vec<f32>>,
-    trails: &'a Trails,
-}
-
-impl<'a> Moment<'a> {
-    /// A world at `time` `[s]`, whose trails go on to there.
-    fn of(
-        world: &'a dyn Dynamics,
-        (skins, tints): (&'a [Skin], &'a [Tint]),
-        time: f64,
-        trails: &'a mut Trails,
-    ) -> Self {
-        let dimensions = world.dimensions();
-        let sample = world.sample(time.max(world.time()));
-        let places: Vec<f64> = sample.position.iter().flat_map(|x| &x[..dimensions]).copied().collect();
-        let places_now = Positions::F64(&places);
-        let view = View { previous: places_now, current: places_now, ..View::of(world) };
-        trails.note(time, &view, &Trails::usual(&view));
-        Moment { world, skins, tints, time, places, distances: None, trails }
-    }
-
-    /// As the renderer reads it; `motion` is the number of the picture.
-    fn view(&self, motion: u64) -> View<'_> {
-        let Moment { world, skins, tints, time, ref places, ref distances, .. } = *self;
-        let on_track = |(force, cursor): (_, Cursor)| {
-            let force: &crate::sim::MouseForce = force;
-            (force, force.track.at(time).map_or(cursor, Cursor::at))
-        };
-        View {
-            previous: Positions::F64(places),
-            current: Positions::F64(places),
-            motion,
-            mouse: world.mouse().map(on_track),
-            skins,
-            tints,
-            values: distances.as_deref(),
-            ..View::of(world)
-        }
-    }
-}
-
-/// The same start by other methods, with skins and trails of their own.
-struct Neighbors {
-    companions: Vec<(Companion, Vec<Skin>, Trails)>,
-}
-
-impl Neighbors {
-    /// Errors: a method that cannot run the scene.
-    fn new(start: &Start, scene: &Scene) -> anyhow::Result<Self> {
-        let of = |entry| -> anyhow::Result<_> {
-            let trails = Trails::new(TRAIL * scene.rate());
-            Ok((Companion::new(start.recording(), entry)?, Vec::new(), trails))
-        };
-        Ok(Neighbors { companions: scene.beside.iter().map(of).collect::<Result<_, _>>()? })
-    }
-
-    /// Says what is where.
-    fn name(&self, tiles: &Tiles) -> std::io::Result<()> {
-        let titles: Vec<&str> = self.companions.iter().map(|(companion, ..)| companion.title()).collect();
-        if titles.is_empty() {
-            return Ok(());
-        }
-        let place = match tiles.columns() {
-            1 => "below it",
-            all if all == tiles.count() => "beside it",
-            _ => "beside and below it",
-        };
-        writeln!(std::io::stderr(), "wobble: {place}: {}", titles.join("; "))
-    }
-
-    fn reach(&mut self, commands: &[Entry], time: f64) {
-        for (companion, skins, _) in &mut self.companions {
-            companion.reach(commands, time);
-            *skins = companion.skins();
-        }
-    }
-
-    fn note(&mut self) {
-        for (companion, _, trails) in &mut self.companions {
-            let view = View::of(companion.world());
-            trails.note(companion.world().time(), &view, &Trails::usual(&view));
-        }
-    }
-
-    /// All of them at `time` `[s]`, and how far from the first.
-    fn moments<'a>(&'a mut self, time: f64, main: &Moment<'_>) -> Vec<Moment<'a>> {
-        let of = |(companion, skins, trails): &'a mut (Companion, Vec<Skin>, Trails)| {
-            let companion: &'a Companion = companion;
-            let moment = Moment::of(companion.world(), (skins, companion.tints()), time, trails);
-            let apart = distances(&main.places, &moment.places, companion.world().dimensions());
-            Moment { distances: Some(apart), ..moment }
-        };
-        self.companions.iter_mut().map(of).collect()
-    }
+    let place = match tiles.columns() {
+        1 => "below it",
+        all if all == tiles.count() => "beside it",
+        _ => "beside and below it",
+    };
+    writeln!(std::io::stderr(), "wobble: {place}: {}", titles.join("; "))
 }
 
 fn numbered(path: &Path, index: u32) -> PathBuf {
@@ -369,16 +203,7 @@ fn write_png(picture: &RgbaImage, scene: &str, to: &mut dyn Write) -> std::io::R
     to.write_all(&chunk::insert(bytes.get_ref(), scene)?)
 }
 
-/// How hard the palette of an animation is searched for: 1 is slow and best, 30 fast.
-const PALETTE_SPEED: i32 = 10;
-
 fn write_gif(pictures: &[RgbaImage], fps: f64, to: &mut dyn Write) -> std::io::Result<()> {
-    let delay = Delay::from_saturating_duration(std::time::Duration::from_secs_f64((1.0 / fps).clamp(0.01, 600.0)));
-    let mut encoder = GifEncoder::new_with_speed(to, PALETTE_SPEED);
-    encoder.set_repeat(Repeat::Infinite).map_err(std::io::Error::other)?;
-    for picture in pictures {
-        let frame = Frame::from_parts(picture.clone(), 0, 0, delay);
-        encoder.encode_frame(frame).map_err(std::io::Error::other)?;
-    }
-    Ok(())
+    let mut gif = Gif::begin(to, fps)?;
+    pictures.iter().try_for_each(|picture| gif.add(picture.clone()))
 }

@@ -10,11 +10,11 @@ use super::mark::Mark;
 pub struct BranchView {
     /// What [`super::History::to_branch`] takes.
     pub number: usize,
-    /// What its last edit is called; empty where it has none.
+    /// What the last edit is called where it was left; empty where it has none.
     pub name: String,
     /// When it left the branch that it comes from `[s]`.
     pub from: f64,
-    /// How far it goes `[s]`.
+    /// When it was left `[s]`.
     pub end: f64,
     /// Whether the world is on it.
     pub is_present: bool,
@@ -30,6 +30,15 @@ pub(super) struct Spot {
 
 /// A branch that another comes from, and how many of its commands the other has.
 type Shared = (usize, usize);
+
+/// Where a branch was gone to last by undo or redo.
+#[derive(Clone, Copy, Debug)]
+struct Left {
+    place: usize,
+    time: f64,
+    /// The branch on which time went on from there.
+    by: Option<usize>,
+}
 
 /// The commands that were given since a branch left its parent.
 #[derive(Clone, Debug, Default)]
@@ -54,8 +63,10 @@ struct Branch {
     taken_along: usize,
     /// The last branch on the way here that began anew, or else the first.
     anew: usize,
-    /// Nothing is lost with it: it was left without an edit.
-    is_barren: bool,
+    /// `None`: it is left at its end.
+    left: Option<Left>,
+    /// It was followed until something else was done amid its commands.
+    is_taken_over: bool,
 }
 
 /// All branches; the first is the one that a history begins with.
@@ -105,8 +116,10 @@ impl Tree {
 
     /// A branch goes at least to `time` `[s]`.
     pub(super) fn extend_to(&mut self, branch: usize, time: f64) {
-        let end = &mut self.branches[branch].end;
-        *end = end.max(time);
+        let Branch { end, left, .. } = &mut self.branches[branch];
+        if time > *end {
+            (*end, *left) = (time, None);
+        }
     }
 
     /// A new branch from a spot, which was gone to from `origin` with these commands: the start of all, or a spot after some command.
@@ -161,7 +174,8 @@ impl Tree {
     pub(super) fn push(&mut self, branch: usize, entry: Entry) {
         // A file whose times do not ascend is refused.
         debug_assert!(self.ends_by(branch, entry.at), "a command at {} s comes after later ones", entry.at);
-        let Branch { own, edits, marks, .. } = &mut self.branches[branch];
+        let Branch { own, edits, marks, left, .. } = &mut self.branches[branch];
+        *left = None;
         marks.truncate(marks.partition_point(|mark| mark.at < entry.at));
         edits.extend(entry.edit.map(|_| own.len()));
         own.push(entry);
@@ -266,36 +280,85 @@ impl Tree {
         self.branches[branch].marks.push(mark);
     }
 
-    /// A branch is left: where it has no edit of its own and nothing left it, nothing is lost with it.
-    pub(super) fn leave(&mut self, branch: usize) {
-        let has_child = self.branches.iter().any(|other| other.parent.is_some_and(|(parent, _)| parent == branch));
-        let Branch { own, taken_along, .. } = &self.branches[branch];
-        let has_edit = own[*taken_along..].iter().any(|entry| entry.edit.is_some());
-        if branch > 0 && !has_child && !has_edit {
-            self.branches[branch].is_barren = true;
+    /// Undo or redo leads to a spot: there its branch is left, until time goes on.
+    pub(super) fn leave_at(&mut self, Spot { branch, place, time }: Spot) {
+        self.branches[branch].left = Some(Left { place, time, by: None });
+    }
+
+    /// Time goes on along another branch from where undo or redo led to.
+    pub(super) fn go_on(&mut self, branch: usize, along: usize) {
+        if let Some(left) = &mut self.branches[branch].left {
+            left.by = Some(along);
         }
     }
 
-    /// A branch is gone back to.
-    pub(super) fn enter(&mut self, branch: usize) {
-        self.branches[branch].is_barren = false;
+    /// A branch that was followed is left amid its commands, for something else.
+    pub(super) fn take_over(&mut self, branch: usize) {
+        self.branches[branch].is_taken_over = true;
     }
 
-    /// The branches that one may want to go back to.
-    pub(super) fn views(&self, present: usize) -> Vec<BranchView> {
-        let all = self.branches.iter().enumerate();
-        let shown = all.filter(|(number, branch)| *number == present || !branch.is_barren);
-        let last_edit = |branch: &Branch| {
-            branch.own.iter().rev().find(|entry| entry.edit.is_some()).and_then(|entry| entry.name.clone())
+    /// A branch is followed up to a spot: beyond where it was left it is not left there any more.
+    pub(super) fn pass(&mut self, Spot { branch, place, time }: Spot) {
+        self.branches[branch].left.take_if(|left| place > left.place || time > left.time);
+    }
+
+    /// Where a branch was left, as who is on `present` comes back to it: at its end, or where undo and redo led to and on from there, if
+    /// nothing was done there since.
+    pub(super) fn where_left(&self, branch: usize, present: usize) -> Spot {
+        let at_end = |branch: usize| Spot { branch, place: usize::MAX, time: self.end(branch) };
+        let along = |&branch: &usize| self.branches[branch].left.and_then(|left| left.by);
+        // Each comes after the one before it.
+        let on: Vec<usize> = std::iter::successors(along(&branch), along).collect();
+        let last = on.last().copied().unwrap_or(branch);
+        if on.iter().any(|&other| other == present || self.last_edit(other).is_some()) {
+            return at_end(branch);
+        }
+        self.branches[last].left.map_or(at_end(last), |Left { place, time, .. }| Spot { branch: last, place, time })
+    }
+
+    /// The place of the last edit that was done on a branch and on none that it comes from.
+    fn last_edit(&self, branch: usize) -> Option<usize> {
+        let Branch { edits, taken_along, .. } = &self.branches[branch];
+        edits.last().filter(|own| *own >= taken_along).map(|own| self.shared(branch) + own)
+    }
+
+    /// How many commands of each branch are of others as well that have an edit, of the present one, or of what redo brings again: of
+    /// branches with so many of their commands each.
+    fn elsewhere(&self, present: usize, redone: impl Iterator<Item = Shared>) -> Vec<usize> {
+        let mut reached = vec![0; self.branches.len()];
+        for (branch, place) in redone {
+            reached[branch] = reached[branch].max(place);
+        }
+        // What leaves a branch comes after it.
+        for (number, branch) in self.branches.iter().enumerate().rev() {
+            let is_something = number == present || self.last_edit(number).is_some();
+            let all = if is_something { self.len(number) } else { reached[number] };
+            if let Some((parent, shared)) = branch.parent {
+                reached[parent] = reached[parent].max(all.min(shared));
+            }
+        }
+        reached
+    }
+
+    /// The branches that one may want to go back to: those on which something was done that is nowhere else, nor brought again by redo; the
+    /// first, where it was followed until something else was done; and the present one.
+    pub(super) fn views(&self, present: usize, redone: impl Iterator<Item = Shared>) -> Vec<BranchView> {
+        let elsewhere = self.elsewhere(present, redone);
+        let is_shown = |&number: &usize| {
+            let is_own = self.last_edit(number).is_some_and(|last| last >= elsewhere[number]);
+            number == present || is_own || (number == 0 && self.branches[0].is_taken_over)
         };
-        let view = |(number, branch): (usize, &Branch)| BranchView {
-            number,
-            name: last_edit(branch).unwrap_or_default(),
-            from: branch.from,
-            end: branch.end,
-            is_present: number == present,
-        };
-        shown.map(view).collect()
+        (0..self.count()).filter(is_shown).map(|number| self.view(number, present)).collect()
+    }
+
+    fn view(&self, number: usize, present: usize) -> BranchView {
+        let is_present = number == present;
+        let end = Spot { branch: number, place: usize::MAX, time: self.end(number) };
+        let left = if is_present { end } else { self.where_left(number, present) };
+        let last = if left == end { self.last_edit(number) } else { self.edit_before(left.branch, left.place) };
+        let name = last.and_then(|last| self.entry(left.branch, last)).and_then(|entry| entry.name.clone());
+        let from = self.branches[number].from;
+        BranchView { number, name: name.unwrap_or_default(), from, end: left.time, is_present }
     }
 
     pub(super) fn count(&self) -> usize {
@@ -392,6 +455,29 @@ mod tests {
             }
             assert!(all(a).all(|(owner, place)| tree.way_to(a, place).last() == Some(owner)), "{a}");
         }
+    }
+
+    #[test]
+    fn branches_that_others_have_all_edits_of_are_not_listed() {
+        let mut tree = Tree::new((0..3).map(|k| entry(f64::from(k))).collect(), Vec::new(), 0.0, 5.0);
+        let listed = |tree: &Tree, present: usize, redone: &[Shared]| -> Vec<usize> {
+            tree.views(present, redone.iter().copied()).iter().map(|view| view.number).collect()
+        };
+        // Undone twice while time ran: only redo has the edits, and the present branch none.
+        let first = tree.fork(Spot { branch: 0, place: 2, time: 5.0 });
+        let second = tree.fork(Spot { branch: first, place: 1, time: 6.0 });
+        assert_eq!(listed(&tree, second, &[(0, 3), (first, 2)]), [second]);
+        // Something else is done: what was undone is nowhere else.
+        tree.push(second, entry(7.0));
+        assert_eq!(listed(&tree, second, &[]), [0, second]);
+        // All of that is done in a later one too, by way of one that has nothing of its own.
+        let on = tree.fork(Spot { branch: second, place: 2, time: 8.0 });
+        let later = tree.fork(Spot { branch: on, place: 2, time: 9.0 });
+        tree.push(later, entry(9.0));
+        assert_eq!(listed(&tree, 0, &[]), [0, later]);
+        assert_eq!(listed(&tree, second, &[]), [0, second, later], "the present one is listed");
+        tree.take_over(0);
+        assert_eq!(listed(&tree, later, &[(0, 3)]), [0, later], "what was followed until something else was done is");
     }
 
     #[test]

@@ -55,6 +55,7 @@ pub use lines::Lines;
 pub use log::Log;
 pub use mark::{Difference, Mark, difference, hash_now};
 pub use method::MethodChange;
+pub use past::Reel;
 pub use replay::{Replay, Visit, apart_from_last, replay};
 pub use session::History;
 pub use start::{About, Recording, Start};

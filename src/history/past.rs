@@ -1,10 +1,42 @@
 //! Looking at the past without going there.
 
+use super::branch::Spot;
 use super::keyframes::Keyframe;
+use super::replay::Replay;
 use super::session::History;
+use super::start::Recording;
+use crate::scene::BesideKeys;
 use crate::sim::Dynamics;
 
+/// The last of a history, to be run once more elsewhere.
+pub struct Reel {
+    /// All of it, from its start on.
+    pub recording: Recording,
+    /// What stands beside it.
+    pub beside: Vec<BesideKeys>,
+    /// Its world as it was some time ago, which has followed the recording to there.
+    pub run: Replay,
+    /// When it began, and now `[s]`.
+    pub span: [f64; 2],
+    /// Seconds of the scene a second of wall time, as it is played by itself.
+    pub rate: f64,
+}
+
 impl History {
+    /// What happened until now, with the world as it was at least so long ago `[s]`, or at the start.
+    pub fn reel(&self, back: f64) -> Reel {
+        let here = self.spot();
+        let spot = Spot { time: (here.time - back).max(self.from()), ..here };
+        let frame = self.keyframes.before(&self.tree, spot).map_or(&self.frame, |kept| &kept.frame).clone();
+        Reel {
+            recording: self.unmarked(),
+            beside: self.companions.iter().map(|companion| companion.entry().clone()).collect(),
+            run: Replay::of(frame, &self.scene),
+            span: [self.from(), here.time],
+            rate: self.clock().rate,
+        }
+    }
+
     /// Shows worlds of the past of the present branch, ascending in time, from about `from` `[s]` on up to now, which is none of them: the
     /// end of every step, as far back as steps of `work` counted seconds reach; of what was before that the keyframes.
     ///

@@ -32,6 +32,11 @@ impl Replay {
         Ok(Replay { frame: head.begin(label)?, scene: head.scene.clone(), label: label.to_owned(), steps: 0 })
     }
 
+    /// A world of a scene that has followed commands to somewhere.
+    pub(super) fn of(frame: Frame, scene: &Scene) -> Self {
+        Replay { frame, scene: scene.clone(), label: scene.name().to_owned(), steps: 0 }
+    }
+
     /// The world as it is now.
     pub fn world(&self) -> &dyn Dynamics {
         &*self.frame.world

@@ -199,6 +199,7 @@ impl History {
         self.tree.extend_to(self.branch, self.frame.world.time());
         self.keep_before_edit(is_cut);
         self.follow_due();
+        self.tree.pass(self.spot());
         self.keyframes.keep_now_and_then(&mut self.kept, self.branch, &self.frame);
         self.dress();
     }
@@ -291,9 +292,15 @@ impl History {
     /// A new branch, where the present one has commands that are still to come.
     fn fork(&mut self) {
         let time = self.frame.world.time();
-        let has_future = self.frame.place < self.tree.len(self.branch) || self.tree.end(self.branch) > time;
-        if has_future {
-            self.branch = self.tree.fork(self.spot());
+        let has_commands = self.frame.place < self.tree.len(self.branch);
+        if has_commands || self.tree.end(self.branch) > time {
+            let next = self.tree.fork(self.spot());
+            match self.is_free {
+                true => self.tree.go_on(self.branch, next),
+                false if has_commands => self.tree.take_over(self.branch),
+                false => {}
+            }
+            self.branch = next;
         }
         self.is_free = false;
     }
@@ -356,9 +363,9 @@ impl History {
         }
     }
 
-    /// The branches that can be returned to, and the present one.
+    /// The branches that one may want to return to, and the present one: those that undo left behind and redo leads to are none of them.
     pub fn branches(&self) -> Vec<BranchView> {
-        self.tree.views(self.branch)
+        self.tree.views(self.branch, self.undone.iter().map(Redo::reaches))
     }
 
     /// All of the present branch as a file has it.

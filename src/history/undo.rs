@@ -40,6 +40,13 @@ pub(super) struct Redo {
     name: String,
 }
 
+impl Redo {
+    /// The branch that it leads to, and how many of its commands are done there.
+    pub(super) fn reaches(&self) -> (usize, usize) {
+        (self.spot.branch, self.spot.place)
+    }
+}
+
 /// What going back to the start is called.
 const RESET: &str = "back to the start";
 /// What it is called where nothing was there.
@@ -60,7 +67,7 @@ impl History {
         let (name, again, back) = match self.edit_before(place) {
             Some([named, last]) => {
                 let first = self.with_grab(named);
-                (self.name(branch, named), self.after(branch, self.last_of(last)), self.before(branch, first))
+                (self.name(branch, named), self.after(branch, self.last_of(branch, last)), self.before(branch, first))
             }
             None => {
                 let Some(back) = self.tree.origin(branch) else { return Ok(None) };
@@ -108,7 +115,19 @@ impl History {
     /// The edit that comes next in the log, if that is followed.
     fn next_edit(&self) -> Option<Redo> {
         let first = self.to_come()?;
-        Some(Redo { spot: self.after(self.branch, self.last_of(first)), name: self.name(self.branch, first) })
+        Some(self.redo_of(self.branch, first))
+    }
+
+    fn redo_of(&self, branch: usize, first: usize) -> Redo {
+        Redo { spot: self.after(branch, self.last_of(branch, first)), name: self.name(branch, first) }
+    }
+
+    /// What redo brings again of a branch that is left before its command `place`: what comes first last.
+    fn undone_from(&self, branch: usize, place: usize) -> Vec<Redo> {
+        let next = |place: usize| self.tree.edit_from(branch, place).map(|first| self.redo_of(branch, first));
+        let mut all: Vec<Redo> = std::iter::successors(next(place), |redo| next(redo.spot.place)).collect();
+        all.reverse();
+        all
     }
 
     /// The first command of the edit that comes next in the log, if that is followed.
@@ -121,18 +140,20 @@ impl History {
     fn edit_before(&self, place: usize) -> Option<[usize; 2]> {
         let last = self.tree.edit_before(self.branch, place)?;
         let earlier = std::iter::successors(Some(last), |&place| self.tree.edit_before(self.branch, place));
-        let first = earlier.take_while(|&place| self.edit_of(place) == self.edit_of(last)).last()?;
+        let first =
+            earlier.take_while(|&place| self.edit_of(self.branch, place) == self.edit_of(self.branch, last)).last()?;
         (last >= self.tree.anew(self.branch).place).then_some([first, last])
     }
 
-    /// The last command of the edit that a command is part of.
-    fn last_of(&self, place: usize) -> usize {
-        let later = std::iter::successors(Some(place), |&place| self.tree.edit_from(self.branch, place + 1));
-        later.take_while(|&later| self.edit_of(later) == self.edit_of(place)).last().unwrap_or(place)
+    /// The last command of the edit that a command of a branch is part of.
+    fn last_of(&self, branch: usize, place: usize) -> usize {
+        let later = std::iter::successors(Some(place), |&place| self.tree.edit_from(branch, place + 1));
+        let is_same = |&later: &usize| self.edit_of(branch, later) == self.edit_of(branch, place);
+        later.take_while(is_same).last().unwrap_or(place)
     }
 
-    fn edit_of(&self, place: usize) -> Option<u64> {
-        self.tree.entry(self.branch, place).and_then(|entry| entry.edit)
+    fn edit_of(&self, branch: usize, place: usize) -> Option<u64> {
+        self.tree.entry(branch, place).and_then(|entry| entry.edit)
     }
 
     /// Where an edit begins that begins at this place: one that lets go begins with the grab that it ends, and with what led to that at the
@@ -272,7 +293,8 @@ impl History {
         Some((kept.time, &*kept.frame.world))
     }
 
-    /// To the end of another branch.
+    /// To another branch, where it was left: at its end, or where undo or redo led to on it and time went on from there. Redo brings again
+    /// what was undone.
     pub fn to_branch(&mut self, number: usize) {
         _ = self.to_branch_while(number, |_| true);
     }
@@ -282,8 +304,12 @@ impl History {
     /// Errors: it was given up.
     pub fn to_branch_while(&mut self, number: usize, goes_on: impl FnMut(f64) -> bool) -> Result<(), GivenUp> {
         if number < self.tree.count() && number != self.branch {
-            self.follow_to((number, self.tree.end(number)), goes_on)?;
-            self.undone.clear();
+            let left = self.tree.where_left(number, self.branch);
+            match left.place {
+                usize::MAX => self.follow_to((left.branch, left.time), goes_on)?,
+                _ => self.go(left, goes_on)?,
+            }
+            self.undone = self.undone_from(number, self.tree.common(number, left.branch).min(left.place));
         }
         Ok(())
     }
@@ -298,6 +324,7 @@ impl History {
     /// To a spot that the history was at, exactly; what comes after it is not followed.
     fn go(&mut self, spot: Spot, goes_on: impl FnMut(f64) -> bool) -> Result<(), GivenUp> {
         self.travel(spot, goes_on)?;
+        self.tree.leave_at(spot);
         self.is_free = true;
         Ok(())
     }
@@ -324,10 +351,6 @@ impl History {
                 _ if self.frame.ends_by(spot.time) => self.step_again(next),
                 _ => break,
             }
-        }
-        if from.0 != self.branch {
-            self.tree.leave(from.0);
-            self.tree.enter(self.branch);
         }
         self.arrive();
         Ok(())

@@ -42,6 +42,11 @@ impl Tiles {
         Tiles { count, columns: best, head }
     }
 
+    /// The same in a picture of another size: what lies over its upper edge is so many times as high.
+    pub fn at_scale(&self, factor: f64) -> Tiles {
+        Tiles { head: (factor * f64::from(self.head)).round() as u32, ..*self }
+    }
+
     /// How many worlds there are.
     pub fn count(&self) -> usize {
         self.count

@@ -307,7 +307,8 @@ impl Wish {
         let mut scene = Scene::of_drawing(name, Arc::clone(picture), keys, self.matter, watch)?;
         if let Some(preset) = self.of {
             // What it covers is known once it is cut out.
-            let area = covered(&scene.picture_mesh(0)?, self.height);
+            let mesh = scene.picture_mesh(0)?;
+            let area = covered(&mesh, self.height);
             scene.bodies[0].material = Some(of_preset(preset, area));
         }
         if !self.is_apart() {

@@ -54,16 +54,15 @@ impl Group {
     /// That of an action.
     fn of(action: Action) -> Self {
         use Action::{
-            Cancel, Clear, Copy, Delete, Dice, Duplicate, Faster, FindSetting, Finish, Fit, FlipAcross, FlipOver,
+            Cancel, Clear, Clip, Copy, Delete, Dice, Duplicate, Faster, FindSetting, Finish, Fit, FlipAcross, FlipOver,
             FullScreen, Gallery, Help, Hide, Home, Import, LargerRegion, Lessons, New, NextScene, NextShowing, Open,
             Paint, Palette, Paste, PinWhileHeld, Plots, PreviousScene, Quit, Redo, Reset, Rewind, Save, Screenshot,
             SelectAll, Settings, Show, ShowHidden, Slower, SmallerRegion, Step, StepBack, Stronger, Take, ToggleGrid,
             ToggleHud, ToggleMesh, TogglePanels, TogglePlay, ToggleTrails, Undo, Ungroup, Weaker, Wind,
         };
         match action {
-            PreviousScene | NextScene | Gallery | New | Dice | Open | Save | Screenshot | Import | Paint | Quit => {
-                Group::Files
-            }
+            PreviousScene | NextScene | Gallery | New | Dice | Open | Save | Screenshot | Clip | Import | Paint
+            | Quit => Group::Files,
             TogglePlay | Step | Rewind | Reset | Slower | Faster => Group::Time,
             Take(_) | Wind | PinWhileHeld | Finish | StepBack | SmallerRegion | LargerRegion | Weaker | Stronger => {
                 Group::Tools

@@ -14,6 +14,8 @@ pub use table::{TABLE, by_mouse};
 pub enum Stroke {
     /// One without a letter, by its name.
     Named(NamedKey),
+    /// The same while Shift is held.
+    Shift(NamedKey),
     /// One that writes this, whatever the layout; Shift may be needed for it.
     Writes(&'static str),
     /// The same while Ctrl is held (the command key on a Mac).
@@ -74,6 +76,7 @@ impl Stroke {
     fn is(self, key: &Key, held: Held) -> bool {
         match (self, key) {
             (Stroke::Named(name), Key::Named(pressed)) => name == *pressed && !held.command,
+            (Stroke::Shift(name), Key::Named(pressed)) => name == *pressed && held.shift && !held.command,
             // Where the space bar writes a letter like others.
             (Stroke::Named(NamedKey::Space), Key::Character(text)) => text == " " && !held.command,
             (Stroke::Writes(letter), Key::Character(text)) => !held.command && text.to_lowercase() == letter,
@@ -91,7 +94,10 @@ impl Stroke {
 /// What a key means, if it means anything.
 pub fn action(key: &Key, held: Held) -> Option<Action> {
     let strokes = TABLE.iter().flat_map(|binding| binding.strokes);
-    strokes.clone().find(|(stroke, _)| stroke.is(key, held)).map(|&(_, action)| action)
+    // Where a key means something else with Shift, it means that; elsewhere Shift is nothing to keys with names.
+    let is_shift = |stroke: &Stroke| matches!(stroke, Stroke::Shift(_));
+    let with_shift = strokes.clone().find(|(stroke, _)| is_shift(stroke) && stroke.is(key, held));
+    with_shift.or_else(|| strokes.clone().find(|(stroke, _)| stroke.is(key, held))).map(|&(_, action)| action)
 }
 
 /// What the window does by a key that a scene's drives have, while it has none of them: nothing of it is left there.
@@ -150,6 +156,10 @@ mod tests {
         assert_eq!((writes("[", PLAIN), writes("{", PLAIN)), (Some(Action::SmallerRegion), Some(Action::Weaker)));
         assert_eq!((writes(" ", PLAIN), writes("u", PLAIN)), (Some(Action::TogglePlay), None));
         assert_eq!(writes("3", PLAIN), Some(Action::Take(Tool::Cut)));
+        let shift = Held { shift: true, ..PLAIN };
+        let f2 = [PLAIN, shift].map(|held| action(&Key::Named(NamedKey::F2), held));
+        assert_eq!(f2, [Some(Action::Screenshot), Some(Action::Clip)]);
+        assert_eq!(action(&Key::Named(NamedKey::F1), shift), Some(Action::Help), "Shift is nothing to other keys");
     }
 
     #[test]
@@ -190,6 +200,7 @@ mod tests {
             Stroke::Named(NamedKey::Delete) => "Del".to_owned(),
             Stroke::Named(NamedKey::Escape) => "Esc".to_owned(),
             Stroke::Named(name) => format!("{name:?}"),
+            Stroke::Shift(name) => format!("Shift+{name:?}"),
             Stroke::Writes("{") => "Shift+[".to_owned(),
             Stroke::Writes("}") => "Shift+]".to_owned(),
             Stroke::Writes(letter) => upper(letter),

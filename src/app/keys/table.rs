@@ -4,7 +4,7 @@ use winit::keyboard::NamedKey;
 
 use super::{Binding, Stroke};
 use crate::app::action::{Action, Tool};
-use Stroke::{Ctrl, CtrlShift, Named, Writes};
+use Stroke::{Ctrl, CtrlShift, Named, Shift, Writes};
 
 const fn binding(keys: &'static str, words: &'static str, strokes: &'static [(Stroke, Action)]) -> Binding {
     Binding { keys, strokes, words }
@@ -119,11 +119,20 @@ pub static TABLE: &[Binding] = &[
     binding("N", "draw a body on a canvas", &[(Writes("n"), Action::Paint)]),
     binding("I", "cut the scene's first picture out anew", &[(Writes("i"), Action::Import)]),
     binding("Ctrl+O", "open a scene, a recording or a picture", &[(Ctrl("o"), Action::Open)]),
-    binding("Ctrl+S", "save the scene as it stands, or all that was done as a recording", &[(Ctrl("s"), Action::Save)]),
+    binding(
+        "Ctrl+S",
+        "save the scene as it stands, all that was done as a recording, or a clip",
+        &[(Ctrl("s"), Action::Save)],
+    ),
     binding(
         "F2",
         "a screenshot, beside the last file that was saved, or among your documents",
         &[(Named(NamedKey::F2), Action::Screenshot)],
+    ),
+    binding(
+        "Shift+F2",
+        "a clip: the last seconds as an animated picture (.gif), in the same place",
+        &[(Shift(NamedKey::F2), Action::Clip)],
     ),
     binding(
         "Tab, M",

@@ -273,6 +273,9 @@ impl<'a> Laying<'a> {
         } else if let Some(going) = facts.going.as_ref().filter(|_| state.sheet.is_none()) {
             waiting::going(context, going, wishes);
         }
+        if let Some(share) = facts.filming.filter(|_| state.sheet.is_none()) {
+            waiting::filming(context, share, wishes);
+        }
     }
 
     fn sheet(&mut self) {

@@ -108,7 +108,7 @@ pub(super) use parameters::all as parameters;
 pub(super) use places::{Laid, clear_about, covered, kept_in, read as read_at};
 pub(super) use plots::{PlotsAt, figure, lie as plots_lie};
 pub(super) use presses::listen;
-pub(super) use save_to::{SaveTo, ask as ask_to_save, is_recording};
+pub(super) use save_to::{SaveTo, Saved, ask as ask_to_save, is_recording};
 pub(super) use settings::settings_search_id;
 pub(super) use settings::{Pushing, Setting, Settings};
 pub(super) use sheet::{said_below, show as sheet};
@@ -178,7 +178,7 @@ pub(super) enum Wish {
     GoTo(f64),
     /// What is to be worked out to go to another time is not.
     Stay,
-    /// The end of another branch.
+    /// Another branch, where it was left.
     ToBranch(usize),
     /// Every island is moved by its own method, whatever that costs.
     Exact,
@@ -194,6 +194,8 @@ pub(super) enum Wish {
     StopOpening,
     /// The system's dialog for that file.
     BrowseToSave,
+    /// The clip that is being written is not wanted.
+    GiveUpClip,
     /// A session that was cut off is gone on with, by its place in the list.
     GoOnWithLeftover(usize),
     /// One is not wanted.
@@ -375,6 +377,8 @@ pub(super) struct Facts {
     pub(super) going: Option<Going>,
     /// A step takes long.
     pub(super) is_busy: bool,
+    /// How much of a clip is drawn that is being written, 0 to 1.
+    pub(super) filming: Option<f32>,
     pub(super) dimensions: usize,
     /// Corners of what of the plane is seen `[m]`.
     pub(super) seen: [[f64; 2]; 2],

@@ -3,12 +3,14 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use egui::{Button, Label, RichText, Role, TextEdit, WidgetInfo};
+use egui::{Button, DragValue, Label, RichText, Role, TextEdit, WidgetInfo};
 
 use super::open_from::{meant, select};
 use super::theme::colors;
 use super::typed::takes_words;
-use super::{PanelState, Wish, sheet, ticks};
+use super::{PanelState, Wish, ranged, sheet, ticks};
+use crate::app::film::ClipSettings;
+use crate::app::saving::Kind;
 
 /// Width of the sheet `[points]`.
 pub(super) const WIDE: f32 = 460.0;
@@ -22,19 +24,75 @@ pub(in crate::app) struct SaveTo {
     asked: Option<PathBuf>,
     /// The file that is being written.
     written: Option<PathBuf>,
-    /// All that was done is saved, not the scene as it stands.
-    pub(in crate::app) is_all: bool,
+    /// What is saved.
+    pub(in crate::app) kind: Saved,
+    /// How long a clip is, and how wide.
+    pub(in crate::app) clip: ClipSettings,
+}
+
+/// What can be saved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::app) enum Saved {
+    /// The scene as it stands.
+    #[default]
+    Moment,
+    /// All that was done.
+    All,
+    /// The last seconds as they are seen.
+    Clip,
+}
+
+impl Saved {
+    /// What a file of it ends in where nobody says otherwise.
+    fn ending(self) -> &'static str {
+        match self {
+            Saved::Moment => "json",
+            Saved::All => "jsonl",
+            Saved::Clip => "gif",
+        }
+    }
+
+    /// What it is called, of a file.
+    fn words(self) -> &'static str {
+        match self {
+            Saved::Moment => "a scene",
+            Saved::All => "a recording",
+            Saved::Clip => "a clip",
+        }
+    }
+
+    /// Whether its file may be called so: scenes and recordings may end as each other.
+    fn takes(self, path: &Path) -> bool {
+        match self {
+            Saved::Moment | Saved::All => is_recording(path),
+            Saved::Clip => path.extension().is_some_and(|ending| ending == self.ending()),
+        }
+    }
+
+    /// What files of its kind are called in a dialog, and what they end in.
+    pub(in crate::app) fn filter(self) -> Kind {
+        match self {
+            Saved::Moment | Saved::All => ("Scenes and recordings", &ENDINGS),
+            Saved::Clip => ("Animated pictures", &["gif"]),
+        }
+    }
 }
 
 pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut Vec<Wish>) {
     let stays = sheet::show(context, "save to", "Save", |ui| {
         ui.set_width(sheet::fitting(context, [WIDE, 0.0])[0]);
-        let was_all = state.save_to.is_all;
-        let is_all = &mut state.save_to.is_all;
-        ticks::one_of(ui, is_all, false, MOMENT)
+        let was = state.save_to.kind;
+        let kind = &mut state.save_to.kind;
+        ticks::one_of(ui, kind, Saved::Moment, MOMENT)
             .on_hover_text("opened, it goes on from here, without what was done before");
-        ticks::one_of(ui, is_all, true, ALL).on_hover_text("a recording: opened, it is replayed from its start");
-        if *is_all != was_all {
+        ticks::one_of(ui, kind, Saved::All, ALL).on_hover_text("a recording: opened, it is replayed from its start");
+        ticks::one_of(ui, kind, Saved::Clip, CLIP)
+            .on_hover_text("the last seconds as they are seen, without panels: for others to look at");
+        let has_changed = *kind != was;
+        if *kind == Saved::Clip {
+            clip(ui, &mut state.save_to.clip);
+        }
+        if has_changed {
             // What is named for the one is named for the other, but for its ending.
             state.path = state.save_to.renamed(&state.path);
             state.save_to.begin();
@@ -84,6 +142,21 @@ const NO_NAME: &str = "write a name for the file first";
 /// What can be saved.
 const MOMENT: &str = "the scene as it stands";
 const ALL: &str = "all that was done, as a recording";
+const CLIP: &str = "a clip, as an animated picture (.gif)";
+
+/// How long a clip is, and how wide.
+fn clip(ui: &mut egui::Ui, settings: &mut ClipSettings) {
+    let ([shortest, longest], [narrowest, widest]) = (ClipSettings::SECONDS, ClipSettings::WIDTHS);
+    ui.horizontal_wrapped(|ui| {
+        ui.weak("of the last");
+        let seconds = DragValue::new(&mut settings.seconds).speed(0.1).max_decimals(1).suffix(" s");
+        ranged::field(ui, seconds, shortest..=longest, "s").on_hover_text("how long it is, if there is as much");
+        ui.weak("and so wide:");
+        let width = DragValue::new(&mut settings.width).speed(4.0).suffix(" px");
+        ranged::field(ui, width, f64::from(narrowest)..=f64::from(widest), "px")
+            .on_hover_text("the width of its pictures");
+    });
+}
 
 /// What is written is to be the path: its ending is added where it has none, so that one sees what is written.
 pub(in crate::app) fn ask(state: &mut PanelState, wishes: &mut Vec<Wish>) {
@@ -105,9 +178,15 @@ fn with_ending(path: PathBuf, ending: &str) -> PathBuf {
 fn bare_name(path: &str) -> Range<usize> {
     let from = path.rfind(['/', std::path::MAIN_SEPARATOR]).map_or(0, |before| before + 1);
     let name = &path[from..];
-    let bare = ENDINGS.iter().find_map(|known| name.strip_suffix(&format!(".{known}"))).unwrap_or(name);
+    let bare = without_ending(name).unwrap_or(name);
     let letters = |bytes: usize| path[..bytes].chars().count();
     letters(from)..letters(from + bare.len())
+}
+
+/// A path without what scenes, recordings and clips end in.
+fn without_ending(path: &str) -> Option<&str> {
+    let endings = [Saved::Moment, Saved::All, Saved::Clip].map(Saved::ending);
+    endings.iter().find_map(|known| path.strip_suffix(&format!(".{known}")))
 }
 
 /// Whether a path ends as a recording does.
@@ -119,6 +198,11 @@ pub(in crate::app) fn is_recording(path: &Path) -> bool {
 const ENDINGS: [&str; 2] = ["json", "jsonl"];
 
 impl SaveTo {
+    /// Of another file: clips are as they were set for the last one.
+    pub(in crate::app) fn with_clip(clip: ClipSettings) -> Self {
+        SaveTo { clip, ..SaveTo::default() }
+    }
+
     /// Another path: what was said of the last one goes.
     pub(in crate::app) fn begin(&mut self) {
         (self.fault, self.asked, self.written) = (None, None, None);
@@ -126,12 +210,17 @@ impl SaveTo {
 
     /// What a file of what is chosen ends in.
     pub(in crate::app) fn ending(&self) -> &'static str {
-        ENDINGS[usize::from(self.is_all)]
+        self.kind.ending()
+    }
+
+    /// Whether what is chosen may be written to a file that is called so.
+    pub(in crate::app) fn takes(&self, path: &Path) -> bool {
+        self.kind.takes(path)
     }
 
     /// A path with that ending in place of the other.
     fn renamed(&self, path: &str) -> String {
-        match ENDINGS.iter().find_map(|known| path.strip_suffix(&format!(".{known}"))) {
+        match without_ending(path) {
             Some(bare) => format!("{bare}.{}", self.ending()),
             None => path.to_owned(),
         }
@@ -167,11 +256,12 @@ impl SaveTo {
         let fault = match () {
             () if path.is_dir() => Some(format!("`{}` is a folder: add a name", path.display())),
             () if !folder.is_dir() => Some(format!("there is no folder `{}`", folder.display())),
-            () if !is_recording(&path) => Some(format!(
-                "what ends in `.{}` is not written: {} ends in .{} (F2 writes a picture)",
+            () if !self.takes(&path) => Some(format!(
+                "what ends in `.{}` is not written: {} ends in .{} ({})",
                 path.extension().unwrap_or_default().display(),
-                if self.is_all { "a recording" } else { "a scene" },
-                self.ending()
+                self.kind.words(),
+                self.ending(),
+                if Saved::Clip.takes(&path) { "choose a clip above" } else { "F2 writes a picture" }
             )),
             () if path.exists() && self.asked.as_ref() != Some(&path) => {
                 self.asked = Some(path.clone());
@@ -215,7 +305,13 @@ mod tests {
             assert!(state.fault.as_deref().is_some_and(|fault| fault.contains(words)), "{:?}", state.fault);
         }
         assert!(!folder.path().join("no").exists());
-        let mut all = SaveTo { is_all: true, ..SaveTo::default() };
+        assert_eq!(state.ask(folder.path().join("x.gif")), None);
+        assert!(state.fault.as_deref().is_some_and(|fault| fault.contains("a scene ends in .json (choose a clip")));
+        let mut clip = SaveTo { kind: Saved::Clip, ..SaveTo::default() };
+        let moving = folder.path().join("x.gif");
+        assert_eq!((clip.ask(moving.clone()), clip.ask(new)), (Some(moving), None));
+        assert!(clip.fault.is_some_and(|fault| fault.contains("`.json` is not written: a clip ends in .gif")));
+        let mut all = SaveTo { kind: Saved::All, ..SaveTo::default() };
         assert_eq!(all.ask(folder.path().join("x.png")), None);
         assert!(all.fault.is_some_and(|fault| fault.contains("a recording ends in .jsonl")));
     }
@@ -236,14 +332,17 @@ mod tests {
     }
 
     #[test]
-    fn a_recording_ends_otherwise_than_a_scene() {
-        let [scene, recording] = [false, true].map(|is_all| SaveTo { is_all, ..SaveTo::default() });
-        assert_eq!([scene.ending(), recording.ending()], ["json", "jsonl"]);
+    fn a_recording_and_a_clip_end_otherwise_than_a_scene() {
+        let [scene, recording, clip] =
+            [Saved::Moment, Saved::All, Saved::Clip].map(|kind| SaveTo { kind, ..SaveTo::default() });
+        assert_eq!([scene.ending(), recording.ending(), clip.ending()], ["json", "jsonl", "gif"]);
+        assert_eq!(clip.renamed("/a/wobble-x-001.jsonl"), "/a/wobble-x-001.gif");
+        assert_eq!(scene.renamed("/a/wobble-x-001.gif"), "/a/wobble-x-001.json");
         assert_eq!(recording.renamed("/a/wobble-x-001.json"), "/a/wobble-x-001.jsonl");
         assert_eq!(scene.renamed("/a/wobble-x-001.jsonl"), "/a/wobble-x-001.json");
         assert_eq!(recording.renamed("/a/mine"), "/a/mine", "what has no ending gets it when it is written");
         assert_eq!(with_ending(PathBuf::from("mine"), recording.ending()), PathBuf::from("mine.jsonl"));
-        assert!(!SaveTo::default().is_all, "the next file is of the scene again");
+        assert_eq!(SaveTo::default().kind, Saved::Moment, "the next file is of the scene again");
     }
 
     #[test]

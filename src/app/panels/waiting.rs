@@ -48,6 +48,24 @@ pub(super) fn going(context: &egui::Context, going: &Going, wishes: &mut Vec<Wis
     });
 }
 
+/// Height of what lies below the line of a clip `[points]`.
+const BELOW: f32 = 58.0;
+
+/// Says above the bar below how much of a clip is drawn, and offers to give it up: the world goes on meanwhile.
+pub(super) fn filming(context: &egui::Context, share: f32, wishes: &mut Vec<Wish>) {
+    Area::new(Id::unique("filming")).anchor(Align2::CENTER_BOTTOM, [0.0, -BELOW]).show(context, |ui| {
+        floating(ui).show(ui, |ui| {
+            ui.horizontal(|ui| {
+                ui.label(RichText::new("Writing a clip").color(colors(ui).text));
+                ui.add(ProgressBar::new(share).desired_width(0.5 * LINE).desired_height(8.0));
+                if ui.button("Give it up").on_hover_text("no clip is written (Esc)").clicked() {
+                    wishes.push(Wish::GiveUpClip);
+                }
+            });
+        });
+    });
+}
+
 /// Whether another time is gone to for so long that it is said.
 pub(in crate::app) fn is_said(going: &Going) -> bool {
     going.since.as_secs_f64() >= PATIENCE
@@ -86,7 +104,28 @@ fn worked_out(share: f32) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::pointer::click;
     use super::*;
+
+    #[test]
+    fn a_clip_that_is_written_is_given_up_by_its_button() {
+        let context = egui::Context::default();
+        let frame = |events: Vec<egui::Event>| {
+            let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(800.0, 600.0)));
+            let input = egui::RawInput { screen_rect, events, ..egui::RawInput::default() };
+            let mut wishes = Vec::new();
+            let mut shown = context.run_ui(input, |ui| filming(ui.ctx(), 0.4, &mut wishes));
+            shown.textures_delta.clear();
+            let at = context.memory(|memory| memory.area_rect(Id::unique("filming")));
+            (at.unwrap_or(egui::Rect::NOTHING), wishes)
+        };
+        (0..3).for_each(|_| _ = frame(Vec::new()));
+        let (at, _) = frame(Vec::new());
+        assert!((at.center().x - 400.0).abs() < 1.0 && at.bottom() < 600.0 - 40.0, "{at:?}");
+        let button = egui::pos2(at.right() - 40.0, at.center().y);
+        let wishes: Vec<Wish> = click(button).into_iter().flat_map(|events| frame(events).1).collect();
+        assert_eq!(wishes, [Wish::GiveUpClip]);
+    }
 
     #[test]
     fn what_takes_long_is_said_and_can_be_stopped_where_there_is_a_way_back() {

@@ -118,7 +118,7 @@ pub enum Order {
     Moment(PathBuf),
     /// A table is written to a file.
     Table(PathBuf, Vec<u8>),
-    /// To the end of another branch.
+    /// To another branch, where it was left.
     ToBranch(usize, Option<Cursor>),
     /// A snapshot of this moment is put into the picture, which is written to a file.
     Picture(PathBuf, Box<image::RgbaImage>),

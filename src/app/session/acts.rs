@@ -6,7 +6,7 @@ use winit::window::Fullscreen;
 
 use super::{Framing, Session};
 use crate::app::action::{Action, Tool};
-use crate::app::panels::{Opened, Sheet, Wish};
+use crate::app::panels::{Opened, Saved, Sheet, Wish};
 use crate::app::player::Order;
 use crate::app::tools::PushWay;
 
@@ -108,6 +108,7 @@ impl Session {
             Action::Paste => self.paste(),
             Action::Save => self.save(),
             Action::Screenshot => self.take_screenshot(),
+            Action::Clip => self.save_clip(self.free_path("gif")),
             Action::Settings if self.panels.is_seen(Opened::Settings) => self.close_settings(),
             Action::Settings => self.panels.toggle_settings(),
             Action::FindSetting => {
@@ -181,17 +182,25 @@ impl Session {
             Wish::WriteTable => self.write_table(),
             Wish::WriteFigure => self.write_figure(),
             Wish::SaveTo(path) => {
-                // The sheet stays until it is written.
-                self.panels.save_to.begin_to_write(&path);
-                match self.panels.save_to.is_all {
-                    true => self.save_to(path),
-                    false => self.save_moment(path),
+                let kind = self.panels.save_to.kind;
+                if kind != Saved::Clip {
+                    // The sheet stays until it is written.
+                    self.panels.save_to.begin_to_write(&path);
+                }
+                match kind {
+                    Saved::All => self.save_to(path),
+                    Saved::Moment => self.save_moment(path),
+                    Saved::Clip => {
+                        self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
+                        self.save_clip(path);
+                    }
                 }
             }
             Wish::StopOpening => {
                 self.stop_opening();
             }
             Wish::BrowseToSave => self.browse_to_save(),
+            Wish::GiveUpClip => _ = self.give_up_clip(),
             Wish::GoOnWithLeftover(place) => self.go_on_with_leftover(place),
             Wish::DiscardLeftover(place) => self.discard_leftover(place),
             Wish::DiscardLeftovers => self.discard_leftovers(),

@@ -235,6 +235,7 @@ impl Session {
             [self.thumbnails.as_mut().is_some_and(Thumbnails::poll), self.cut_off.as_mut().is_some_and(CutOff::poll)];
         self.panels_dirty |= is_drawn.contains(&true);
         self.hear_of_saving();
+        self.hear_of_clip();
         self.hear_of_leftovers();
         let news = self.player.poll();
         self.hear(news);

@@ -109,6 +109,7 @@ impl Session {
             wearer: None,
             pasted: None,
             saving: None,
+            filming: None,
             recent: Recent::default(),
             state_folder: None,
             record: None,

@@ -11,6 +11,7 @@ use super::trails::AllTrails;
 use super::{Framing, Session};
 use crate::app::action::{Showing, Tool};
 use crate::app::canvas::{Canvas, Paint};
+use crate::app::film::Filming;
 use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, parameters, theme};
 use crate::app::tools::{Mark, Role, Scope, labels, moved_label, no_motors, no_muscles, probe, would_stop};
 use crate::app::whereabouts::{apart, places_of};
@@ -179,6 +180,7 @@ impl Session {
             opening: self.opening(),
             going: self.player.going().filter(|_| self.player.is_open()),
             is_busy: self.player.is_busy(),
+            filming: self.filming.as_ref().map(Filming::share),
             dimensions: self.scene.dimensions(),
             seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },
             points: self.points_seen(),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Session;
-use crate::app::panels::{Sheet, is_recording};
+use crate::app::panels::{Saved, Sheet, is_recording};
 use crate::app::player::{News, Note};
 use crate::app::recent::Used;
 use crate::history::GoneBack;
@@ -100,7 +100,7 @@ impl Session {
                 self.say(format!("written: {}", path.display()));
                 if self.panels.save_to.is_written(&path) {
                     self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
-                    if !self.panels.save_to.is_all {
+                    if self.panels.save_to.kind == Saved::Moment {
                         self.player.lie_in(&path);
                     }
                 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::Session;
 use super::trails::AllTrails;
 use crate::app::opening::keys;
-use crate::app::panels::{SaveTo, Sheet, Wish, ask_to_save, is_recording};
+use crate::app::panels::{SaveTo, Sheet, Wish, ask_to_save};
 use crate::app::player::Order;
 use crate::app::recent::Used;
 use crate::app::saving::{Chosen, Saving, folder, free_name, named_after, plain_name, saved_again};
@@ -27,7 +27,8 @@ impl Session {
             let (begins, ending) = (folder(self.recent.saved()), self.panels.save_to.ending());
             let path = saved_again(self.player.file(), ending)
                 .unwrap_or_else(|| begins.join(plain_name(self.scene.name(), ending)));
-            self.saving = Some(Saving::new(&self.window, &path, self.wake_up()));
+            let kind = self.panels.save_to.kind.filter();
+            self.saving = Some(Saving::new(&self.window, (&path, kind), self.wake_up()));
         }
     }
 
@@ -60,7 +61,7 @@ impl Session {
     /// A path can be written.
     fn ask_where_to_save(&mut self) {
         // What was chosen for the last file says nothing of this one.
-        self.panels.save_to = SaveTo::default();
+        self.panels.save_to = SaveTo::with_clip(self.panels.save_to.clip);
         let ending = self.panels.save_to.ending();
         let path = saved_again(self.player.file(), ending).unwrap_or_else(|| self.free_path(ending));
         self.panels.path = path.display().to_string();
@@ -88,7 +89,7 @@ impl Session {
         let is_writing = self.panels.sheet == Some(Sheet::SaveTo);
         match chosen {
             Chosen::File(path) => {
-                match is_recording(&path) {
+                match self.panels.save_to.takes(&path) {
                     // The dialog has asked whether what is there may go.
                     true => {
                         self.panels.path = path.display().to_string();

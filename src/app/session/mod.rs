@@ -10,6 +10,7 @@ mod coming;
 mod copies;
 mod drawing;
 mod driving;
+mod filming;
 mod frames;
 mod framing;
 mod fresh;
@@ -44,6 +45,7 @@ use winit::window::{CursorIcon, Window};
 use super::AppError;
 use super::canvas::{Canvas, Paint};
 use super::fetch::Fetch;
+use super::film::Filming;
 use super::framing::{Framed, Framing, Undocked, Ways};
 use super::import::Import;
 use super::keys::{Down, Held};
@@ -208,6 +210,8 @@ pub(super) struct Session {
     wearer: Option<Vec<PointId>>,
     pasted: Option<Fetch>,
     saving: Option<Saving>,
+    /// A clip that is being drawn and written.
+    filming: Option<Filming>,
     /// What was saved and opened: the next file is looked for in the folder that was used last.
     recent: Recent,
     /// Where sessions outlive a killed program, what the next history is recorded to, what is found of earlier ones, and what is left

@@ -38,6 +38,9 @@ impl Session {
         if was_busy {
             return;
         }
+        if self.give_up_clip() {
+            return;
+        }
         let is_closed = self.panels.notes.close() || self.loading.take().is_some() || self.stop_opening();
         if is_closed {
             return;

@@ -354,7 +354,8 @@ impl Stage {
         if is_left {
             (self.has_gone, self.figures_at) = (true, None);
         }
-        note.or(is_left.then_some(Note::Branched))
+        let is_listed = || self.history.branches().iter().any(|other| other.number == branch);
+        note.or((is_left && is_listed()).then_some(Note::Branched))
     }
 
     /// What edits were warned of since it was last asked for.
