@@ -418,6 +418,39 @@ fn a_failed_run_leaves_the_old_file() {
 }
 
 #[test]
+fn what_is_read_is_never_written_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (scene, list, picture, numbered) = (at("x.json"), at("list.json"), at("x.png"), at("frame-0001.png"));
+    let point = r#"{"wobble": 1, "points": {"position": [[0, 0]]}, "duration": 1}"#;
+    std::fs::write(&scene, point).unwrap();
+    std::fs::write(&list, "[]").unwrap();
+    plain_picture(Path::new(&picture), [0, 0, 0, 255]);
+    plain_picture(Path::new(&numbered), [0, 0, 0, 255]);
+    let before = [&scene, &list, &picture, &numbered].map(|path| std::fs::read(path).unwrap());
+    let (again, out, frame) = (at("./x.json"), at("out.json"), at("frame.png"));
+    let calls: [&[&str]; 10] = [
+        &["simulate", &scene, "--out", &scene],
+        &["simulate", &scene, "--out", &again],
+        &["simulate", &scene, "--record", &scene, "--hash"],
+        &["simulate", &scene, "--commands", &list, "--out", &list],
+        &["simulate", &scene, "--out", &out, "--record", &out],
+        &["render", &picture, "--out", &picture],
+        &["render", &numbered, "--frames", "2", "--out", &frame],
+        &["mesh", &picture, "--preview", &picture],
+        &["replay", &scene, "--out", &scene],
+        &["--record", &scene, &scene],
+    ];
+    for call in calls {
+        let said = failure(call);
+        assert!(said.contains("is what is read, and would be lost") || said.contains("written twice"), "{said}");
+    }
+    assert_eq!([&scene, &list, &picture, &numbered].map(|path| std::fs::read(path).unwrap()), before);
+    success(&["simulate", &scene, "--out", &out]);
+    success(&["simulate", &scene, "--out", &out]);
+}
+
+#[test]
 fn without_a_driver_one_line_says_what_to_install() {
     let done = Command::new(env!("CARGO_BIN_EXE_wobble"))
         .args(["render", "rim", "--out", "/tmp/never.png"])

@@ -9,6 +9,7 @@ use image::codecs::gif::{GifEncoder, Repeat};
 use image::{Delay, Frame, ImageFormat, RgbaImage};
 
 use super::replay::say_notes;
+use super::spared::spare;
 use super::{progress, values};
 use crate::app::distances;
 use crate::app::opening::{self, Followed};
@@ -98,6 +99,7 @@ fn switch(text: &str) -> Result<bool, String> {
 }
 
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
+    arguments.spare()?;
     let start = Start::load(&arguments.scene)?;
     let (scene, commands) = (start.scene(), &start.recording().commands);
     let mut run = Replay::new(start.recording(), &arguments.scene)?;
@@ -190,6 +192,21 @@ impl Arguments {
     fn animations(&self) -> Vec<&PathBuf> {
         let out = self.out.as_ref().filter(|path| values::extension(path) == "gif");
         out.into_iter().chain(&self.gif).collect()
+    }
+
+    /// Errors: what would be written over the scene, a picture of several included, or over each other.
+    fn spare(&self) -> anyhow::Result<()> {
+        let mut written: Vec<&Path> = self.out.iter().chain(&self.gif).map(PathBuf::as_path).collect();
+        let scene = Path::new(&self.scene);
+        let several = self.out.as_ref().filter(|out| values::extension(out) == "png" && self.count() > 1);
+        // Of the numbered names only one that is the scene's own can be in the way.
+        let is_own = |path: &PathBuf| path.file_name() == scene.file_name();
+        let own = several.and_then(|out| (0..self.count()).map(|index| numbered(out, index)).find(is_own));
+        if several.is_some() {
+            written.remove(0);
+        }
+        written.extend(own.as_deref());
+        spare(&[scene], &written)
     }
 
     fn count(&self) -> u32 {

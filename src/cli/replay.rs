@@ -7,6 +7,7 @@ use anyhow::bail;
 use clap::Args;
 
 use super::simulate::{self, Table};
+use super::spared::spare;
 use super::{WrongCall, progress, values};
 use crate::history::{Difference, Log, Mark, Recording, apart_from_last, hash_now, replay};
 
@@ -33,6 +34,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
+    spare(&[&arguments.file], &arguments.out.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
     let log = Log::open(&arguments.file)?;
     let log = if arguments.partial { log } else { log.whole()? };
     let (head, end) = (log.head()?, log.end());

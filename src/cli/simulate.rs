@@ -14,6 +14,7 @@ use clap::Args;
 
 use self::apart::Apart;
 use self::strain::Strain;
+use super::spared::spare;
 use super::values::{self, Times};
 use super::{WrongCall, progress};
 use crate::equilibrium::Softness;
@@ -112,6 +113,7 @@ fn extension(path: &Path) -> Option<String> {
 }
 
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
+    arguments.spare()?;
     let start = Start::load(&arguments.scene)?;
     if start.is_recording() && arguments.tolerance.is_some() {
         bail!(WrongCall(format!(
@@ -330,6 +332,14 @@ impl Searched {
 }
 
 impl Arguments {
+    /// Errors: what would be written over the scene or its commands, or over each other.
+    fn spare(&self) -> anyhow::Result<()> {
+        let read: Vec<&Path> = [Path::new(&self.scene)].into_iter().chain(self.commands.as_deref()).collect();
+        let table = self.out.as_deref().filter(|out| *out != Path::new(STANDARD));
+        let written: Vec<&Path> = table.into_iter().chain(self.record.as_deref()).collect();
+        spare(&read, &written)
+    }
+
     /// Where the table goes.
     fn target(&self) -> Option<&Path> {
         let is_asked = self.out.is_some() || self.hash || self.record.is_some();
