@@ -418,6 +418,32 @@ fn a_failed_run_leaves_the_old_file() {
 }
 
 #[test]
+fn times_past_the_end_of_a_scene_are_told_of() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (scene, list) = (at("x.json"), at("list.json"));
+    let point = r#"{"wobble": 1, "points": {"position": [[0, 0]]}, "gravity": [0, -1], "duration": 0.2}"#;
+    std::fs::write(&scene, point).unwrap();
+    std::fs::write(&list, r#"[{"at": 0.1, "do": "set", "duration": 0.3}]"#).unwrap();
+    let words =
+        |end: f64, to: f64| format!("the scene ends at {end} s, where the window stops: this goes on to {to} s");
+    for (call, expected) in [
+        (&["--samples", "0.1,0.5"][..], Some(words(0.2, 0.5))),
+        (&["--samples", "0.2"], None),
+        (&[], None),
+        (&["--samples", "0.25", "--commands", &list], None),
+        (&["--samples", "0.5", "--commands", &list], Some(words(0.3, 0.5))),
+    ] {
+        let done = wobble(&[&["simulate", &scene, "--hash"], call].concat());
+        assert!(done.status.success(), "{call:?}: {}", text(&done.stderr));
+        let said = expected.map_or_else(String::new, |words| format!("wobble: warning: {words}\n"));
+        assert_eq!(text(&done.stderr), said, "{call:?}");
+    }
+    let written = simulated(&[&scene, "--samples", "0.5"]);
+    assert_eq!(written["warnings"], serde_json::json!([words(0.2, 0.5)]));
+}
+
+#[test]
 fn what_is_read_is_never_written_over() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();

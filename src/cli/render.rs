@@ -8,7 +8,7 @@ use glam::DVec3;
 use image::codecs::gif::{GifEncoder, Repeat};
 use image::{Delay, Frame, ImageFormat, RgbaImage};
 
-use super::replay::say_notes;
+use super::replay::{past_end, say_notes};
 use super::spared::spare;
 use super::{progress, values};
 use crate::app::distances;
@@ -104,7 +104,8 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let (scene, commands) = (start.scene(), &start.recording().commands);
     let mut run = Replay::new(start.recording(), &arguments.scene)?;
     say_notes(start.recording(), &arguments.scene);
-    for warning in run.world().warnings() {
+    let past_end = past_end(start.recording(), arguments.time_of(arguments.count() - 1, scene));
+    for warning in run.world().warnings().iter().chain(&past_end) {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
     let alone = opening::alone(scene, &View::of(run.world()));
@@ -135,7 +136,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let mut trails = Trails::new(TRAIL * scene.rate());
     lead_up(&mut run, commands, arguments.time, &mut trails, &mut beside)?;
     for index in 0..count {
-        let time = arguments.time + f64::from(index) / arguments.fps * scene.rate();
+        let time = arguments.time_of(index, scene);
         run.advance(commands, time)?;
         let is_driven =
             commands.iter().any(|entry| entry.at <= time && matches!(entry.act, Do::Key { down: true, .. }));
@@ -207,6 +208,11 @@ impl Arguments {
         }
         written.extend(own.as_deref());
         spare(&[scene], &written)
+    }
+
+    /// When a picture is taken `[s]`.
+    fn time_of(&self, index: u32, scene: &Scene) -> f64 {
+        self.time + f64::from(index) / self.fps * scene.rate()
     }
 
     fn count(&self) -> u32 {

@@ -127,6 +127,12 @@ fn first_that_differs(log: &Log, marks: &[Mark]) -> anyhow::Result<Option<(Mark,
     Ok(different)
 }
 
+/// That a run goes on where a scene ends by itself, and where the window stops; `None`: it ends before.
+pub(super) fn past_end(recording: &Recording, time: f64) -> Option<String> {
+    let end = recording.passed(time)?;
+    Some(format!("the scene ends at {end} s, where the window stops: this goes on to {time} s"))
+}
+
 /// Says what is to be known of a recording that another version made.
 pub(super) fn say_notes(recording: &Recording, label: &str) {
     for note in recording.notes() {
