@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
 
@@ -441,6 +441,30 @@ fn times_past_the_end_of_a_scene_are_told_of() {
     }
     let written = simulated(&[&scene, "--samples", "0.5"]);
     assert_eq!(written["warnings"], serde_json::json!([words(0.2, 0.5)]));
+}
+
+#[test]
+fn a_reader_that_has_enough_is_no_failure() {
+    // More than a pipe and all buffers hold, and less.
+    let calls: [&[&str]; 5] = [
+        &["simulate", "net", "--samples", "0.01,0.02,0.03", "-q"],
+        &["simulate", "points", "--samples", "0.1", "-q"],
+        &["simulate", "points", "--samples", "0.1", "--hash"],
+        &["scenes", "net", "--json", "--expanded"],
+        &["scenes"],
+    ];
+    for call in calls {
+        let mut process = Command::new(env!("CARGO_BIN_EXE_wobble"))
+            .args(call)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(process.stdout.take());
+        let done = process.wait_with_output().unwrap();
+        let said = text(&done.stderr);
+        assert!(done.status.success() && !said.contains("pipe"), "{call:?}: {:?}: {said}", done.status.code());
+    }
 }
 
 #[test]
