@@ -606,7 +606,7 @@ fn an_interrupt_ends_work_cleanly() {
     let out = folder.path().join("x.json");
     let mut running = Command::new(env!("CARGO_BIN_EXE_wobble"))
         .args(["simulate", "net", "--samples", "10000", "--out", out.to_str().unwrap()])
-        .stderr(std::process::Stdio::piped())
+        .stderr(Stdio::piped())
         .spawn()
         .unwrap();
     std::thread::sleep(std::time::Duration::from_millis(1500));
