@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
 
@@ -418,6 +418,89 @@ fn a_failed_run_leaves_the_old_file() {
 }
 
 #[test]
+fn times_past_the_end_of_a_scene_are_told_of() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (scene, list) = (at("x.json"), at("list.json"));
+    let point = r#"{"wobble": 1, "points": {"position": [[0, 0]]}, "gravity": [0, -1], "duration": 0.2}"#;
+    std::fs::write(&scene, point).unwrap();
+    std::fs::write(&list, r#"[{"at": 0.1, "do": "set", "duration": 0.3}]"#).unwrap();
+    let words =
+        |end: f64, to: f64| format!("the scene ends at {end} s, where the window stops: this goes on to {to} s");
+    for (call, expected) in [
+        (&["--samples", "0.1,0.5"][..], Some(words(0.2, 0.5))),
+        (&["--samples", "0.2"], None),
+        (&[], None),
+        (&["--samples", "0.25", "--commands", &list], None),
+        (&["--samples", "0.5", "--commands", &list], Some(words(0.3, 0.5))),
+    ] {
+        let done = wobble(&[&["simulate", &scene, "--hash"], call].concat());
+        assert!(done.status.success(), "{call:?}: {}", text(&done.stderr));
+        let said = expected.map_or_else(String::new, |words| format!("wobble: warning: {words}\n"));
+        assert_eq!(text(&done.stderr), said, "{call:?}");
+    }
+    let written = simulated(&[&scene, "--samples", "0.5"]);
+    assert_eq!(written["warnings"], serde_json::json!([words(0.2, 0.5)]));
+}
+
+#[test]
+fn a_reader_that_has_enough_is_no_failure() {
+    // More than a pipe and all buffers hold, and less.
+    let calls: [&[&str]; 5] = [
+        &["simulate", "net", "--samples", "0.01,0.02,0.03", "-q"],
+        &["simulate", "points", "--samples", "0.1", "-q"],
+        &["simulate", "points", "--samples", "0.1", "--hash"],
+        &["scenes", "net", "--json", "--expanded"],
+        &["scenes"],
+    ];
+    for call in calls {
+        let mut process = Command::new(env!("CARGO_BIN_EXE_wobble"))
+            .args(call)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(process.stdout.take());
+        let done = process.wait_with_output().unwrap();
+        let said = text(&done.stderr);
+        assert!(done.status.success() && !said.contains("pipe"), "{call:?}: {:?}: {said}", done.status.code());
+    }
+}
+
+#[test]
+fn what_is_read_is_never_written_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (scene, list, picture, numbered) = (at("x.json"), at("list.json"), at("x.png"), at("frame-0001.png"));
+    let point = r#"{"wobble": 1, "points": {"position": [[0, 0]]}, "duration": 1}"#;
+    std::fs::write(&scene, point).unwrap();
+    std::fs::write(&list, "[]").unwrap();
+    plain_picture(Path::new(&picture), [0, 0, 0, 255]);
+    plain_picture(Path::new(&numbered), [0, 0, 0, 255]);
+    let before = [&scene, &list, &picture, &numbered].map(|path| std::fs::read(path).unwrap());
+    let (again, out, frame) = (at("./x.json"), at("out.json"), at("frame.png"));
+    let calls: [&[&str]; 10] = [
+        &["simulate", &scene, "--out", &scene],
+        &["simulate", &scene, "--out", &again],
+        &["simulate", &scene, "--record", &scene, "--hash"],
+        &["simulate", &scene, "--commands", &list, "--out", &list],
+        &["simulate", &scene, "--out", &out, "--record", &out],
+        &["render", &picture, "--out", &picture],
+        &["render", &numbered, "--frames", "2", "--out", &frame],
+        &["mesh", &picture, "--preview", &picture],
+        &["replay", &scene, "--out", &scene],
+        &["--record", &scene, &scene],
+    ];
+    for call in calls {
+        let said = failure(call);
+        assert!(said.contains("is what is read, and would be lost") || said.contains("written twice"), "{said}");
+    }
+    assert_eq!([&scene, &list, &picture, &numbered].map(|path| std::fs::read(path).unwrap()), before);
+    success(&["simulate", &scene, "--out", &out]);
+    success(&["simulate", &scene, "--out", &out]);
+}
+
+#[test]
 fn without_a_driver_one_line_says_what_to_install() {
     let done = Command::new(env!("CARGO_BIN_EXE_wobble"))
         .args(["render", "rim", "--out", "/tmp/never.png"])
@@ -523,7 +606,7 @@ fn an_interrupt_ends_work_cleanly() {
     let out = folder.path().join("x.json");
     let mut running = Command::new(env!("CARGO_BIN_EXE_wobble"))
         .args(["simulate", "net", "--samples", "10000", "--out", out.to_str().unwrap()])
-        .stderr(std::process::Stdio::piped())
+        .stderr(Stdio::piped())
         .spawn()
         .unwrap();
     std::thread::sleep(std::time::Duration::from_millis(1500));

@@ -134,8 +134,8 @@ fn pull(panels: &mut Harness<'static, Rehearsal>, [from, to]: [Pos2; 2]) {
     panels.run_steps(3);
 }
 
-/// Uses a control. Returns the keys that were set by it.
-fn used(panel: Panel, name: &str, how: How) -> BTreeSet<String> {
+/// Uses a control of a panel.
+fn touched(panel: Panel, name: &str, how: How) -> Harness<'static, Rehearsal> {
     let mut panels = opened(panel);
     let widest = |a: &Rect, b: &Rect| a.width().total_cmp(&b.width());
     let place = panels.get_all_by_label(name).map(|node| node.rect()).max_by(widest).unwrap();
@@ -151,6 +151,12 @@ fn used(panel: Panel, name: &str, how: How) -> BTreeSet<String> {
         }
     }
     assert_eq!(panels.state().refusals(), [""; 0], "{name}");
+    panels
+}
+
+/// Uses a control. Returns the keys that were set by it.
+fn used(panel: Panel, name: &str, how: How) -> BTreeSet<String> {
+    let panels = touched(panel, name, how);
     let commands = panels.state().history().recording().commands;
     let sets = commands.iter().filter_map(|entry| if let Do::Set(keys) = &entry.act { Some(keys) } else { None });
     let names =
@@ -181,4 +187,26 @@ fn every_control_sets_the_keys_that_it_is_named_for() {
         })
         .collect();
     assert_eq!(missed, [""; 0]);
+}
+
+#[test]
+fn what_is_selected_is_moved_and_turned_by_the_numbers_of_its_place() {
+    for (panel, name, edit) in [
+        (OF_SOFT, "middle x", "move"),
+        (OF_SOFT, "middle y", "move"),
+        (OF_SOFT, "turn by", "turn"),
+        (Panel::Ground, "middle y", "move"),
+        (Panel::Ground, "angle", "turn"),
+    ] {
+        let mut panels = touched(panel, name, How::Drag);
+        let moves = |panels: &Harness<'static, Rehearsal>| {
+            let commands = panels.state().history().recording().commands;
+            commands.into_iter().filter(|entry| matches!(entry.act, Do::Move(_))).collect::<Vec<_>>()
+        };
+        let given = moves(&panels);
+        assert!(!given.is_empty(), "{name}");
+        assert!(given.iter().all(|entry| entry.name.as_deref() == Some(edit)), "{name}: {given:?}");
+        panels.state_mut().act(Action::Undo);
+        assert_eq!(moves(&panels), [], "{name}: one step of undo takes all of the drag back");
+    }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::{Context, Ui};
 
 use super::action::{Action, Tool};
-use super::matter::{Among, MatterChange, Overload, overload};
+use super::matter::{Among, Fit, MatterChange, Overload, overload};
 use super::panels::{self, Facts, Met, PanelState, Pushing, Setting, Settings, Sheet, Wish, parameters, theme};
 use super::player::{Note, Order, Shown, Stage};
 use super::tools::{PushWay, lack_of, no_motors, no_muscles};
@@ -156,6 +156,9 @@ impl Rehearsal {
             Wish::Set(Setting { act, name, .. }) => self.obey(Order::Give(vec![act], Some(name))),
             Wish::Matter(change, goes_on) => {
                 self.obey(Order::Change { among: self.selected.clone(), change, goes_on });
+            }
+            Wish::Place(placing, goes_on) => {
+                self.obey(Order::Place { among: self.selected.clone(), fit: Fit::default(), placing, goes_on });
             }
             Wish::Solver(solver) => self.obey(Order::Solver(solver)),
             Wish::Method(setting, goes_on) => self.obey(Order::Method(setting, goes_on)),

@@ -9,6 +9,7 @@ mod render;
 mod replay;
 mod scenes;
 mod simulate;
+mod spared;
 mod stop;
 mod study;
 mod values;

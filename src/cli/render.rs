@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use image::{ImageFormat, RgbaImage};
 
-use super::replay::say_notes;
+use super::replay::{past_end, say_notes};
+use super::spared::spare;
 use super::{progress, values};
 use crate::app::film::{Film, Gif, Shot, scale_factor};
 use crate::app::{distances, opening};
@@ -92,11 +93,13 @@ fn switch(text: &str) -> Result<bool, String> {
 }
 
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
+    arguments.spare()?;
     let start = Start::load(&arguments.scene)?;
     let scene = start.scene();
     let run = Replay::new(start.recording(), &arguments.scene)?;
     say_notes(start.recording(), &arguments.scene);
-    for warning in run.world().warnings() {
+    let past_end = past_end(start.recording(), arguments.time_of(arguments.count() - 1, scene));
+    for warning in run.world().warnings().iter().chain(&past_end) {
         writeln!(std::io::stderr(), "wobble: warning: {warning}")?;
     }
     let alone = opening::alone(scene, &View::of(run.world()));
@@ -129,7 +132,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let mut animation = Vec::new();
     film.lead_up(arguments.time)?;
     for index in 0..count {
-        let picture = film.picture(arguments.time + f64::from(index) / arguments.fps * scene.rate())?;
+        let picture = film.picture(arguments.time_of(index, scene))?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {
             let path = if count == 1 { path.clone() } else { numbered(path, index) };
             let scene = inside(film.run())?;
@@ -163,6 +166,26 @@ impl Arguments {
     fn animations(&self) -> Vec<&PathBuf> {
         let out = self.out.as_ref().filter(|path| values::extension(path) == "gif");
         out.into_iter().chain(&self.gif).collect()
+    }
+
+    /// Errors: what would be written over the scene, a picture of several included, or over each other.
+    fn spare(&self) -> anyhow::Result<()> {
+        let mut written: Vec<&Path> = self.out.iter().chain(&self.gif).map(PathBuf::as_path).collect();
+        let scene = Path::new(&self.scene);
+        let several = self.out.as_ref().filter(|out| values::extension(out) == "png" && self.count() > 1);
+        // Of the numbered names only one that is the scene's own can be in the way.
+        let is_own = |path: &PathBuf| path.file_name() == scene.file_name();
+        let own = several.and_then(|out| (0..self.count()).map(|index| numbered(out, index)).find(is_own));
+        if several.is_some() {
+            written.remove(0);
+        }
+        written.extend(own.as_deref());
+        spare(&[scene], &written)
+    }
+
+    /// When a picture is taken `[s]`.
+    fn time_of(&self, index: u32, scene: &Scene) -> f64 {
+        self.time + f64::from(index) / self.fps * scene.rate()
     }
 
     fn count(&self) -> u32 {

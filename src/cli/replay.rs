@@ -7,6 +7,7 @@ use anyhow::bail;
 use clap::Args;
 
 use super::simulate::{self, Table};
+use super::spared::spare;
 use super::{WrongCall, progress, values};
 use crate::history::{Difference, Log, Mark, Recording, apart_from_last, hash_now, replay};
 
@@ -33,6 +34,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
+    spare(&[&arguments.file], &arguments.out.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
     let log = Log::open(&arguments.file)?;
     let log = if arguments.partial { log } else { log.whole()? };
     let (head, end) = (log.head()?, log.end());
@@ -123,6 +125,12 @@ fn first_that_differs(log: &Log, marks: &[Mark]) -> anyhow::Result<Option<(Mark,
         Ok(different.is_none())
     })?;
     Ok(different)
+}
+
+/// That a run goes on where a scene ends by itself, and where the window stops; `None`: it ends before.
+pub(super) fn past_end(recording: &Recording, time: f64) -> Option<String> {
+    let end = recording.passed(time)?;
+    Some(format!("the scene ends at {end} s, where the window stops: this goes on to {time} s"))
 }
 
 /// Says what is to be known of a recording that another version made.

@@ -14,6 +14,8 @@ use clap::Args;
 
 use self::apart::Apart;
 use self::strain::Strain;
+use super::replay::past_end;
+use super::spared::spare;
 use super::values::{self, Times};
 use super::{WrongCall, progress};
 use crate::equilibrium::Softness;
@@ -112,6 +114,7 @@ fn extension(path: &Path) -> Option<String> {
 }
 
 pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
+    arguments.spare()?;
     let start = Start::load(&arguments.scene)?;
     if start.is_recording() && arguments.tolerance.is_some() {
         bail!(WrongCall(format!(
@@ -130,6 +133,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
         times = apart.times()?;
     }
     let end = times.last().copied();
+    let past_end = end.and_then(|end| past_end(start.recording(), end));
     let is_cut = arguments.samples.is_some() || apart.is_some();
     let duration = if is_cut { end } else { scene.duration.or(end) };
     if arguments.settle {
@@ -155,6 +159,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     recording.balance = is_kept.then(|| judge(&entries).into());
     recording.bodies = arguments.bodies_of(&scene.tints()?, world.point_count());
     recording.warnings.extend(strain.warning());
+    recording.warnings.extend(past_end);
     recording.beside = beside::measured(&Scene { duration, ..scene.clone() }.into(), &samples)?;
     recording.search_seconds = found.as_ref().map_or(0.0, |found| found.seconds);
     recording.expected_error = found.as_ref().map(|found| found.expected_error);
@@ -330,6 +335,14 @@ impl Searched {
 }
 
 impl Arguments {
+    /// Errors: what would be written over the scene or its commands, or over each other.
+    fn spare(&self) -> anyhow::Result<()> {
+        let read: Vec<&Path> = [Path::new(&self.scene)].into_iter().chain(self.commands.as_deref()).collect();
+        let table = self.out.as_deref().filter(|out| *out != Path::new(STANDARD));
+        let written: Vec<&Path> = table.into_iter().chain(self.record.as_deref()).collect();
+        spare(&read, &written)
+    }
+
     /// Where the table goes.
     fn target(&self) -> Option<&Path> {
         let is_asked = self.out.is_some() || self.hash || self.record.is_some();
@@ -471,6 +484,7 @@ pub(super) struct Table {
     balance: Option<Verdict>,
     beside: Vec<RecordedBeside>,
     bodies: Option<Vec<Option<u32>>>,
+    past_end: Option<String>,
 }
 
 impl Table {
@@ -479,8 +493,8 @@ impl Table {
         let (clock, counters) = (Instant::now(), Counters::default());
         let (strain, scene) = (Strain::default(), scene.clone());
         let (samples, movers) = (Vec::new(), Vec::new());
-        let beside = Vec::new();
-        Table { scene, clock, about: None, strain, samples, counters, movers, balance: None, beside, bodies: None }
+        let (beside, bodies, past_end) = (Vec::new(), None, None);
+        Table { scene, clock, about: None, strain, samples, counters, movers, balance: None, beside, bodies, past_end }
     }
 
     /// Takes a sample at `time` `[s]`, which lies within the world's next step.
@@ -497,6 +511,11 @@ impl Table {
     /// How the energy was kept, where a ledger was.
     pub(super) fn balance(&mut self, balance: Option<Verdict>) {
         self.balance = balance;
+    }
+
+    /// That the run goes on where the scene ends, if it does.
+    fn pass_end(&mut self, words: Option<String>) {
+        self.past_end = words;
     }
 
     /// Which body each point is of, where that is asked for.
@@ -516,10 +535,10 @@ impl Table {
     pub(super) fn write(self, out: Option<&Path>, has_hash: bool, frames: Option<&Frames>) -> anyhow::Result<()> {
         let seconds = frames.map_or_else(|| self.clock.elapsed().as_secs_f64(), Frames::seconds);
         let Some(mut about) = self.about else { return Ok(()) };
-        about.warnings.extend(self.strain.warning());
+        about.warnings.extend(self.strain.warning().into_iter().chain(self.past_end));
         let recording = made(&self.scene, about, (seconds, frames), &self.samples, &self.counters);
         let balance = self.balance.map(RecordedBalance::from);
-        let Table { movers: moved_by, beside, bodies, .. } = self;
+        let (moved_by, beside, bodies) = (self.movers, self.beside, self.bodies);
         write_table(out, has_hash, &Recording { balance, moved_by, beside, bodies, ..recording })
     }
 }

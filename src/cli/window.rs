@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::WrongCall;
+use super::spared::spare;
 use crate::app;
 use crate::history::{HistoryError, Start};
 use crate::render::RenderCounters;
@@ -28,6 +29,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let name = arguments.scene.as_deref().unwrap_or("jelly");
     let path = Path::new(name);
+    spare(&[path], &arguments.record.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
     let is_plain = Scene::is_picture_file(path) && !app::holds_scene(path);
     let record = arguments.record.clone();
     let done = if is_plain { app::run_picture(path, record)? } else { run_start(start(name)?, path, record)? };

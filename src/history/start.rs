@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::chunk;
+use super::clock::Said;
 use super::command::{Do, Entry, SetKeys};
 use super::dress::{Dress, Group};
 use super::error::HistoryError;
@@ -17,6 +18,9 @@ use super::mark::Mark;
 use super::state;
 use crate::picture::PNG_MARK;
 use crate::scene::{Scene, ViewKeys};
+
+/// Times that are added up reach an end no better than to this share of it `[1]`.
+const ROUNDING: f64 = 1e-9;
 
 /// A start scene and the commands that were given, with their times.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,6 +131,18 @@ impl Recording {
         let commands = groups.iter().cloned().chain(ended).map(group).chain(said).collect();
         let state = Some(state::keep(frame, scene.name.as_deref())?);
         Ok(Recording { state, commands, end: Some(at), ..frame.said.put(scene).into() })
+    }
+
+    /// Where the motion ends by itself, as the commands up to `time` `[s]` say, if that is before it: whoever goes on from there goes past it
+    /// `[s]`.
+    pub fn passed(&self, time: f64) -> Option<f64> {
+        let mut said = Said::default();
+        for entry in self.commands.iter().take_while(|entry| entry.at <= time) {
+            if let Do::Set(keys) = &entry.act {
+                said.hear(keys);
+            }
+        }
+        said.of(&self.scene).duration.filter(|end| time > end + ROUNDING * end)
     }
 
     /// How far it goes `[s]`.

@@ -477,6 +477,14 @@ impl Recording {
     ///
     /// Errors: the writer's.
     pub fn write_csv(&self, to: impl Write) -> std::io::Result<()> {
+        // What the writer answered is told as it is: a reader that has gone is told by that from other failures.
+        self.write_rows(to).map_err(|error| match error.into_kind() {
+            csv::ErrorKind::Io(error) => error,
+            other => std::io::Error::other(format!("{other:?}")),
+        })
+    }
+
+    fn write_rows(&self, to: impl Write) -> csv::Result<()> {
         let space =
             self.samples.iter().flat_map(|sample| sample.position.iter().flatten().next()).any(|x| x.len() == 3);
         let mut rows = csv::Writer::from_writer(to);
@@ -501,7 +509,7 @@ impl Recording {
                 rows.write_record(None::<&[u8]>)?;
             }
         }
-        rows.flush()
+        Ok(rows.flush()?)
     }
 }
 

@@ -71,6 +71,7 @@ pub use force::steady::Force;
 pub use force::wind::Wind;
 pub use kernels::level::InstructionSet;
 pub use ledger::{Book, Energies, Ledger, MOST_GAIN, MOST_LOSS, Verdict, judge};
+pub(crate) use model::entries_for;
 pub use model::{Driving, MOST_GRAVITY, MOST_ITERATIONS, Method, Model, ModelError, NoDrive, angle_at};
 pub use moved::{HandedOver, MovedBy, Why};
 pub use plan_part::PlanPart;

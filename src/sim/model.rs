@@ -93,11 +93,17 @@ pub const MOST_GRAVITY: f64 = 1e9;
 /// Shortest substep `[s]`: a run of shorter ones would not end in a lifetime.
 const SHORTEST: f64 = 1e-12;
 
+/// How many entries a list has for so many points, in words.
+pub(crate) fn entries_for(found: usize, points: usize) -> String {
+    let entries = if found == 1 { "entry" } else { "entries" };
+    format!("{found} {entries} for {points} {}", if points == 1 { "point" } else { "points" })
+}
+
 /// A model that no world can be made from.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ModelError {
     /// Lists of different lengths.
-    #[error("{list} has {found} entries for {points} points: give one a point")]
+    #[error("{list} has {}: give one a point", entries_for(*found, *points))]
     Length {
         /// The list.
         list: &'static str,

@@ -110,10 +110,10 @@ fn points() {
             "[[0,0],[1,2,3]] }",
             "points.position[1]: has 3 numbers: a vector in the plane has 2 (for space set \"dimensions\": 3)",
         ),
-        ("[[0,0]], \"velocity\": [] }", "points.velocity: has 0 entries for 1 points: give one a point"),
+        ("[[0,0]], \"velocity\": [] }", "points.velocity: has 0 entries for 1 point: give one a point"),
         ("[[0,0]], \"mass\": 0 }", "points.mass: is 0.0: give a number above 0"),
         ("[[0,0]], \"mass\": [-1] }", "points.mass[0]: is -1.0: give a number above 0"),
-        ("[[0,0]], \"mass\": [1,1] }", "points.mass: has 2 entries for 1 points: give one a point"),
+        ("[[0,0]], \"mass\": [1,1] }", "points.mass: has 2 entries for 1 point: give one a point"),
         ("[[0,0]], \"mass\": \"1\" }", "points.mass: is string \"1\": give a number, or a list of one number a point"),
         ("[[0,0]], \"pinned\": [1] }", "points.pinned[0]: point 1 does not exist: there is 1 point, so use 0"),
         ("[], \"pinned\": [0] }", "points.pinned[0]: point 0 does not exist: there are no points"),
@@ -518,7 +518,7 @@ fn surfaces_method_times_and_view() {
             ),
             (
                 "\"texture\": { \"image\": \"a.png\", \"uv\": [[0,0]] }",
-                "texture.uv: has 1 entries for 2 points: give one a point",
+                "texture.uv: has 1 entry for 2 points: give one a point",
             ),
             (
                 "\"method\": { \"solver\": \"verlett\" }",

@@ -22,6 +22,9 @@ mod led;
 mod motors;
 mod overload;
 mod painted;
+mod placed;
+#[cfg(test)]
+mod placed_tests;
 mod preset;
 #[cfg(test)]
 mod servos_tests;
@@ -41,6 +44,7 @@ pub(super) use led::led;
 pub(super) use motors::{MotorChange, Motors};
 pub(super) use overload::{Overload, overload};
 pub(super) use painted::{Painted, Switched};
+pub(super) use placed::{Fit, Placed, Placing, Size, placed};
 pub(super) use preset::Preset;
 pub(super) use wear::{but_for_pictures, worn};
 

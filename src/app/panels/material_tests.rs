@@ -8,7 +8,9 @@ use egui::{Event, Pos2, Rect, Shape, vec2};
 use super::pointer::{button, click};
 use super::{Facts, PanelState, Wish, material};
 use crate::app::action::{Action, Tool};
-use crate::app::matter::{Among, Common, Matter, MatterChange, MotorChange, Motors, Preset, Span, Stops};
+use crate::app::matter::{
+    Among, Common, Matter, MatterChange, MotorChange, Motors, Placed, Placing, Preset, Size, Span, Stops,
+};
 use crate::app::player::{Order, Shown, Stage};
 use crate::scene::{DriveKeys, KeyName, Scene};
 use crate::sim::PointId;
@@ -397,4 +399,85 @@ fn stops_for_many_joints_say_how_many_they_are() {
     // What has some loses them by the tick.
     let mut some = Screen::new(of([2, 84]));
     assert_eq!(some.click("stops"), [Wish::Matter(MatterChange::Stops(Stops::None), false)]);
+}
+
+/// A box that is turned, in the panel.
+fn of_a_box() -> Screen {
+    let matter = Matter { obstacles: 1, ..Matter::default() };
+    let mut screen = Screen::new(Some(Arc::new(matter)));
+    screen.facts.figures.placed =
+        Some(Placed { middle: [1.5, 2.5, 0.0], angle: Some(0.25), size: Some(Size::Box([3.5, 0.75])) });
+    (0..2).for_each(|_| _ = screen.frame(Vec::new()));
+    screen
+}
+
+#[test]
+fn where_a_box_is_and_how_it_stands_is_typed() {
+    let slope = 21.8_f64.to_radians();
+    for (field, text, expected) in [
+        ("1.500 m", "1.25", Placing::At(0, 1.25)),
+        ("2.500 m", "-3", Placing::At(1, -3.0)),
+        ("14.324°", "21.8", Placing::Angle(slope)),
+        ("3.500 m", "4", Placing::Side(0, 4.0)),
+        ("0.750 m", "0.2", Placing::Side(1, 0.2)),
+    ] {
+        assert_eq!(of_a_box().type_in(field, text), [Wish::Place(expected, false)], "{field}");
+    }
+    let mut screen = of_a_box();
+    screen.facts.figures.placed = Some(Placed { middle: [1.0, 2.0, 0.0], angle: None, size: Some(Size::Circle(0.5)) });
+    assert_eq!(screen.type_in("0.500 m", "0.75"), [Wish::Place(Placing::Radius(0.75), false)]);
+    assert!(
+        !screen.frame(Vec::new()).1.iter().any(|(text, _)| text == "turn by"),
+        "a circle looks the same however it is turned"
+    );
+}
+
+#[test]
+fn a_place_that_is_clicked_and_left_stays_however_it_moved_meanwhile() {
+    let mut screen = of_a_box();
+    screen.click("1.500 m");
+    screen.facts.figures.placed = Some(Placed { middle: [1.75, 2.5, 0.0], angle: None, size: None });
+    let beside = click(Pos2::new(300.0, 700.0)).into_iter().chain([Vec::new()]);
+    let asked: Vec<Wish> = beside.flat_map(|events| screen.frame(events).0).collect();
+    assert_eq!(asked, []);
+    screen.place("1.750 m");
+}
+
+#[test]
+fn what_is_typed_of_a_place_stays_while_that_moves() {
+    let mut screen = of_a_box();
+    screen.click("1.500 m");
+    let mut asked = Vec::new();
+    for (x, text) in [(1.6, "4."), (1.7, "2"), (1.8, "5")] {
+        screen.facts.figures.placed = Some(Placed { middle: [x, 2.5, 0.0], angle: None, size: None });
+        asked.extend(screen.frame(vec![Event::Text(text.to_owned())]).0);
+    }
+    let beside = click(Pos2::new(300.0, 700.0)).into_iter().chain([Vec::new()]);
+    asked.extend(beside.flat_map(|events| screen.frame(events).0));
+    assert_eq!(asked, [Wish::Place(Placing::At(0, 4.25), false)]);
+    screen.place("1.800 m");
+}
+
+#[test]
+fn a_turn_is_dragged_on_by_what_is_more_of_it_and_begins_at_0_again() {
+    let mut screen = of_a_box();
+    screen.facts.figures.placed = Some(Placed { middle: [1.0, 2.0, 0.0], angle: None, size: None });
+    let at = screen.place("0.000°");
+    screen.frame(vec![Event::PointerMoved(at)]);
+    let mut all = screen.frame(vec![button(at, true)]).0;
+    for x in [20.0, 40.0, 60.0] {
+        all.extend(screen.frame(vec![Event::PointerMoved(at + vec2(x, 0.0))]).0);
+    }
+    all.extend(screen.frame(vec![button(at + vec2(60.0, 0.0), false)]).0);
+    let turns: Vec<(f64, bool)> = all
+        .iter()
+        .map(|wish| match wish {
+            Wish::Place(Placing::TurnBy(turn), goes_on) => (turn.to_degrees(), *goes_on),
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    let sum: f64 = turns.iter().map(|(turn, _)| turn).sum();
+    assert!(turns.len() >= 2 && (sum - 30.0).abs() < 3.5, "{turns:?}");
+    assert!(!turns[0].1 && turns[1..].iter().all(|(_, goes_on)| *goes_on), "{turns:?}");
+    assert_eq!(screen.place("0.000°"), at);
 }

@@ -78,7 +78,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::action::{Action, Primitive, Showing, Tool};
-use super::matter::{Bearings, Matter, MatterChange, Overload};
+use super::matter::{Bearings, Matter, MatterChange, Overload, Placing};
 use super::player::{Figures, Going, MethodSetting};
 use super::plots::Plots;
 use super::tools::{Brush, BuiltOf, Drives, Links, PushWay};
@@ -146,6 +146,8 @@ pub(super) enum Wish {
     BuildOf(BuiltOf),
     /// What is selected gets another matter; of the same drag as the last one.
     Matter(MatterChange, bool),
+    /// It is put where a number says; of the same drag as the last one.
+    Place(Placing, bool),
     /// The brush paints with this from now on.
     Brush(Brush),
     /// What gives way is made stiff enough for its load.

@@ -13,11 +13,13 @@ use crate::app::fetch::ENDINGS;
 
 /// Said where the field is empty.
 const NO_NAME: &str = "write a name first, or choose one from the list";
+/// Said below the buttons.
+const HINT: &str = "Tab completes; a file can be dropped on the window too";
 /// So many files are listed at most.
 const MOST: usize = 200;
 /// Height of the list, and of the rest of the sheet `[points]`.
 const HIGH: f32 = 220.0;
-const BESIDE: f32 = 110.0;
+const BESIDE: f32 = 130.0;
 const LEAST: f32 = 48.0;
 
 /// What the sheet keeps.
@@ -88,8 +90,9 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
             if ui.button("Cancel").clicked() {
                 state.sheet = None;
             }
-            ui.weak("Tab completes; a file can be dropped on the window too");
         });
+        // Beside the buttons it would begin there and go on below them.
+        ui.add(Label::new(RichText::new(HINT).color(colors(ui).weak)).wrap());
     });
     if !stays {
         state.sheet = None;

@@ -181,6 +181,9 @@ fn state(facts: &Facts) -> (String, bool) {
     }
 }
 
+/// Half of the last digit of the time that is shown `[s]`.
+const SHOWN: f64 = 0.005;
+
 /// That it stands at its end or past it, in words; `None` where it does not: time goes no further by itself then.
 pub(in crate::app) fn at_end(figures: &Figures) -> Option<String> {
     if figures.ended {
@@ -188,6 +191,10 @@ pub(in crate::app) fn at_end(figures: &Figures) -> Option<String> {
         return Some(format!("the end of its {} s: R plays it again", plain(end)));
     }
     let end = figures.clock.duration.filter(|end| figures.time >= *end)?;
+    // What begins anew there stands at its end, and so does what is past it by less than the time that is shown says.
+    if figures.time - end < SHOWN {
+        return Some(format!("the end of its {} s: R plays it again", plain(end)));
+    }
     Some(format!("past its end of {} s: R plays it again", plain(end)))
 }
 
@@ -248,6 +255,8 @@ mod tests {
             let figures = Figures { time, clock, playing, pace: 1.0, ..Figures::default() };
             state(&Facts { figures, ..Facts::default() }).0
         };
+        assert_eq!(past(20.0, false), "the end of its 20 s: R plays it again");
+        assert_eq!(past(20.004, false), "the end of its 20 s: R plays it again", "the time that is shown is 20.00 s");
         assert_eq!(past(46.0, false), "past its end of 20 s: R plays it again");
         assert_eq!((past(46.0, true).as_str(), past(19.0, false).as_str()), ("", "paused"));
     }

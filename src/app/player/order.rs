@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::beside::Companions;
 use super::watch::{Measured, Probes};
-use crate::app::matter::{Among, MatterChange};
+use crate::app::matter::{Among, Fit, MatterChange, Placing};
 use crate::app::tools::{HaulWay, PinWay};
 use crate::app::warnings::refused;
 use crate::history::{Do, GoneBack, History, Refusal, Start, Why};
@@ -64,6 +64,17 @@ pub enum Order {
         /// What becomes of it.
         change: MatterChange,
         /// The same was changed just before.
+        goes_on: bool,
+    },
+    /// Bodies and obstacles are put where a number says. `goes_on`: this belongs to the last edit.
+    Place {
+        /// What of them.
+        among: Among,
+        /// What goes along with it, and how far it goes aside.
+        fit: Fit,
+        /// The number.
+        placing: Placing,
+        /// It was dragged just before.
         goes_on: bool,
     },
     /// What these are made of is shown from now on; of nothing, nothing is.
@@ -130,7 +141,7 @@ impl Order {
         match self {
             Order::Give(commands, name) => name.is_some() && commands.iter().any(|act| !matches!(act, Do::Release)),
             Order::GiveOn(..) | Order::Change { .. } | Order::Solver(_) | Order::Method(..) | Order::Add(_) => true,
-            Order::Haul(_) => true,
+            Order::Haul(_) | Order::Place { .. } => true,
             _ => false,
         }
     }

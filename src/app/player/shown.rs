@@ -7,7 +7,7 @@ use super::beside::Beside;
 use super::movers::Movers;
 use super::rungs::Yielded;
 use super::watch::Measured;
-use crate::app::matter::Matter;
+use crate::app::matter::{Matter, Placed};
 use crate::app::tools::{Kept, Walls};
 use crate::history::{BranchView, Clock, Group};
 use crate::picture::{Skin, Tint};
@@ -287,6 +287,8 @@ pub struct Figures {
     pub energy: f64,
     /// The mean velocity of what is selected, as it was when figures were last taken `[m/s]`.
     pub velocity: Option<[f64; 3]>,
+    /// Where that is, likewise.
+    pub placed: Option<Placed>,
     /// What moves its islands otherwise than by plan, as it was when figures were last taken.
     pub movers: Arc<Movers>,
     /// Stiffness of springs that would give way as much as relaxed bonds do `[N/m]`; `None` where none takes a share of its error.

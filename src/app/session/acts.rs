@@ -157,6 +157,7 @@ impl Session {
             }
             Wish::Set(setting) => self.set(setting),
             Wish::Matter(change, goes_on) => self.change_matter(change, goes_on),
+            Wish::Place(placing, goes_on) => self.place(placing, goes_on),
             Wish::Brush(brush) => self.hand.set_brush(brush),
             Wish::Bear => self.bear(),
             Wish::Wear => self.choose_to_wear(),

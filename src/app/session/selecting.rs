@@ -7,7 +7,7 @@ use winit::window::CursorIcon;
 
 use super::Session;
 use crate::app::action::Tool;
-use crate::app::matter::{Among, Bearings, MatterChange, overload};
+use crate::app::matter::{Among, Bearings, MatterChange, Placing, overload};
 use crate::app::panels::MatterAt;
 use crate::app::player::Order;
 use crate::app::tools::{Chosen, Handle, Held, PushWay, Ring, Scope, hidden_bodies, is_of_space};
@@ -175,6 +175,22 @@ impl Session {
         if hides {
             self.say(HIDDEN.to_owned());
         }
+    }
+
+    /// What is selected is put where a number says.
+    pub(super) fn place(&mut self, placing: Placing, goes_on: bool) {
+        let Some(chosen) = self.selected() else { return };
+        let (fit, words) = match self.with_scope(|_, scope| chosen.fit(scope, placing)) {
+            Ok((fit, words)) => (Some(fit), words),
+            Err(words) => (None, words),
+        };
+        if let Some(words) = words {
+            self.say(words);
+        }
+        let Some(fit) = fit else { return };
+        let Chosen { points, obstacles } = chosen;
+        self.player.ask(Order::Place { among: Among { points, obstacles, bonds: None }, fit, placing, goes_on });
+        self.dirty = true;
     }
 
     /// What is selected is not drawn any more.

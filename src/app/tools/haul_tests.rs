@@ -3,12 +3,14 @@
 
 use glam::DVec2;
 
-use super::{Hand, Mark, Role, Scope};
+use super::{Chosen, Hand, Mark, Role, Scope};
 use crate::app::action::Tool;
+use crate::app::matter::{Among, Placing};
 use crate::app::player::{Note, Order, Shown, Stage};
 use crate::history::Do;
 use crate::render::{Camera, Pose};
 use crate::scene::Scene;
+use crate::sim::PointId;
 
 const TRAY: &str = r#"{"wobble": 1, "contact": true, "obstacles": [{"box": {"min": [-1, -0.5], "max": [0, 0.5]}}],
     "bodies": [{"make": "lattice", "columns": 4, "rows": 4, "spacing": 0.2, "origin": [0.3, -0.3],
@@ -236,7 +238,7 @@ fn pins_in_an_obstacle_go_along_with_it_while_time_runs_and_while_it_stands_stil
 fn a_pin_goes_where_the_obstacle_that_it_is_stuck_in_is_turned_and_scaled() {
     let mut played = Played::of(BRIDGE);
     played.hand.stand_still(true);
-    let chosen = super::Chosen { obstacles: vec![0], ..Default::default() };
+    let chosen = Chosen { obstacles: vec![0], ..Default::default() };
     for (change, keys) in
         [(super::handles::Change::Turn(0.5), "turn"), (super::handles::Change::Scale([1.5; 2]), "scale")]
     {
@@ -284,4 +286,27 @@ fn what_is_thrown_is_taken_back_to_the_moment_of_the_grab_and_thrown_again() {
     let grab = played.with(|hand, scope| hand.press(scope, from));
     assert!(grab.edit.is_none());
     assert_eq!(played.with(|hand, scope| hand.release(scope, from)).edit, None);
+}
+
+#[test]
+fn a_number_of_its_place_takes_pins_along_as_a_drag_does() {
+    let mut played = Played::of(BRIDGE);
+    let numbers = played.shown.scenery.solid_numbers.clone();
+    let left = |loops: &[Vec<[f64; 2]>]| loops.iter().flatten().all(|corner| corner[0] < 0.0);
+    let place = played.shown.scenery.polygons.iter().position(|polygon| left(&polygon.loops)).unwrap();
+    let chosen = Chosen { obstacles: vec![numbers[place]], ..Chosen::default() };
+    let among = Among { obstacles: chosen.obstacles.clone(), ..Among::default() };
+    assert_eq!(played.stage.obey(Order::Inspect(among.clone())), None);
+    played.stage.show(&mut played.shown);
+    let [x, y, _] = played.shown.figures.placed.unwrap().middle;
+    let placing = Placing::At(1, y + 0.3);
+    let (fit, _) = played.with(|_, scope| chosen.fit(scope, placing)).unwrap();
+    assert_eq!(fit.along, [PointId(0)]);
+    assert_eq!(played.stage.obey(Order::Place { among, fit, placing, goes_on: false }), None);
+    played.stage.show(&mut played.shown);
+    let middle = played.shown.figures.placed.unwrap().middle;
+    assert!((middle[0] - x).abs() < 1e-9 && (middle[1] - y - 0.3).abs() < 1e-9, "{middle:?}");
+    assert!((played.shown.place(0)[1] - 0.2).abs() < 1e-6, "{:?}", played.shown.place(0));
+    let there = Placing::At(1, middle[1]);
+    assert_eq!(played.with(|_, scope| chosen.fit(scope, there)), Err(None), "it is there already");
 }

@@ -57,6 +57,7 @@ mod muscles_tests;
 mod others;
 mod part;
 mod pick;
+mod placing;
 mod press;
 mod push;
 #[cfg(test)]

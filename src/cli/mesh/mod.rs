@@ -11,6 +11,7 @@ use anyhow::Context;
 use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
 
+use super::spared::spare;
 use super::{progress, values};
 use crate::output;
 use crate::picture::{self, Made, Picture, Settings, Size, Stage, Strokes, Threshold, Watch};
@@ -171,12 +172,8 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
 impl Arguments {
     /// Errors: what would be written in place of the picture; a stiffness of what is not soft.
     fn check(&self) -> anyhow::Result<()> {
-        let same = |path: &&PathBuf| {
-            std::fs::canonicalize(path).is_ok_and(|path| Some(path) == std::fs::canonicalize(&self.picture).ok())
-        };
-        if let Some(path) = [&self.out, &self.preview].into_iter().flatten().find(same) {
-            anyhow::bail!("{}: is the picture itself: give another name to write to", path.display());
-        }
+        let written: Vec<&Path> = [&self.out, &self.preview].into_iter().flatten().map(PathBuf::as_path).collect();
+        spare(&[&self.picture], &written)?;
         if self.young.is_some() && !matches!(self.material, MatterArgument::Soft) {
             anyhow::bail!("--young is of soft bodies: leave it out, or --material");
         }

@@ -6,7 +6,7 @@ use anyhow::bail;
 
 use super::{Arguments, Table};
 use crate::cli::progress;
-use crate::cli::replay::say_notes;
+use crate::cli::replay::{past_end, say_notes};
 use crate::history::{Entry, Log, Mark, Recording, Replay, Start, hash_now};
 use crate::scene::frames::{Frames, next_close};
 use crate::sim::{Ledger, judge};
@@ -49,6 +49,9 @@ pub(super) fn run(arguments: &Arguments, start: Start, quiet: bool) -> anyhow::R
     bar.finish_and_clear();
     table.balance(entries.map(|entries| judge(&entries)));
     table.measure_beside(&recording)?;
+    // A recording that is run to its own end goes no further than whoever made it.
+    let goes_on = arguments.samples.is_some() || is_scene;
+    table.pass_end(past_end(&recording, end).filter(|_| goes_on));
     table.name_bodies(arguments.bodies_of(run.tints(), run.world().point_count()));
     if let Some(path) = &arguments.record {
         recording.commands.retain(|entry| entry.at <= end);

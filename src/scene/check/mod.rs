@@ -12,7 +12,7 @@ mod surroundings;
 
 use super::error::{Fault, Within};
 use super::keys::{BodyKeys, BudgetKeys, MassKeys, MethodKeys, PointKeys, Scene, ViewKeys};
-use crate::sim::MOST_ITERATIONS;
+use crate::sim::{MOST_ITERATIONS, entries_for};
 use number::Range;
 
 pub(crate) use beside::MOST_BESIDE;
@@ -90,7 +90,7 @@ fn one_a_point(found: usize, count: u32) -> Result<(), Fault> {
     if found == count as usize {
         Ok(())
     } else {
-        Err(Fault::invalid(format!("has {found} entries for {count} points: give one a point")))
+        Err(Fault::invalid(format!("has {}: give one a point", entries_for(found, count as usize))))
     }
 }
 

@@ -3,6 +3,7 @@
 mod heavy;
 mod look;
 mod place;
+mod placing;
 mod rows;
 mod sink;
 mod surface;
@@ -206,6 +207,7 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
     if let Some(motors) = &matter.motors {
         group(ui, "Motor", true, |ui| motors::show(ui, motors, sink));
     }
+    group(ui, "Place", facts.figures.placed.is_some(), |ui| placing::placing(ui, facts, sink));
     group(ui, "Angles and stops", has_angles, |ui| {
         // Angles come with it, and their rows below it.
         number(ui, ("bending", " N m²"), matter.bending, sink, |x| Some(MatterChange::Bending(x)));

@@ -3,7 +3,7 @@
 use egui::{Id, Response};
 
 use crate::app::action::Action;
-use crate::app::matter::MatterChange;
+use crate::app::matter::{MatterChange, Placing};
 use crate::app::panels::Wish;
 use crate::app::panels::settings::Setting;
 use crate::history::Do;
@@ -23,6 +23,13 @@ impl Sink<'_> {
         let goes_on = *self.gesture == Some(by.id);
         *self.gesture = by.ctx.input(|input| input.pointer.any_down()).then_some(by.id);
         self.wishes.push(Wish::Matter(change, goes_on));
+    }
+
+    /// The same of where it is.
+    pub(super) fn place(&mut self, by: &Response, placing: Placing) {
+        let goes_on = *self.gesture == Some(by.id);
+        *self.gesture = by.ctx.input(|input| input.pointer.any_down()).then_some(by.id);
+        self.wishes.push(Wish::Place(placing, goes_on));
     }
 
     pub(super) fn act(&mut self, action: Action) {

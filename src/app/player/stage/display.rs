@@ -7,7 +7,7 @@ use super::super::movers::movers;
 use super::super::named::in_world;
 use super::super::shown::{Figures, Scenery, Shown};
 use super::Stage;
-use crate::app::matter::{Matter, mean_velocity};
+use crate::app::matter::{Matter, Placed, mean_velocity};
 use crate::sim::Dynamics;
 
 /// How often figures are taken that cost something: nobody reads faster.
@@ -24,6 +24,7 @@ impl Stage {
         let matter = is_wanted.then(|| Matter::of((world, &self.former), known, &self.among)).flatten();
         self.matter = matter.map(Arc::new);
         self.velocity = mean_velocity(self.history.world(), &self.among.points);
+        self.placed = Placed::of(self.history.world(), &self.among);
     }
 
     /// Looks what undo would take back and redo would bring again.
@@ -56,6 +57,7 @@ impl Stage {
         if !moves || self.figures_at.is_none_or(|at| at.elapsed() >= FIGURES_EVERY) {
             self.energy = world.energy();
             self.velocity = mean_velocity(world, &self.among.points);
+            self.placed = Placed::of(world, &self.among);
             self.movers = movers(world);
             self.relaxed.look(&self.history);
             self.acts = self.deeds.look(world.counters(), Instant::now());
@@ -118,6 +120,7 @@ impl Stage {
             bonds: world.bonds().len(),
             energy: self.energy,
             velocity: self.velocity,
+            placed: self.placed,
             movers: Arc::clone(&self.movers),
             relaxed: self.relaxed.stiffness(),
             yielded: self.yielded,

@@ -5,7 +5,7 @@ use super::super::order::{Adder, Coming, Note};
 use super::super::rungs::Rung;
 use super::super::shown::Latest;
 use super::Stage;
-use crate::app::matter::{Among, MatterChange, Stops, but_for_pictures, commands, led};
+use crate::app::matter::{Among, Fit, MatterChange, Placing, Stops, but_for_pictures, commands, led, placed};
 use crate::app::warnings::{refused, said};
 use crate::history::{Do, Refusal, SetKeys};
 use crate::scene::{AddKeys, BondKeys, MOST_MEETING, Meeting};
@@ -141,6 +141,15 @@ impl Stage {
             Ok(list) if goes_on => self.give_on(list, change.name()),
             // How stiff springs are on their way says what they bear, not how stiff they will be.
             Ok(list) => self.give(led(self.history.world(), list), Some(change.name())),
+        }
+    }
+
+    /// What is meant is put elsewhere, by the commands of the tool for that.
+    pub(super) fn place(&mut self, of: (&Among, &Fit), placing: Placing, goes_on: bool) -> Option<Note> {
+        match placed(self.history.world(), of, placing) {
+            Err(why) => Some(Note::Refused(why.to_owned())),
+            Ok(list) if goes_on => self.give_on(list, placing.name()),
+            Ok(list) => self.give(list, Some(placing.name())),
         }
     }
 

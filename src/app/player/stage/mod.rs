@@ -19,7 +19,7 @@ use super::save::{self, Seen};
 use super::shown::{Latest, Scenery};
 use super::softness::Relaxed;
 use super::watch::Watch;
-use crate::app::matter::{Among, Former, Matter};
+use crate::app::matter::{Among, Former, Matter, Placed};
 use crate::app::meter::{Lowest, Meter};
 use crate::app::tools::Hauled;
 use crate::history::{BranchView, Clock, GivenUp, GoneBack, History, HistoryError, Recording, Start};
@@ -49,6 +49,8 @@ pub struct Stage {
     energy: f64,
     /// The mean velocity of what is inspected `[m/s]`.
     velocity: Option<[f64; 3]>,
+    /// Where that is.
+    placed: Option<Placed>,
     movers: Arc<Movers>,
     relaxed: Relaxed,
     rungs: Rungs,
@@ -146,6 +148,7 @@ impl Stage {
             is_latest_shown: true,
             energy: 0.0,
             velocity: None,
+            placed: None,
             movers: Arc::default(),
             relaxed: Relaxed::default(),
             rungs: Rungs::new(),
@@ -251,6 +254,7 @@ impl Stage {
             Order::Give(commands, edit) => self.give(commands, edit),
             Order::GiveOn(act, name) => self.give_on(vec![act], name),
             Order::Change { among, change, goes_on } => self.change_matter(&among, change, goes_on),
+            Order::Place { among, fit, placing, goes_on } => self.place((&among, &fit), placing, goes_on),
             Order::Inspect(among) => {
                 self.among = among;
                 self.inspect();
