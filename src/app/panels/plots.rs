@@ -2,7 +2,8 @@
 
 use egui::collapsing_header::CollapsingState;
 use egui::{
-    Align, Align2, Area, AsIdSalt, Color32, Id, LayerId, Layout, Order, Pos2, Rect, RichText, Ui, Vec2, pos2, vec2,
+    Align, Align2, Area, AsIdSalt, Color32, Id, LayerId, Layout, Order, Pos2, Rect, RichText, Sense, Ui, Vec2, pos2,
+    vec2,
 };
 use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Line, Plot, PlotPoints};
 
@@ -74,29 +75,39 @@ pub(super) fn of_energies(colors: &Colors) -> [Color32; 4] {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::app) struct PlotsAt {
     /// Its left lower corner `[points]`; `None`: it is to be found.
-    pub(in crate::app) corner: Option<Pos2>,
-    /// It was dragged: it stays there in other scenes too.
-    is_dragged: bool,
+    corner: Option<Pos2>,
+    /// It was dragged, and stays there in other scenes too: whether worlds lay side by side then.
+    dragged: Option<bool>,
+    /// Its left lower corner while something else has its place `[points]`.
+    aside: Option<Pos2>,
+    /// It has to leave its place, and does not know yet where bodies are.
+    leaves: bool,
     /// The view, and how much is probed and selected, when it was last looked whether it hides any of that.
     by: Option<(Pose, usize)>,
 }
 
 impl PlotsAt {
-    /// Whether it was dragged to where it is.
-    pub(in crate::app) fn is_dragged(self) -> bool {
-        self.is_dragged
+    /// Whether it was dragged to where it is, in a world that is alone or among worlds side by side.
+    pub(in crate::app) fn is_dragged(self, is_beside: bool) -> bool {
+        self.dragged == Some(is_beside)
     }
 
-    /// It is dragged to a left lower corner `[points]`.
-    pub(super) fn drag_to(&mut self, corner: Pos2) {
-        (self.corner, self.is_dragged) = (Some(corner), true);
+    /// It is dragged to a left lower corner `[points]`, there.
+    pub(super) fn drag_to(&mut self, corner: Pos2, is_beside: bool) {
+        (self.corner, self.dragged, self.aside) = (Some(corner), Some(is_beside), None);
     }
 
     /// Another scene, or the panel opens anew.
     pub(in crate::app) fn begin(&mut self) {
-        if !self.is_dragged {
+        self.aside = None;
+        if self.dragged.is_none() {
             self.corner = None;
         }
+    }
+
+    /// Whether it looks for a place, and is to know where bodies are.
+    pub(in crate::app) fn seeks(self) -> bool {
+        self.corner.is_none() || self.leaves
     }
 
     /// Whether the view, or how much is probed and selected, is another one than it was.
@@ -105,14 +116,26 @@ impl PlotsAt {
     }
 }
 
+/// What its place depends on.
+pub(super) struct Seat<'a> {
+    /// Where bodies are, while it looks for a place `[points]`.
+    pub(super) points: &'a [Pos2],
+    pub(super) at: &'a mut PlotsAt,
+    /// It takes room from worlds that lie side by side.
+    pub(super) is_docked: bool,
+    /// Worlds lie side by side.
+    pub(super) is_beside: bool,
+}
+
 /// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge; off what is taken, by what
 /// belongs to a tool and by keys that are to be held; not at all where that leaves no room for it. Returns where it lies `[points]`.
 pub(super) fn show(
     context: &egui::Context,
     (room, top): (Rect, f32),
-    (plots, (points, at, is_docked), taken): (&mut Plots, (&[Pos2], &mut PlotsAt, bool), Vec<Rect>),
+    (plots, seat, taken): (&mut Plots, Seat<'_>, Vec<Rect>),
     wishes: &mut Vec<Wish>,
 ) -> Option<Rect> {
+    let Seat { points, at, is_docked, is_beside } = seat;
     let id = area_id();
     let high = if is_docked { SIZE[1] } else { (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]) };
     let lay = context.memory(|memory| memory.area_rect(id));
@@ -126,18 +149,46 @@ pub(super) fn show(
     at.corner = at.corner.or_else(|| (!points.is_empty() && !is_docked).then(found));
     let corner =
         pos2(corner.x.min(room.right() - size.x - APART), corner.y.max(room.top() + size.y).min(room.bottom()));
-    let corner = if at.is_dragged { corner } else { below_corner(corner, size, (room, top)) };
+    let corner = if at.is_dragged(is_beside) { corner } else { below_corner(corner, size, (room, top)) };
     // What belongs to a tool has the place that it takes; a folded panel is as low as it is.
     let is_folded = size.y < HEAD;
     let most = if is_folded { size.y } else { size.y.max(high + HEAD) };
-    let (corner, less) = clear_of(corner, vec2(size.x, most), room, &taken)?;
+    let (corner, less) = make_way((context, at), (corner, vec2(size.x, most)), room, (&taken, points))?;
     let high = (high - less).max(LEAST);
+    // A click inside it is no drag.
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
-    let shown = area.show(context, |ui| panel(ui, ([SIZE[0], high], false), plots, wishes));
+    let shown =
+        area.sense(Sense::CLICK | Sense::DRAG).show(context, |ui| panel(ui, ([SIZE[0], high], false), plots, wishes));
     if shown.response.dragged() {
-        at.drag_to(corner + shown.response.drag_delta());
+        at.drag_to(shown.response.rect.left_bottom(), is_beside);
     }
     Some(shown.response.rect)
+}
+
+/// The left lower corner, and how much lower it is, as of [`clear_of`]; while it has to lie elsewhere it stays where it went.
+fn make_way(
+    (context, at): (&egui::Context, &mut PlotsAt),
+    (corner, size): (Pos2, Vec2),
+    room: Rect,
+    (taken, points): (&[Rect], &[Pos2]),
+) -> Option<(Pos2, f32)> {
+    if let Some(less) = lower_at(corner, size, taken) {
+        (at.aside, at.leaves) = (None, false);
+        return Some((corner, less));
+    }
+    let kept = at.aside.and_then(|aside| Some((aside, lower_at(aside, size, taken)?)));
+    if let Some((aside, less)) = kept.filter(|(aside, _)| aside.x + size.x <= room.right() && aside.y <= room.bottom())
+    {
+        return Some((aside, less));
+    }
+    let went = clear_of(corner, size, room, (taken, points));
+    at.aside = went.map(|(aside, _)| aside).filter(|_| !points.is_empty());
+    // Once more, with what is known of bodies.
+    if points.is_empty() && !at.leaves {
+        context.request_repaint();
+    }
+    at.leaves = points.is_empty();
+    went
 }
 
 fn area_id() -> Id {
@@ -245,40 +296,63 @@ fn quiet((room, top): (Rect, f32), size: Vec2, points: &[Pos2]) -> Pos2 {
     let above = pos2(at_right.x, (top + size.y).min(room.bottom()));
     let between = (1..PLACES).map(|k| at_left.lerp(at_right, f32::from(k) / f32::from(PLACES)));
     let places = [at_left, at_right, in_middle, above].into_iter().chain(between);
-    let inside = |corner: &Pos2| {
-        let rect = Rect::from_min_size(*corner - vec2(0.0, size.y), size).expand(ROOM);
-        points.iter().filter(|point| rect.contains(**point)).count()
-    };
-    places.min_by_key(inside).unwrap_or(at_left)
+    places.min_by_key(|corner| covered(lying(*corner, size.x, size.y), points)).unwrap_or(at_left)
+}
+
+/// How much lower panels may be so that there is room for them: of what they have more than their least, these shares `[1]`.
+const LOWER: [f32; 4] = [0.0, 0.25, 0.5, 1.0];
+
+/// By how much a panel of this size with this left lower corner is to be lower, so that it lies over nothing that is `taken`; `None`: it lies over
+/// it anyway `[points]`.
+fn lower_at(corner: Pos2, size: Vec2, taken: &[Rect]) -> Option<f32> {
+    let all = LOWER.map(|share| share * (size.y - HEAD - LEAST).max(0.0));
+    all.into_iter().find(|less| is_free(&lying(corner, size.x, size.y - less), taken))
+}
+
+/// A panel with this left lower corner, so wide and high `[points]`.
+fn lying(corner: Pos2, wide: f32, high: f32) -> Rect {
+    Rect::from_min_size(corner - vec2(0.0, high), vec2(wide, high))
+}
+
+fn is_free(rect: &Rect, taken: &[Rect]) -> bool {
+    !taken.iter().any(|other| other.expand(0.5 * APART).intersects(*rect))
+}
+
+/// How many points lie in it or close to it.
+fn covered(rect: Rect, points: &[Pos2]) -> usize {
+    let rect = rect.expand(ROOM);
+    points.iter().filter(|point| rect.contains(**point)).count()
 }
 
 /// The left lower corner of a panel of this size in a room, where it lies over nothing that is `taken`: where it is, if it has a place there when
-/// it is lower, else as near to that as may be; and how much lower it is to be for that; `None`: there is no place at all.
-fn clear_of(corner: Pos2, size: Vec2, room: Rect, taken: &[Rect]) -> Option<(Pos2, f32)> {
-    let at = |corner: Pos2, high: f32| Rect::from_min_size(corner - vec2(0.0, high), vec2(size.x, high));
-    let is_free = |rect: &Rect| !taken.iter().any(|other| other.expand(0.5 * APART).intersects(*rect));
-    let all = [0.0, 0.25, 0.5, 1.0].map(|share| share * (size.y - HEAD - LEAST).max(0.0));
-    if let Some(less) = all.into_iter().find(|less| is_free(&at(corner, size.y - less))) {
+/// it is lower, else where the fewest points are, as high and as near to that as may be; and how much lower it is to be for that; `None`: there
+/// is no place at all.
+fn clear_of(corner: Pos2, size: Vec2, room: Rect, (taken, points): (&[Rect], &[Pos2])) -> Option<(Pos2, f32)> {
+    if let Some(less) = lower_at(corner, size, taken) {
         return Some((corner, less));
     }
-    for less in all {
+    let at_right = room.right() - size.x - LEFT[1];
+    let place = |less: f32| {
         let high = size.y - less;
         let beside = taken.iter().flat_map(|other| [other.right() + APART, other.left() - APART - size.x]);
-        let across: Vec<f32> = beside.chain([corner.x]).collect();
+        let across: Vec<f32> = beside.chain([corner.x, at_right]).collect();
         let over = taken.iter().flat_map(|other| [other.top() - APART, other.bottom() + APART + high]);
-        let up: Vec<f32> = over.chain([corner.y]).collect();
+        let up: Vec<f32> = over.chain([corner.y, room.bottom(), room.top() + high]).collect();
         let places = across.iter().flat_map(|x| up.iter().map(|y| pos2(*x, *y)));
         let has_room = |place: &Pos2| {
-            let rect = at(*place, high);
+            let rect = lying(*place, size.x, high);
             // What was dragged over an edge may be over it still.
-            room.left() <= rect.left() && rect.right() <= room.right() && room.top() <= rect.top() && is_free(&rect)
+            let is_inside = room.left() <= rect.left() && rect.right() <= room.right() && room.top() <= rect.top();
+            is_inside && is_free(&rect, taken)
         };
         let places = places.filter(|place| place.y <= room.bottom().max(corner.y) && has_room(place));
-        if let Some(place) = places.min_by(|a, b| a.distance(corner).total_cmp(&b.distance(corner))) {
-            return Some((place, less));
-        }
-    }
-    None
+        let ranked = places.map(|place| (covered(lying(place, size.x, high), points), place));
+        let nearer = |a: &Pos2, b: &Pos2| a.distance(corner).total_cmp(&b.distance(corner));
+        ranked.min_by(|(a, here), (b, there)| a.cmp(b).then_with(|| nearer(here, there)))
+    };
+    let all = LOWER.map(|share| share * (size.y - HEAD - LEAST).max(0.0));
+    let found = all.into_iter().filter_map(|less| place(less).map(|(covered, place)| (covered, place, less)));
+    found.min_by_key(|(covered, ..)| *covered).map(|(_, place, less)| (place, less))
 }
 
 /// From this width on there is room for a word beside the buttons above the plots `[points]`.
@@ -637,12 +711,42 @@ mod tests {
         let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0));
         let (size, corner) = (vec2(358.0, 298.0), pos2(LEFT[0], 640.0));
         let brush = Rect::from_min_size(pos2(70.0, 90.0), vec2(270.0, 400.0));
-        assert_eq!(clear_of(corner, size, room, &[]), Some((corner, 0.0)));
-        assert_eq!(clear_of(corner, size, room, &[brush]), Some((pos2(340.0 + APART, 640.0), 0.0)), "right of it");
+        assert_eq!(clear_of(corner, size, room, (&[], &[])), Some((corner, 0.0)));
+        assert_eq!(
+            clear_of(corner, size, room, (&[brush], &[])),
+            Some((pos2(340.0 + APART, 640.0), 0.0)),
+            "right of it"
+        );
         let wide = brush.with_max_x(1270.0);
-        assert_eq!(clear_of(corner, size, room, &[wide]), None, "there is no place below it");
+        assert_eq!(clear_of(corner, size, room, (&[wide], &[])), None, "there is no place below it");
         let above = wide.with_max_y(440.0);
-        assert_eq!(clear_of(corner, size, room, &[above]), Some((corner, size.y - HEAD - LEAST)), "lower below it");
+        assert_eq!(
+            clear_of(corner, size, room, (&[above], &[])),
+            Some((corner, size.y - HEAD - LEAST)),
+            "lower below it"
+        );
+    }
+
+    #[test]
+    fn what_makes_way_for_a_tool_goes_off_bodies_and_stays_there() {
+        let context = egui::Context::default();
+        let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0));
+        let (size, corner) = (vec2(358.0, 298.0), pos2(LEFT[0], 640.0));
+        let tool = Rect::from_min_size(pos2(70.0, 90.0), vec2(270.0, 540.0));
+        let mut at = PlotsAt { corner: Some(corner), ..PlotsAt::default() };
+        // A rod hangs beside the panel of the tool.
+        let rod: Vec<Pos2> = (0..8).map(|k| pos2(500.0, 360.0 + 30.0 * k as f32)).collect();
+        let mut go = |taken: &[Rect], points: &[Pos2]| {
+            let place = make_way((&context, &mut at), (corner, size), room, (taken, points));
+            (place, at.seeks())
+        };
+        assert!(go(&[tool], &[]).1, "where bodies are is to be known first");
+        let (went, seeks) = go(&[tool], &rod);
+        let (place, less) = went.unwrap_or_default();
+        assert!(!seeks && covered(lying(place, size.x, size.y - less), &rod) == 0, "{place:?}");
+        let other: Vec<Pos2> = rod.iter().map(|point| *point + (place.x + 100.0 - 500.0) * Vec2::X).collect();
+        assert_eq!(go(&[tool], &other).0, went, "what comes below it moves it no more");
+        assert_eq!(go(&[], &rod), (Some((corner, 0.0)), false), "back, once there is room");
     }
 
     #[test]

@@ -3,8 +3,8 @@
 
 use egui::{Color32, Event, Pos2, Rect, Shape, vec2};
 
-use super::plots::{self, ENERGIES, PlotsAt, of_energies};
-use super::pointer::click;
+use super::plots::{self, ENERGIES, PlotsAt, Seat, of_energies};
+use super::pointer::{button, click};
 use super::theme::colors;
 use super::{Wish, theme};
 use crate::app::action::Action;
@@ -53,11 +53,11 @@ impl Screen {
         let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, self.size.into()));
         let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
         let mut output = self.context.run_ui(input, |ui| {
-            let at = (&[][..], &mut self.at, false);
+            let seat = Seat { points: &[], at: &mut self.at, is_docked: false, is_beside: false };
             plots::show(
                 ui.ctx(),
                 (ui.available_rect_before_wrap(), 0.0),
-                (&mut self.plots, at, Vec::new()),
+                (&mut self.plots, seat, Vec::new()),
                 &mut wishes,
             );
         });
@@ -159,6 +159,23 @@ fn a_plot_as_low_as_in_a_lesson_has_numbers_at_both_axes() {
         let count = |unit: &str| words.iter().filter(|word| word.ends_with(unit)).count();
         assert!(count(" J") >= 2 && count(" s") >= 2, "{width} x {height}: {words:?}");
     }
+}
+
+#[test]
+fn a_click_inside_it_is_no_drag() {
+    let mut screen = Screen::new(0);
+    let lies = |screen: &Screen| plots::lie(&screen.context).unwrap();
+    let first = lies(&screen);
+    ["CSV", "SVG", "sum"].into_iter().for_each(|words| _ = screen.click(words));
+    assert!(!screen.at.is_dragged(false) && lies(&screen) == first);
+    let (from, way) = (first.left_bottom() + vec2(5.0, -5.0), vec2(90.0, -40.0));
+    let drag = [Event::PointerMoved(from), button(from, true), Event::PointerMoved(from + way)];
+    let drag = drag.into_iter().chain([Event::PointerMoved(from + way), button(from + way, false)]);
+    drag.for_each(|event| _ = screen.frame(vec![event]));
+    screen.frame(Vec::new());
+    let moved = lies(&screen).left_bottom() - first.left_bottom();
+    assert!(screen.at.is_dragged(false) && (moved - way).length() < 1.5, "{moved:?}");
+    assert!(!screen.at.is_dragged(true), "of worlds side by side it has its own place still");
 }
 
 #[test]
