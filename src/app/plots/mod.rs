@@ -176,7 +176,6 @@ impl Plots {
         if self.dimensions == 2 && self.quantity.is_of_space() {
             (self.quantity, self.subject) = (Quantity::default(), self.without_orbit());
         }
-        let mut is_new = self.series.cut(shown.figures.time);
         let is_there = |probe: &Probe| match probe {
             Probe::Point(point) => {
                 point.index() < shown.point_count() && shown.scenery.gone.binary_search(point).is_err()
@@ -185,10 +184,12 @@ impl Plots {
         };
         let gone: Vec<Probe> = self.probes.into_iter().flatten().filter(|probe| !is_there(probe)).collect();
         gone.iter().for_each(|&probe| self.take_off(probe));
-        if let Some(measured) = shown.measured {
+        let mut is_new = false;
+        for &measured in &shown.measured {
             let measured = self.of_probes(measured);
             is_new |= self.series.push(measured);
         }
+        is_new |= self.series.cut(shown.figures.time);
         [is_new, !gone.is_empty()]
     }
 

@@ -136,7 +136,7 @@ fn probes_are_put_on_taken_off_and_drop_out_with_their_points() {
     played.play(10);
     played.toggle(1);
     played.play(10);
-    assert_eq!(played.probed(), [21, 11], "from where it was put on");
+    assert_eq!(played.probed(), [24, 13], "from where it was put on");
     let last = played.plots.series().iter().last().unwrap().probes[1].unwrap();
     assert_eq!(
         [Quantity::X, Quantity::Y].map(|of| of.of(&last)),
@@ -224,6 +224,27 @@ fn a_table_has_a_header_and_a_row_for_each_measurement() {
         assert_eq!(components, velocity);
     }
     assert!(rows[1][5].is_empty() && !rows[rows.len() - 1][5].is_empty());
+}
+
+#[test]
+fn the_present_goes_once_something_follows_and_is_no_row_of_a_table() {
+    let mut series = Series::new(20.0);
+    let rows = |series: &Series| {
+        let mut bytes = Vec::new();
+        series.write_csv(&mut bytes).unwrap();
+        String::from_utf8(bytes).unwrap().lines().count() - 1
+    };
+    let times = |series: &Series| series.iter().map(|measured| measured.time).collect::<Vec<f64>>();
+    let passing = |time: f64| Measured { is_passing: true, ..at(time) };
+    [at(0.0), at(0.1), passing(0.15)].into_iter().for_each(|measured| assert!(series.push(measured)));
+    assert_eq!((times(&series), rows(&series)), (vec![0.0, 0.1, 0.15], 2));
+    series.push(passing(0.17));
+    assert_eq!(times(&series), [0.0, 0.1, 0.17]);
+    series.push(at(0.2));
+    assert_eq!((times(&series), rows(&series)), (vec![0.0, 0.1, 0.2], 3));
+    // Copies of times long ago are no neighbours of what was measured at its time.
+    series.fill(vec![passing(-0.3), passing(0.095), at(0.05)]);
+    assert_eq!((times(&series), rows(&series)), (vec![-0.3, 0.0, 0.05, 0.1, 0.2], 5));
 }
 
 #[test]

@@ -89,7 +89,7 @@ impl Stage {
         shown.jam = self.jam.clone().filter(|_| self.is_dragging());
         (shown.base, shown.settings, shown.driving) = (self.base, world.settings(), world.driving());
         shown.figures = self.figures(world);
-        shown.measured = self.watch.look(self.history.world());
+        self.pace.watch.hand_out((self.history.world(), moves), &mut shown.measured);
         shown.matter.clone_from(&self.matter);
         shown.labels = Arc::clone(self.history.labels());
         let has_beside = !self.history.companions().is_empty();
