@@ -51,10 +51,6 @@ const MENU: f32 = 400.0;
 /// Half of the room less this is free for the plot: the primitives beside the tools end there `[points]`.
 const OTHERS: f32 = 165.0;
 
-/// Said where the force of a bond is asked for that nobody knows.
-const UNKNOWN: &str = "The force of this bond is not known: where bodies meet, where a frame is braced more than it takes, and in methods that sweep, \
-                       no state tells it.";
-
 /// What is plotted of the energies `[J]`.
 type OfEnergies = fn(&Measured) -> f64;
 /// The kinds of energy.
@@ -487,11 +483,11 @@ fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
             ui.line(line.width(width).allow_band(false));
         }
     });
-    if plots.lacks_force() {
+    if let Some(why) = plots.why_empty() {
         let place = shown.response.rect;
         let font = egui::FontId::proportional(12.0);
         let weak = colors.weak;
-        let galley = ui.fonts_mut(|fonts| fonts.layout(UNKNOWN.to_owned(), font, weak, place.width() - 70.0));
+        let galley = ui.fonts_mut(|fonts| fonts.layout(why.to_owned(), font, weak, place.width() - 70.0));
         ui.painter().galley(place.center() - 0.5 * galley.size() + vec2(24.0, 0.0), galley, weak);
     }
 }

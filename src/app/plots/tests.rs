@@ -170,6 +170,22 @@ fn an_orbit_stays_one_when_a_bond_is_probed_too() {
 }
 
 #[test]
+fn it_is_said_why_a_force_against_each_other_has_no_curve() {
+    let force = |probes: [Probe; 2]| {
+        let mut plots = Plots::new(1.0);
+        probes.into_iter().for_each(|probe| plots.toggle(probe, |_| true));
+        (plots.subject, plots.quantity) = (Subject::Phase, Quantity::Force);
+        plots
+    };
+    let mixed = force([PointId(1).into(), Probe::Bond(3)]);
+    assert!(mixed.why_empty().is_some_and(|why| why.starts_with("A point has no force")));
+    assert_eq!([0, 1].map(|place| mixed.has_curve(place)), [false, true]);
+    assert_eq!(force([Probe::Bond(2), Probe::Bond(3)]).why_empty(), None, "nothing was measured yet");
+    let speed = Plots { quantity: Quantity::Speed, ..mixed };
+    assert_eq!(speed.why_empty(), None);
+}
+
+#[test]
 fn a_probe_opens_on_what_changes_of_it() {
     let opened = |probe: Probe, is_rigid: bool| {
         let mut plots = Plots::new(1.0);
