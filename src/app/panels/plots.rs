@@ -571,7 +571,8 @@ pub(in crate::app) fn figure(plots: &Plots) -> String {
             svg(["time [s]", "energy [J]"], &all.collect::<Vec<_>>())
         }
         Subject::Probes => {
-            let places = plots.probes().into_iter().enumerate().filter_map(|(place, probe)| Some((place, probe?)));
+            let places = plots.probes().into_iter().enumerate().filter(|(place, _)| plots.has_curve(*place));
+            let places = places.filter_map(|(place, probe)| Some((place, probe?)));
             let all = places.map(|(place, probe)| curve(named(probe), ON_WHITE[place], over_time(&of(place))));
             svg(["time [s]", &format!("{name} [{unit}]")], &all.collect::<Vec<_>>())
         }

@@ -8,7 +8,7 @@ use super::pointer::{button, click};
 use super::theme::colors;
 use super::{Wish, theme};
 use crate::app::action::Action;
-use crate::app::player::{Order, Shown, Stage};
+use crate::app::player::{Order, Probe, Shown, Stage};
 use crate::app::plots::{Plots, Quantity, Subject};
 use crate::render::Palette;
 use crate::scene::Scene;
@@ -229,6 +229,17 @@ fn a_probe_is_plotted_against_its_own_velocity() {
     one.click("phase portrait of y");
     one.click("velocity x");
     assert_eq!((one.plots.subject, one.plots.quantity), (Subject::Probes, Quantity::VelocityX));
+}
+
+#[test]
+fn a_figure_of_forces_names_no_point() {
+    let mut screen = Screen::new(1);
+    screen.plots.toggle(Probe::Bond(0), |_| false);
+    for (quantity, names_point) in [(Quantity::Force, false), (Quantity::Speed, true)] {
+        screen.plots.choose(quantity);
+        let drawn = super::figure(&screen.plots);
+        assert!(drawn.contains("bond 0") && drawn.contains("point 1") == names_point, "{drawn}");
+    }
 }
 
 #[test]

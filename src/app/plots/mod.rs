@@ -242,6 +242,11 @@ impl Plots {
         }
     }
 
+    /// Of the world: 2 or 3.
+    pub(super) fn dimensions(&self) -> usize {
+        self.dimensions
+    }
+
     /// Whether a bond is probed.
     pub(super) fn has_bond(&self) -> bool {
         self.probes.iter().any(|probe| matches!(probe, Some(Probe::Bond(_))))

@@ -105,14 +105,22 @@ impl Series {
         self.list.iter_mut().for_each(|measured| measured.probes[place] = None);
     }
 
-    /// Writes a table with a row for each measurement at a fixed time; a column is left empty where nothing was probed that has it.
+    /// Writes a table with a row for each measurement at a fixed time, of a world of so many dimensions; a column is left empty where nothing was
+    /// probed that has it.
     ///
     /// Errors: whatever `to` answers.
-    pub(in crate::app) fn write_csv(&self, to: &mut dyn Write) -> std::io::Result<()> {
+    pub(in crate::app) fn write_csv(&self, dimensions: usize, to: &mut dyn Write) -> std::io::Result<()> {
+        let axes = || ["x", "y", "z"].into_iter().take(dimensions);
+        let components = |vector: [f64; 3]| {
+            let all = vector.into_iter().take(dimensions).map(|number| format!(",{number}"));
+            all.collect::<String>()
+        };
         write!(to, "time_s,kinetic_J,elastic_J,gravity_J,sum_J")?;
         for number in 1..=2 {
-            write!(to, ",point_{number},bond_{number},x_{number}_m,y_{number}_m,z_{number}_m,speed_{number}_m/s")?;
-            write!(to, ",vx_{number}_m/s,vy_{number}_m/s,vz_{number}_m/s")?;
+            write!(to, ",point_{number},bond_{number}")?;
+            axes().try_for_each(|axis| write!(to, ",{axis}_{number}_m"))?;
+            write!(to, ",speed_{number}_m/s")?;
+            axes().try_for_each(|axis| write!(to, ",v{axis}_{number}_m/s"))?;
             write!(to, ",strain_{number},force_{number}_N")?;
         }
         let at_their_times = self.list.iter().filter(|measured| !measured.is_passing);
@@ -122,16 +130,16 @@ impl Series {
             for probe in probes {
                 match probe {
                     Some(probed) => {
-                        let ([x, y, z], [u, v, w]) = (probed.position, probed.velocity);
+                        let [position, velocity] = [probed.position, probed.velocity].map(components);
                         let names = match probed.probe {
                             Probe::Point(point) => format!("{},", point.0),
                             Probe::Bond(number) => format!(",{number}"),
                         };
                         let said = |number: Option<f64>| number.map_or(String::new(), |number| number.to_string());
                         let [strain, force] = [probed.strain, probed.force].map(said);
-                        write!(to, ",{names},{x},{y},{z},{},{u},{v},{w},{strain},{force}", probed.speed())?;
+                        write!(to, ",{names}{position},{}{velocity},{strain},{force}", probed.speed())?;
                     }
-                    None => write!(to, ",,,,,,,,,,,")?,
+                    None => write!(to, "{}", ",".repeat(5 + 2 * dimensions))?,
                 }
             }
         }

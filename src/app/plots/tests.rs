@@ -220,7 +220,7 @@ fn a_table_has_a_header_and_a_row_for_each_measurement() {
     played.toggle(1);
     played.play(5);
     let mut bytes = Vec::new();
-    played.plots.series().write_csv(&mut bytes).unwrap();
+    played.plots.series().write_csv(2, &mut bytes).unwrap();
     let text = String::from_utf8(bytes).unwrap();
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(rows.len(), 1 + played.times().len());
@@ -232,13 +232,18 @@ fn a_table_has_a_header_and_a_row_for_each_measurement() {
             [measured.time, measured.energies.kinetic]
         );
         let Some(probed @ Probed { velocity, .. }) = measured.probes[0] else {
-            assert_eq!(row[5..], [""; 22]);
+            assert_eq!(row[5..], [""; 18]);
             continue;
         };
-        assert_eq!((row[5], row[10].parse()), ("1", Ok(probed.speed())));
-        let components: Vec<f64> = row[11..14].iter().map(|word| word.parse().unwrap()).collect();
-        assert_eq!(components, velocity);
+        assert_eq!((row[5], row[9].parse()), ("1", Ok(probed.speed())));
+        let components: Vec<f64> = row[10..12].iter().map(|word| word.parse().unwrap()).collect();
+        assert_eq!(components, velocity[..2], "the plane has no third one");
     }
+    let mut space = Vec::new();
+    played.plots.series().write_csv(3, &mut space).unwrap();
+    let space = String::from_utf8(space).unwrap();
+    assert!(space.contains(",z_1_m,") && space.contains(",vz_2_m/s,") && !text.contains('z'), "{space}");
+    assert!(space.lines().all(|line| line.split(',').count() == rows[0].len() + 4), "{space}");
     assert!(rows[1][5].is_empty() && !rows[rows.len() - 1][5].is_empty());
 }
 
@@ -247,7 +252,7 @@ fn the_present_goes_once_something_follows_and_is_no_row_of_a_table() {
     let mut series = Series::new(20.0);
     let rows = |series: &Series| {
         let mut bytes = Vec::new();
-        series.write_csv(&mut bytes).unwrap();
+        series.write_csv(2, &mut bytes).unwrap();
         String::from_utf8(bytes).unwrap().lines().count() - 1
     };
     let times = |series: &Series| series.iter().map(|measured| measured.time).collect::<Vec<f64>>();
