@@ -46,6 +46,8 @@ pub struct Stage {
     latest: Latest,
     is_latest_shown: bool,
     energy: f64,
+    /// The methods that rules chose, where something stands beside the world.
+    by: String,
     /// The mean velocity of what is inspected `[m/s]`.
     velocity: Option<[f64; 3]>,
     movers: Arc<Movers>,
@@ -143,6 +145,7 @@ impl Stage {
             latest: Latest::default(),
             is_latest_shown: true,
             energy: 0.0,
+            by: String::new(),
             velocity: None,
             movers: Arc::default(),
             relaxed: Relaxed::default(),
