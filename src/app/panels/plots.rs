@@ -61,6 +61,18 @@ pub(super) const ENERGIES: [(&str, OfEnergies); 4] = [
     ("sum", |measured| measured.energies.sum()),
 ];
 
+/// How wide curves are that may lie on each other, in their order, so that those below are seen beside those above `[points]`: the four of energies,
+/// and the two of probes.
+const OF_ENERGIES: [f32; 4] = [4.6, 3.4, 2.3, 1.2];
+const OF_PROBES: [f32; 2] = [2.8, 1.4];
+/// How wide a curve is that is alone `[points]`.
+const ALONE: f32 = 1.5;
+
+/// How wide the curve of a probe is `[points]`.
+fn of_probe(plots: &Plots, place: usize) -> f32 {
+    if plots.probes().iter().all(Option::is_some) { OF_PROBES[place] } else { ALONE }
+}
+
 /// Their colours, that of the sum last.
 pub(super) fn of_energies(colors: &Colors) -> [Color32; 4] {
     let [kinetic, elastic, gravity] = colors.energies;
@@ -477,10 +489,11 @@ fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
     let frame = frame.x_grid_spacer(move |input| grid(input, across)).y_grid_spacer(move |input| grid(input, up));
     let shown = frame.width(width).height(height).show(ui, |ui| {
         // One measurement alone is a dot, as wide as a line.
-        let width = if plots.series().iter().nth(1).is_some() { 1.5 } else { DOT };
+        let is_dot = plots.series().iter().nth(1).is_none();
         for line in lines(plots, colors) {
             // As a band what is steep would get thin.
-            ui.line(line.width(width).allow_band(false));
+            let line = line.allow_band(false);
+            ui.line(if is_dot { line.width(DOT) } else { line });
         }
     });
     if let Some(why) = plots.why_empty() {
@@ -561,26 +574,34 @@ pub(in crate::app) fn figure(plots: &Plots) -> String {
     let over_time = |of: &dyn Fn(&Measured) -> Option<f64>| -> Vec<[f64; 2]> {
         plots.series().iter().filter_map(|measured| Some([measured.time, of(measured)?])).collect()
     };
-    let curve = |name: String, color: Color32, points: Vec<[f64; 2]>| Curve { name, color: color.to_array(), points };
+    let curve = |name: String, (color, width): (Color32, f32), points: Vec<[f64; 2]>| Curve {
+        name,
+        color: color.to_array(),
+        width,
+        points,
+    };
     match plots.subject {
         Subject::Energies => {
             let all = ENERGIES
                 .into_iter()
-                .zip(ENERGIES_ON_WHITE)
+                .zip(ENERGIES_ON_WHITE.into_iter().zip(OF_ENERGIES))
                 .map(|((name, of), color)| curve(name.to_owned(), color, over_time(&|measured| Some(of(measured)))));
             svg(["time [s]", "energy [J]"], &all.collect::<Vec<_>>())
         }
         Subject::Probes => {
             let places = plots.probes().into_iter().enumerate().filter(|(place, _)| plots.has_curve(*place));
             let places = places.filter_map(|(place, probe)| Some((place, probe?)));
-            let all = places.map(|(place, probe)| curve(named(probe), ON_WHITE[place], over_time(&of(place))));
+            let all = places.map(|(place, probe)| {
+                curve(named(probe), (ON_WHITE[place], of_probe(plots, place)), over_time(&of(place)))
+            });
             svg(["time [s]", &format!("{name} [{unit}]")], &all.collect::<Vec<_>>())
         }
         Subject::Orbit => {
             let places = plots.probes().into_iter().enumerate().filter_map(|(place, probe)| Some((place, probe?)));
             let orbit =
                 |place: usize| plots.series().iter().filter_map(|measured| orbit(plots, measured, place)).collect();
-            let all = places.map(|(place, probe)| curve(named(probe), ON_WHITE[place], orbit(place)));
+            let all = places
+                .map(|(place, probe)| curve(named(probe), (ON_WHITE[place], of_probe(plots, place)), orbit(place)));
             svg([&format!("{name} [{unit}]"), &format!("velocity {name} [m/s]")], &all.collect::<Vec<_>>())
         }
         Subject::Phase => {
@@ -588,7 +609,7 @@ pub(in crate::app) fn figure(plots: &Plots) -> String {
             let names = plots.probes().map(|probe| probe.map_or(String::new(), named));
             let points = plots.series().iter().filter_map(both).collect();
             let axis = |place: usize| format!("{name} of {} [{unit}]", names[place]);
-            svg([&axis(0), &axis(1)], &[curve(String::new(), ON_WHITE[0], points)])
+            svg([&axis(0), &axis(1)], &[curve(String::new(), (ON_WHITE[0], ALONE), points)])
         }
     }
 }
@@ -608,15 +629,19 @@ fn lines(plots: &Plots, colors: &Colors) -> Vec<Line<'static>> {
     let of = |place: usize| move |measured: &Measured| measured.probes[place].and_then(|probed| quantity.of(&probed));
     match plots.subject {
         Subject::Energies => {
-            let line = |((name, of), color): ((&'static str, OfEnergies), Color32)| {
-                Line::new(name, points(series, |measured| Some([measured.time, of(measured)]))).color(color)
+            let line = |((name, of), (color, width)): ((&'static str, OfEnergies), (Color32, f32))| {
+                let curve = Line::new(name, points(series, |measured| Some([measured.time, of(measured)])));
+                curve.color(color).width(width)
             };
-            ENERGIES.into_iter().zip(of_energies(colors)).map(line).collect()
+            let drawn = of_energies(colors).into_iter().zip(OF_ENERGIES);
+            ENERGIES.into_iter().zip(drawn).map(line).collect()
         }
         Subject::Probes => {
             let line = |place: usize| {
                 let at = |measured: &Measured| Some([measured.time, of(place)(measured)?]);
-                Line::new((place + 1).to_string(), points(series, at)).color(colors.probes[place])
+                Line::new((place + 1).to_string(), points(series, at))
+                    .color(colors.probes[place])
+                    .width(of_probe(plots, place))
             };
             let places = plots.probes().into_iter().enumerate().filter(|(_, probe)| probe.is_some());
             places.map(|(place, _)| line(place)).collect()
@@ -624,14 +649,16 @@ fn lines(plots: &Plots, colors: &Colors) -> Vec<Line<'static>> {
         Subject::Orbit => {
             let line = |place: usize| {
                 let at = |measured: &Measured| orbit(plots, measured, place);
-                Line::new((place + 1).to_string(), points(series, at)).color(colors.probes[place])
+                Line::new((place + 1).to_string(), points(series, at))
+                    .color(colors.probes[place])
+                    .width(of_probe(plots, place))
             };
             let places = plots.probes().into_iter().enumerate().filter(|(_, probe)| probe.is_some());
             places.map(|(place, _)| line(place)).collect()
         }
         Subject::Phase => {
             let at = |measured: &Measured| Some([of(0)(measured)?, of(1)(measured)?]);
-            vec![Line::new("2 against 1", points(series, at)).color(colors.text)]
+            vec![Line::new("2 against 1", points(series, at)).color(colors.text).width(ALONE)]
         }
     }
 }

@@ -135,6 +135,24 @@ fn all_energies_are_drawn_with_their_names() {
 }
 
 #[test]
+fn curves_that_lie_on_each_other_are_all_seen() {
+    let mut screen = Screen::new(0);
+    let colors = of_energies(colors(&screen.context));
+    let shapes = screen.frame(Vec::new()).1;
+    let width = |color: Color32| {
+        let of = |shape: &Shape| match shape {
+            Shape::Path(path) if path.stroke.color == egui::epaint::ColorMode::Solid(color) => Some(path.stroke.width),
+            _ => None,
+        };
+        shapes.iter().find_map(of).unwrap()
+    };
+    let widths = colors.map(width);
+    assert!(widths.windows(2).all(|pair| pair[0] > pair[1] + 0.9), "what is drawn first is wider: {widths:?}");
+    let drawn = super::figure(&screen.plots);
+    assert!(widths.iter().all(|width| drawn.contains(&format!("stroke-width=\"{width}\""))), "{drawn}");
+}
+
+#[test]
 fn a_plot_as_low_as_in_a_lesson_has_numbers_at_both_axes() {
     let mut screen = Screen::new(0);
     for (width, height) in [(300.0, 70.0), (180.0, 70.0), (340.0, 180.0)] {
