@@ -199,6 +199,9 @@ fn press_key(session: &mut Session, event: &KeyEvent, event_loop: &ActiveEventLo
     if !session.keyboard().lets(action) {
         return;
     }
+    if session.closes_lines(action) {
+        return;
+    }
     if session.is_covered() && !session.lets_through(action) {
         return;
     }

@@ -151,12 +151,12 @@ impl<'a> Laying<'a> {
         let (room, stands_upright) = (self.room, self.places.is_upright());
         let is_small = self.state.room == Room::One;
         // Beside worlds that lie side by side plots take room, as panels do: there is no place that none of them is in.
-        let is_dragged = self.state.plots_at.is_dragged();
+        let worlds = self.facts.neighbors.len();
+        let is_dragged = self.state.plots_at.is_dragged(worlds > 0);
         // A lesson and its plots are one column: what is read and what is seen leave the world alone, wherever plots were dragged to elsewhere.
         let is_read = seen.has_lessons && (!is_dragged || self.state.lessons.open_at().is_some());
         let are_stacked = seen.has_plots && !stands_upright && is_read;
         let stand_alone = seen.has_plots && !stands_upright && !are_stacked;
-        let worlds = self.facts.neighbors.len();
         let are_docked = stand_alone && !is_dragged && !is_small && worlds > 0;
         // In a small window they have a place of their own, whatever lies there.
         let are_small = stand_alone && is_small;
@@ -223,11 +223,12 @@ impl<'a> Laying<'a> {
             let rect = plots::show_below(context, places.low_strip(shares.panels_edge), plots, wishes);
             (self.plotted, self.strip) = (Some(rect), Some(rect.top()));
         } else {
-            let points = (&facts.points[..], &mut state.plots_at, are_docked);
+            let (at, is_beside) = (&mut state.plots_at, !facts.neighbors.is_empty());
+            let seat = plots::Seat { points: &facts.points, at, is_docked: are_docked, is_beside };
             let high = places.right.max(places.bar_bottom());
             let room = (places.low_beside(shares.panels_edge), high);
             let taken = palette::of_tool(context, facts.tool).into_iter().chain(held::lie(context)).collect();
-            let rect = plots::show(context, room, (plots, points, taken), wishes);
+            let rect = plots::show(context, room, (plots, seat, taken), wishes);
             self.plotted = rect.filter(|_| !are_docked);
         }
     }
@@ -295,7 +296,7 @@ impl<'a> Laying<'a> {
         let Laying { context, places, state, facts, has_panels, .. } = self;
         let Plotted { are_stacked, are_docked, are_small, .. } = shares.plots;
         // Where plots were dragged to on purpose they may lie over bodies.
-        let plotted = self.plotted.filter(|_| are_small || !state.plots_at.is_dragged());
+        let plotted = self.plotted.filter(|_| are_small || !state.plots_at.is_dragged(!facts.neighbors.is_empty()));
         let caption_end = state.notes.caption_end(places.room).unwrap_or(0.0);
         let edges = (shares.all_edge, beside::height(facts, places.is_crowded));
         let free = (!self.is_covered).then(|| match has_panels {

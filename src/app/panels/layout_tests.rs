@@ -203,7 +203,7 @@ fn plots_that_were_dragged_over_a_world_stand_beside_it_in_a_lesson() {
     let plots_of = |size: [f32; 2], is_dragged: bool, is_in_lesson: bool| {
         let mut state = PanelState { plots: Some(Plots::new(1.0)), ..PanelState::default() };
         if is_dragged {
-            state.plots_at.drag_to(pos2(420.0, 460.0));
+            state.plots_at.drag_to(pos2(420.0, 460.0), false);
         }
         state.lessons.is_open = true;
         if is_in_lesson {
@@ -219,6 +219,28 @@ fn plots_that_were_dragged_over_a_world_stand_beside_it_in_a_lesson() {
     let is_over_world = |(all, _): (Vec<Rect>, Laid)| all.iter().any(|one| one.contains(pos2(500.0, 400.0)));
     assert!(is_over_world(plots_of(SIZES[0], true, false)), "beside the list of lessons they stay where they were put");
     assert!(!is_over_world(plots_of(SIZES[0], true, true)));
+}
+
+#[test]
+fn plots_that_were_dragged_over_a_world_have_their_place_among_worlds_side_by_side() {
+    let world = |left: f32| Neighbor {
+        title: "explicit Euler".to_owned(),
+        at: [left, 0.0],
+        width: 574.0,
+        columns: 2,
+        ..Neighbor::default()
+    };
+    let free = |is_dragged: bool| {
+        let mut state = PanelState { plots: Some(Plots::new(1.0)), ..PanelState::default() };
+        if is_dragged {
+            state.plots_at.drag_to(pos2(420.0, 460.0), false);
+        }
+        let facts = Facts { neighbors: [66.0, 640.0].map(world).to_vec(), ..facts(Tool::Hand) };
+        let (all, left) = laid(SIZES[0], &mut state, &facts);
+        (all, left.free, left.has_plots_at_edge)
+    };
+    assert_eq!(free(true), free(false));
+    assert!(free(true).2);
 }
 
 #[test]

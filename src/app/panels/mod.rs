@@ -100,6 +100,7 @@ pub(super) use lessons::{At, Lessons, Met};
 pub(super) use material::MatterAt;
 pub(super) use material::lies as matter_lies;
 pub(super) use material::presets;
+pub(super) use moving::{close as close_lines, is_open as are_lines_open};
 pub(super) use notes::Notes;
 pub(super) use open_from::{OpenFrom, meant};
 use opened::Seen;

@@ -112,11 +112,11 @@ fn in_bar(ui: &mut Ui, (note, is_roomy): (Note, bool), wishes: &mut Vec<Wish>) {
             ui.add(Label::new(RichText::new(words).color(tone.color(ui))).wrap());
         }
     });
-    let id = Popup::default_response_id(&button);
+    let id = lines_id();
     if is_over(ui.ctx(), id, button.rect) {
         Popup::close_id(ui.ctx(), id);
     }
-    let popup = Popup::from_toggle_button_response(&button).align(RectAlign::TOP_END).width(WIDTH);
+    let popup = Popup::from_toggle_button_response(&button).id(id).align(RectAlign::TOP_END).width(WIDTH);
     popup.close_behavior(PopupCloseBehavior::CloseOnClickOutside).show(|ui| {
         for Line { words, figures, tone, offer } in lines {
             let label = Label::new(RichText::new(words).color(tone.color(ui))).wrap().selectable(false);
@@ -128,6 +128,24 @@ fn in_bar(ui: &mut Ui, (note, is_roomy): (Note, bool), wishes: &mut Vec<Wish>) {
             }
         }
     });
+}
+
+fn lines_id() -> Id {
+    Id::unique("who moves what")
+}
+
+/// Whether the lines that the button opens are shown.
+pub(in crate::app) fn is_open(context: &Context) -> bool {
+    Popup::is_id_open(context, lines_id())
+}
+
+/// Closes them. Returns whether they were shown.
+pub(in crate::app) fn close(context: &Context) -> bool {
+    let was_open = is_open(context);
+    if was_open {
+        Popup::close_id(context, lines_id());
+    }
+    was_open
 }
 
 /// Whether the lines that were opened are to close: something else is pressed, or nobody has pointed at them for a while.
@@ -410,6 +428,10 @@ mod tests {
         assert!(is_open(&harness), "there is time to read it");
         harness.run_steps(14);
         assert!(!is_open(&harness), "nobody looks at it any more");
+        open(&mut harness);
+        assert!(super::is_open(&harness.ctx) && close(&harness.ctx), "a key of the scene closes it");
+        harness.run_steps(3);
+        assert!(!is_open(&harness) && !close(&harness.ctx));
         open(&mut harness);
         harness.key_press(egui::Key::Escape);
         harness.run_steps(3);

@@ -2,7 +2,8 @@
 
 use egui::collapsing_header::CollapsingState;
 use egui::{
-    Align, Align2, Area, AsIdSalt, Color32, Id, LayerId, Layout, Order, Pos2, Rect, RichText, Ui, Vec2, pos2, vec2,
+    Align, Align2, Area, AsIdSalt, Color32, Id, LayerId, Layout, Order, Pos2, Rect, RichText, Sense, Ui, Vec2, pos2,
+    vec2,
 };
 use egui_plot::{AxisHints, GridInput, GridMark, HoverPosition, Line, Plot, PlotPoints};
 
@@ -50,10 +51,6 @@ const MENU: f32 = 400.0;
 /// Half of the room less this is free for the plot: the primitives beside the tools end there `[points]`.
 const OTHERS: f32 = 165.0;
 
-/// Said where the force of a bond is asked for that nobody knows.
-const UNKNOWN: &str = "The force of this bond is not known: where bodies meet, where a frame is braced more than it takes, and in methods that sweep, \
-                       no state tells it.";
-
 /// What is plotted of the energies `[J]`.
 type OfEnergies = fn(&Measured) -> f64;
 /// The kinds of energy.
@@ -63,6 +60,18 @@ pub(super) const ENERGIES: [(&str, OfEnergies); 4] = [
     ("gravity", |measured| measured.energies.gravity),
     ("sum", |measured| measured.energies.sum()),
 ];
+
+/// How wide curves are that may lie on each other, in their order, so that those below are seen beside those above `[points]`: the four of energies,
+/// and the two of probes.
+const OF_ENERGIES: [f32; 4] = [4.6, 3.4, 2.3, 1.2];
+const OF_PROBES: [f32; 2] = [2.8, 1.4];
+/// How wide a curve is that is alone `[points]`.
+const ALONE: f32 = 1.5;
+
+/// How wide the curve of a probe is `[points]`.
+fn of_probe(plots: &Plots, place: usize) -> f32 {
+    if plots.probes().iter().all(Option::is_some) { OF_PROBES[place] } else { ALONE }
+}
 
 /// Their colours, that of the sum last.
 pub(super) fn of_energies(colors: &Colors) -> [Color32; 4] {
@@ -74,29 +83,39 @@ pub(super) fn of_energies(colors: &Colors) -> [Color32; 4] {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::app) struct PlotsAt {
     /// Its left lower corner `[points]`; `None`: it is to be found.
-    pub(in crate::app) corner: Option<Pos2>,
-    /// It was dragged: it stays there in other scenes too.
-    is_dragged: bool,
+    corner: Option<Pos2>,
+    /// It was dragged, and stays there in other scenes too: whether worlds lay side by side then.
+    dragged: Option<bool>,
+    /// Its left lower corner while something else has its place `[points]`.
+    aside: Option<Pos2>,
+    /// It has to leave its place, and does not know yet where bodies are.
+    leaves: bool,
     /// The view, and how much is probed and selected, when it was last looked whether it hides any of that.
     by: Option<(Pose, usize)>,
 }
 
 impl PlotsAt {
-    /// Whether it was dragged to where it is.
-    pub(in crate::app) fn is_dragged(self) -> bool {
-        self.is_dragged
+    /// Whether it was dragged to where it is, in a world that is alone or among worlds side by side.
+    pub(in crate::app) fn is_dragged(self, is_beside: bool) -> bool {
+        self.dragged == Some(is_beside)
     }
 
-    /// It is dragged to a left lower corner `[points]`.
-    pub(super) fn drag_to(&mut self, corner: Pos2) {
-        (self.corner, self.is_dragged) = (Some(corner), true);
+    /// It is dragged to a left lower corner `[points]`, there.
+    pub(super) fn drag_to(&mut self, corner: Pos2, is_beside: bool) {
+        (self.corner, self.dragged, self.aside) = (Some(corner), Some(is_beside), None);
     }
 
     /// Another scene, or the panel opens anew.
     pub(in crate::app) fn begin(&mut self) {
-        if !self.is_dragged {
+        self.aside = None;
+        if self.dragged.is_none() {
             self.corner = None;
         }
+    }
+
+    /// Whether it looks for a place, and is to know where bodies are.
+    pub(in crate::app) fn seeks(self) -> bool {
+        self.corner.is_none() || self.leaves
     }
 
     /// Whether the view, or how much is probed and selected, is another one than it was.
@@ -105,14 +124,26 @@ impl PlotsAt {
     }
 }
 
+/// What its place depends on.
+pub(super) struct Seat<'a> {
+    /// Where bodies are, while it looks for a place `[points]`.
+    pub(super) points: &'a [Pos2],
+    pub(super) at: &'a mut PlotsAt,
+    /// It takes room from worlds that lie side by side.
+    pub(super) is_docked: bool,
+    /// Worlds lie side by side.
+    pub(super) is_beside: bool,
+}
+
 /// Shows it in a room whose right edge is free from `top` on `[points]`: where few points are, or, if it is docked, at the right edge; off what is taken, by what
 /// belongs to a tool and by keys that are to be held; not at all where that leaves no room for it. Returns where it lies `[points]`.
 pub(super) fn show(
     context: &egui::Context,
     (room, top): (Rect, f32),
-    (plots, (points, at, is_docked), taken): (&mut Plots, (&[Pos2], &mut PlotsAt, bool), Vec<Rect>),
+    (plots, seat, taken): (&mut Plots, Seat<'_>, Vec<Rect>),
     wishes: &mut Vec<Wish>,
 ) -> Option<Rect> {
+    let Seat { points, at, is_docked, is_beside } = seat;
     let id = area_id();
     let high = if is_docked { SIZE[1] } else { (0.5 * room.height() - OTHERS).clamp(70.0, SIZE[1]) };
     let lay = context.memory(|memory| memory.area_rect(id));
@@ -126,18 +157,46 @@ pub(super) fn show(
     at.corner = at.corner.or_else(|| (!points.is_empty() && !is_docked).then(found));
     let corner =
         pos2(corner.x.min(room.right() - size.x - APART), corner.y.max(room.top() + size.y).min(room.bottom()));
-    let corner = if at.is_dragged { corner } else { below_corner(corner, size, (room, top)) };
+    let corner = if at.is_dragged(is_beside) { corner } else { below_corner(corner, size, (room, top)) };
     // What belongs to a tool has the place that it takes; a folded panel is as low as it is.
     let is_folded = size.y < HEAD;
     let most = if is_folded { size.y } else { size.y.max(high + HEAD) };
-    let (corner, less) = clear_of(corner, vec2(size.x, most), room, &taken)?;
+    let (corner, less) = make_way((context, at), (corner, vec2(size.x, most)), room, (&taken, points))?;
     let high = (high - less).max(LEAST);
+    // A click inside it is no drag.
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
-    let shown = area.show(context, |ui| panel(ui, ([SIZE[0], high], false), plots, wishes));
+    let shown =
+        area.sense(Sense::CLICK | Sense::DRAG).show(context, |ui| panel(ui, ([SIZE[0], high], false), plots, wishes));
     if shown.response.dragged() {
-        at.drag_to(corner + shown.response.drag_delta());
+        at.drag_to(shown.response.rect.left_bottom(), is_beside);
     }
     Some(shown.response.rect)
+}
+
+/// The left lower corner, and how much lower it is, as of [`clear_of`]; while it has to lie elsewhere it stays where it went.
+fn make_way(
+    (context, at): (&egui::Context, &mut PlotsAt),
+    (corner, size): (Pos2, Vec2),
+    room: Rect,
+    (taken, points): (&[Rect], &[Pos2]),
+) -> Option<(Pos2, f32)> {
+    if let Some(less) = lower_at(corner, size, taken) {
+        (at.aside, at.leaves) = (None, false);
+        return Some((corner, less));
+    }
+    let kept = at.aside.and_then(|aside| Some((aside, lower_at(aside, size, taken)?)));
+    if let Some((aside, less)) = kept.filter(|(aside, _)| aside.x + size.x <= room.right() && aside.y <= room.bottom())
+    {
+        return Some((aside, less));
+    }
+    let went = clear_of(corner, size, room, (taken, points));
+    at.aside = went.map(|(aside, _)| aside).filter(|_| !points.is_empty());
+    // Once more, with what is known of bodies.
+    if points.is_empty() && !at.leaves {
+        context.request_repaint();
+    }
+    at.leaves = points.is_empty();
+    went
 }
 
 fn area_id() -> Id {
@@ -245,40 +304,63 @@ fn quiet((room, top): (Rect, f32), size: Vec2, points: &[Pos2]) -> Pos2 {
     let above = pos2(at_right.x, (top + size.y).min(room.bottom()));
     let between = (1..PLACES).map(|k| at_left.lerp(at_right, f32::from(k) / f32::from(PLACES)));
     let places = [at_left, at_right, in_middle, above].into_iter().chain(between);
-    let inside = |corner: &Pos2| {
-        let rect = Rect::from_min_size(*corner - vec2(0.0, size.y), size).expand(ROOM);
-        points.iter().filter(|point| rect.contains(**point)).count()
-    };
-    places.min_by_key(inside).unwrap_or(at_left)
+    places.min_by_key(|corner| covered(lying(*corner, size.x, size.y), points)).unwrap_or(at_left)
+}
+
+/// How much lower panels may be so that there is room for them: of what they have more than their least, these shares `[1]`.
+const LOWER: [f32; 4] = [0.0, 0.25, 0.5, 1.0];
+
+/// By how much a panel of this size with this left lower corner is to be lower, so that it lies over nothing that is `taken`; `None`: it lies over
+/// it anyway `[points]`.
+fn lower_at(corner: Pos2, size: Vec2, taken: &[Rect]) -> Option<f32> {
+    let all = LOWER.map(|share| share * (size.y - HEAD - LEAST).max(0.0));
+    all.into_iter().find(|less| is_free(&lying(corner, size.x, size.y - less), taken))
+}
+
+/// A panel with this left lower corner, so wide and high `[points]`.
+fn lying(corner: Pos2, wide: f32, high: f32) -> Rect {
+    Rect::from_min_size(corner - vec2(0.0, high), vec2(wide, high))
+}
+
+fn is_free(rect: &Rect, taken: &[Rect]) -> bool {
+    !taken.iter().any(|other| other.expand(0.5 * APART).intersects(*rect))
+}
+
+/// How many points lie in it or close to it.
+fn covered(rect: Rect, points: &[Pos2]) -> usize {
+    let rect = rect.expand(ROOM);
+    points.iter().filter(|point| rect.contains(**point)).count()
 }
 
 /// The left lower corner of a panel of this size in a room, where it lies over nothing that is `taken`: where it is, if it has a place there when
-/// it is lower, else as near to that as may be; and how much lower it is to be for that; `None`: there is no place at all.
-fn clear_of(corner: Pos2, size: Vec2, room: Rect, taken: &[Rect]) -> Option<(Pos2, f32)> {
-    let at = |corner: Pos2, high: f32| Rect::from_min_size(corner - vec2(0.0, high), vec2(size.x, high));
-    let is_free = |rect: &Rect| !taken.iter().any(|other| other.expand(0.5 * APART).intersects(*rect));
-    let all = [0.0, 0.25, 0.5, 1.0].map(|share| share * (size.y - HEAD - LEAST).max(0.0));
-    if let Some(less) = all.into_iter().find(|less| is_free(&at(corner, size.y - less))) {
+/// it is lower, else where the fewest points are, as high and as near to that as may be; and how much lower it is to be for that; `None`: there
+/// is no place at all.
+fn clear_of(corner: Pos2, size: Vec2, room: Rect, (taken, points): (&[Rect], &[Pos2])) -> Option<(Pos2, f32)> {
+    if let Some(less) = lower_at(corner, size, taken) {
         return Some((corner, less));
     }
-    for less in all {
+    let at_right = room.right() - size.x - LEFT[1];
+    let place = |less: f32| {
         let high = size.y - less;
         let beside = taken.iter().flat_map(|other| [other.right() + APART, other.left() - APART - size.x]);
-        let across: Vec<f32> = beside.chain([corner.x]).collect();
+        let across: Vec<f32> = beside.chain([corner.x, at_right]).collect();
         let over = taken.iter().flat_map(|other| [other.top() - APART, other.bottom() + APART + high]);
-        let up: Vec<f32> = over.chain([corner.y]).collect();
+        let up: Vec<f32> = over.chain([corner.y, room.bottom(), room.top() + high]).collect();
         let places = across.iter().flat_map(|x| up.iter().map(|y| pos2(*x, *y)));
         let has_room = |place: &Pos2| {
-            let rect = at(*place, high);
+            let rect = lying(*place, size.x, high);
             // What was dragged over an edge may be over it still.
-            room.left() <= rect.left() && rect.right() <= room.right() && room.top() <= rect.top() && is_free(&rect)
+            let is_inside = room.left() <= rect.left() && rect.right() <= room.right() && room.top() <= rect.top();
+            is_inside && is_free(&rect, taken)
         };
         let places = places.filter(|place| place.y <= room.bottom().max(corner.y) && has_room(place));
-        if let Some(place) = places.min_by(|a, b| a.distance(corner).total_cmp(&b.distance(corner))) {
-            return Some((place, less));
-        }
-    }
-    None
+        let ranked = places.map(|place| (covered(lying(place, size.x, high), points), place));
+        let nearer = |a: &Pos2, b: &Pos2| a.distance(corner).total_cmp(&b.distance(corner));
+        ranked.min_by(|(a, here), (b, there)| a.cmp(b).then_with(|| nearer(here, there)))
+    };
+    let all = LOWER.map(|share| share * (size.y - HEAD - LEAST).max(0.0));
+    let found = all.into_iter().filter_map(|less| place(less).map(|(covered, place)| (covered, place, less)));
+    found.min_by_key(|(covered, ..)| *covered).map(|(_, place, less)| (place, less))
 }
 
 /// From this width on there is room for a word beside the buttons above the plots `[points]`.
@@ -407,17 +489,18 @@ fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
     let frame = frame.x_grid_spacer(move |input| grid(input, across)).y_grid_spacer(move |input| grid(input, up));
     let shown = frame.width(width).height(height).show(ui, |ui| {
         // One measurement alone is a dot, as wide as a line.
-        let width = if plots.series().iter().nth(1).is_some() { 1.5 } else { DOT };
+        let is_dot = plots.series().iter().nth(1).is_none();
         for line in lines(plots, colors) {
             // As a band what is steep would get thin.
-            ui.line(line.width(width).allow_band(false));
+            let line = line.allow_band(false);
+            ui.line(if is_dot { line.width(DOT) } else { line });
         }
     });
-    if plots.lacks_force() {
+    if let Some(why) = plots.why_empty() {
         let place = shown.response.rect;
         let font = egui::FontId::proportional(12.0);
         let weak = colors.weak;
-        let galley = ui.fonts_mut(|fonts| fonts.layout(UNKNOWN.to_owned(), font, weak, place.width() - 70.0));
+        let galley = ui.fonts_mut(|fonts| fonts.layout(why.to_owned(), font, weak, place.width() - 70.0));
         ui.painter().galley(place.center() - 0.5 * galley.size() + vec2(24.0, 0.0), galley, weak);
     }
 }
@@ -491,25 +574,34 @@ pub(in crate::app) fn figure(plots: &Plots) -> String {
     let over_time = |of: &dyn Fn(&Measured) -> Option<f64>| -> Vec<[f64; 2]> {
         plots.series().iter().filter_map(|measured| Some([measured.time, of(measured)?])).collect()
     };
-    let curve = |name: String, color: Color32, points: Vec<[f64; 2]>| Curve { name, color: color.to_array(), points };
+    let curve = |name: String, (color, width): (Color32, f32), points: Vec<[f64; 2]>| Curve {
+        name,
+        color: color.to_array(),
+        width,
+        points,
+    };
     match plots.subject {
         Subject::Energies => {
             let all = ENERGIES
                 .into_iter()
-                .zip(ENERGIES_ON_WHITE)
+                .zip(ENERGIES_ON_WHITE.into_iter().zip(OF_ENERGIES))
                 .map(|((name, of), color)| curve(name.to_owned(), color, over_time(&|measured| Some(of(measured)))));
             svg(["time [s]", "energy [J]"], &all.collect::<Vec<_>>())
         }
         Subject::Probes => {
-            let places = plots.probes().into_iter().enumerate().filter_map(|(place, probe)| Some((place, probe?)));
-            let all = places.map(|(place, probe)| curve(named(probe), ON_WHITE[place], over_time(&of(place))));
+            let places = plots.probes().into_iter().enumerate().filter(|(place, _)| plots.has_curve(*place));
+            let places = places.filter_map(|(place, probe)| Some((place, probe?)));
+            let all = places.map(|(place, probe)| {
+                curve(named(probe), (ON_WHITE[place], of_probe(plots, place)), over_time(&of(place)))
+            });
             svg(["time [s]", &format!("{name} [{unit}]")], &all.collect::<Vec<_>>())
         }
         Subject::Orbit => {
             let places = plots.probes().into_iter().enumerate().filter_map(|(place, probe)| Some((place, probe?)));
             let orbit =
                 |place: usize| plots.series().iter().filter_map(|measured| orbit(plots, measured, place)).collect();
-            let all = places.map(|(place, probe)| curve(named(probe), ON_WHITE[place], orbit(place)));
+            let all = places
+                .map(|(place, probe)| curve(named(probe), (ON_WHITE[place], of_probe(plots, place)), orbit(place)));
             svg([&format!("{name} [{unit}]"), &format!("velocity {name} [m/s]")], &all.collect::<Vec<_>>())
         }
         Subject::Phase => {
@@ -517,7 +609,7 @@ pub(in crate::app) fn figure(plots: &Plots) -> String {
             let names = plots.probes().map(|probe| probe.map_or(String::new(), named));
             let points = plots.series().iter().filter_map(both).collect();
             let axis = |place: usize| format!("{name} of {} [{unit}]", names[place]);
-            svg([&axis(0), &axis(1)], &[curve(String::new(), ON_WHITE[0], points)])
+            svg([&axis(0), &axis(1)], &[curve(String::new(), (ON_WHITE[0], ALONE), points)])
         }
     }
 }
@@ -537,15 +629,19 @@ fn lines(plots: &Plots, colors: &Colors) -> Vec<Line<'static>> {
     let of = |place: usize| move |measured: &Measured| measured.probes[place].and_then(|probed| quantity.of(&probed));
     match plots.subject {
         Subject::Energies => {
-            let line = |((name, of), color): ((&'static str, OfEnergies), Color32)| {
-                Line::new(name, points(series, |measured| Some([measured.time, of(measured)]))).color(color)
+            let line = |((name, of), (color, width)): ((&'static str, OfEnergies), (Color32, f32))| {
+                let curve = Line::new(name, points(series, |measured| Some([measured.time, of(measured)])));
+                curve.color(color).width(width)
             };
-            ENERGIES.into_iter().zip(of_energies(colors)).map(line).collect()
+            let drawn = of_energies(colors).into_iter().zip(OF_ENERGIES);
+            ENERGIES.into_iter().zip(drawn).map(line).collect()
         }
         Subject::Probes => {
             let line = |place: usize| {
                 let at = |measured: &Measured| Some([measured.time, of(place)(measured)?]);
-                Line::new((place + 1).to_string(), points(series, at)).color(colors.probes[place])
+                Line::new((place + 1).to_string(), points(series, at))
+                    .color(colors.probes[place])
+                    .width(of_probe(plots, place))
             };
             let places = plots.probes().into_iter().enumerate().filter(|(_, probe)| probe.is_some());
             places.map(|(place, _)| line(place)).collect()
@@ -553,14 +649,16 @@ fn lines(plots: &Plots, colors: &Colors) -> Vec<Line<'static>> {
         Subject::Orbit => {
             let line = |place: usize| {
                 let at = |measured: &Measured| orbit(plots, measured, place);
-                Line::new((place + 1).to_string(), points(series, at)).color(colors.probes[place])
+                Line::new((place + 1).to_string(), points(series, at))
+                    .color(colors.probes[place])
+                    .width(of_probe(plots, place))
             };
             let places = plots.probes().into_iter().enumerate().filter(|(_, probe)| probe.is_some());
             places.map(|(place, _)| line(place)).collect()
         }
         Subject::Phase => {
             let at = |measured: &Measured| Some([of(0)(measured)?, of(1)(measured)?]);
-            vec![Line::new("2 against 1", points(series, at)).color(colors.text)]
+            vec![Line::new("2 against 1", points(series, at)).color(colors.text).width(ALONE)]
         }
     }
 }
@@ -637,12 +735,42 @@ mod tests {
         let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0));
         let (size, corner) = (vec2(358.0, 298.0), pos2(LEFT[0], 640.0));
         let brush = Rect::from_min_size(pos2(70.0, 90.0), vec2(270.0, 400.0));
-        assert_eq!(clear_of(corner, size, room, &[]), Some((corner, 0.0)));
-        assert_eq!(clear_of(corner, size, room, &[brush]), Some((pos2(340.0 + APART, 640.0), 0.0)), "right of it");
+        assert_eq!(clear_of(corner, size, room, (&[], &[])), Some((corner, 0.0)));
+        assert_eq!(
+            clear_of(corner, size, room, (&[brush], &[])),
+            Some((pos2(340.0 + APART, 640.0), 0.0)),
+            "right of it"
+        );
         let wide = brush.with_max_x(1270.0);
-        assert_eq!(clear_of(corner, size, room, &[wide]), None, "there is no place below it");
+        assert_eq!(clear_of(corner, size, room, (&[wide], &[])), None, "there is no place below it");
         let above = wide.with_max_y(440.0);
-        assert_eq!(clear_of(corner, size, room, &[above]), Some((corner, size.y - HEAD - LEAST)), "lower below it");
+        assert_eq!(
+            clear_of(corner, size, room, (&[above], &[])),
+            Some((corner, size.y - HEAD - LEAST)),
+            "lower below it"
+        );
+    }
+
+    #[test]
+    fn what_makes_way_for_a_tool_goes_off_bodies_and_stays_there() {
+        let context = egui::Context::default();
+        let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0));
+        let (size, corner) = (vec2(358.0, 298.0), pos2(LEFT[0], 640.0));
+        let tool = Rect::from_min_size(pos2(70.0, 90.0), vec2(270.0, 540.0));
+        let mut at = PlotsAt { corner: Some(corner), ..PlotsAt::default() };
+        // A rod hangs beside the panel of the tool.
+        let rod: Vec<Pos2> = (0..8).map(|k| pos2(500.0, 360.0 + 30.0 * k as f32)).collect();
+        let mut go = |taken: &[Rect], points: &[Pos2]| {
+            let place = make_way((&context, &mut at), (corner, size), room, (taken, points));
+            (place, at.seeks())
+        };
+        assert!(go(&[tool], &[]).1, "where bodies are is to be known first");
+        let (went, seeks) = go(&[tool], &rod);
+        let (place, less) = went.unwrap_or_default();
+        assert!(!seeks && covered(lying(place, size.x, size.y - less), &rod) == 0, "{place:?}");
+        let other: Vec<Pos2> = rod.iter().map(|point| *point + (place.x + 100.0 - 500.0) * Vec2::X).collect();
+        assert_eq!(go(&[tool], &other).0, went, "what comes below it moves it no more");
+        assert_eq!(go(&[], &rod), (Some((corner, 0.0)), false), "back, once there is room");
     }
 
     #[test]

@@ -3,12 +3,12 @@
 
 use egui::{Color32, Event, Pos2, Rect, Shape, vec2};
 
-use super::plots::{self, ENERGIES, PlotsAt, of_energies};
-use super::pointer::click;
+use super::plots::{self, ENERGIES, PlotsAt, Seat, of_energies};
+use super::pointer::{button, click};
 use super::theme::colors;
 use super::{Wish, theme};
 use crate::app::action::Action;
-use crate::app::player::{Order, Shown, Stage};
+use crate::app::player::{Order, Probe, Shown, Stage};
 use crate::app::plots::{Plots, Quantity, Subject};
 use crate::render::Palette;
 use crate::scene::Scene;
@@ -53,11 +53,11 @@ impl Screen {
         let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, self.size.into()));
         let input = egui::RawInput { events, screen_rect, ..egui::RawInput::default() };
         let mut output = self.context.run_ui(input, |ui| {
-            let at = (&[][..], &mut self.at, false);
+            let seat = Seat { points: &[], at: &mut self.at, is_docked: false, is_beside: false };
             plots::show(
                 ui.ctx(),
                 (ui.available_rect_before_wrap(), 0.0),
-                (&mut self.plots, at, Vec::new()),
+                (&mut self.plots, seat, Vec::new()),
                 &mut wishes,
             );
         });
@@ -135,6 +135,24 @@ fn all_energies_are_drawn_with_their_names() {
 }
 
 #[test]
+fn curves_that_lie_on_each_other_are_all_seen() {
+    let mut screen = Screen::new(0);
+    let colors = of_energies(colors(&screen.context));
+    let shapes = screen.frame(Vec::new()).1;
+    let width = |color: Color32| {
+        let of = |shape: &Shape| match shape {
+            Shape::Path(path) if path.stroke.color == egui::epaint::ColorMode::Solid(color) => Some(path.stroke.width),
+            _ => None,
+        };
+        shapes.iter().find_map(of).unwrap()
+    };
+    let widths = colors.map(width);
+    assert!(widths.windows(2).all(|pair| pair[0] > pair[1] + 0.9), "what is drawn first is wider: {widths:?}");
+    let drawn = super::figure(&screen.plots);
+    assert!(widths.iter().all(|width| drawn.contains(&format!("stroke-width=\"{width}\""))), "{drawn}");
+}
+
+#[test]
 fn a_plot_as_low_as_in_a_lesson_has_numbers_at_both_axes() {
     let mut screen = Screen::new(0);
     for (width, height) in [(300.0, 70.0), (180.0, 70.0), (340.0, 180.0)] {
@@ -159,6 +177,23 @@ fn a_plot_as_low_as_in_a_lesson_has_numbers_at_both_axes() {
         let count = |unit: &str| words.iter().filter(|word| word.ends_with(unit)).count();
         assert!(count(" J") >= 2 && count(" s") >= 2, "{width} x {height}: {words:?}");
     }
+}
+
+#[test]
+fn a_click_inside_it_is_no_drag() {
+    let mut screen = Screen::new(0);
+    let lies = |screen: &Screen| plots::lie(&screen.context).unwrap();
+    let first = lies(&screen);
+    ["CSV", "SVG", "sum"].into_iter().for_each(|words| _ = screen.click(words));
+    assert!(!screen.at.is_dragged(false) && lies(&screen) == first);
+    let (from, way) = (first.left_bottom() + vec2(5.0, -5.0), vec2(90.0, -40.0));
+    let drag = [Event::PointerMoved(from), button(from, true), Event::PointerMoved(from + way)];
+    let drag = drag.into_iter().chain([Event::PointerMoved(from + way), button(from + way, false)]);
+    drag.for_each(|event| _ = screen.frame(vec![event]));
+    screen.frame(Vec::new());
+    let moved = lies(&screen).left_bottom() - first.left_bottom();
+    assert!(screen.at.is_dragged(false) && (moved - way).length() < 1.5, "{moved:?}");
+    assert!(!screen.at.is_dragged(true), "of worlds side by side it has its own place still");
 }
 
 #[test]
@@ -212,6 +247,17 @@ fn a_probe_is_plotted_against_its_own_velocity() {
     one.click("phase portrait of y");
     one.click("velocity x");
     assert_eq!((one.plots.subject, one.plots.quantity), (Subject::Probes, Quantity::VelocityX));
+}
+
+#[test]
+fn a_figure_of_forces_names_no_point() {
+    let mut screen = Screen::new(1);
+    screen.plots.toggle(Probe::Bond(0), |_| false);
+    for (quantity, names_point) in [(Quantity::Force, false), (Quantity::Speed, true)] {
+        screen.plots.choose(quantity);
+        let drawn = super::figure(&screen.plots);
+        assert!(drawn.contains("bond 0") && drawn.contains("point 1") == names_point, "{drawn}");
+    }
 }
 
 #[test]

@@ -121,7 +121,7 @@ pub enum Order {
     Rate(f64),
     /// What is written from now on is looked at like this.
     Look(ViewKeys),
-    /// Energies and these points are measured in every frame from now on; `None`: nothing is.
+    /// Energies and these points are measured at fixed times from now on; `None`: nothing is.
     Watch(Option<Probes>),
     /// All that was done is written to a file.
     Save(PathBuf),

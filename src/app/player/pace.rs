@@ -4,6 +4,7 @@ use crate::history::{Clock, Do, GivenUp, GoneBack, History};
 use crate::sim::{Cursor, Dynamics};
 
 use super::shown::Places;
+use super::watch::Watch;
 
 /// Longest wall time that one frame makes up for `[s]`: after a hitch (a dragged window, a laptop that slept) the rest is
 /// dropped, so that nothing is thrown about.
@@ -45,6 +46,8 @@ pub struct Pace {
     previous_time: f64,
     /// Time that was due in the last frame was dropped.
     pub is_late: bool,
+    /// What is measured as time is stepped.
+    pub(super) watch: Watch,
     /// Changes whenever positions did.
     pub motion: u64,
 }
@@ -67,6 +70,7 @@ impl Pace {
             previous,
             previous_time: history.world().time(),
             is_late: false,
+            watch: Watch::default(),
             motion: 1,
         }
     }
@@ -179,6 +183,7 @@ impl Pace {
             self.previous_time = history.world().time();
         }
         history.step();
+        self.watch.note(history.world());
         self.motion += 1;
     }
 
@@ -199,6 +204,7 @@ impl Pace {
         self.tell(history, cursor, history.world().time() + span);
         for _ in 0..substeps {
             history.step();
+            self.watch.note(history.world());
         }
         self.settle(history);
         u64::from(substeps)

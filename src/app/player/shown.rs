@@ -361,8 +361,8 @@ pub struct Shown {
     pub rests: bool,
     /// What panels show.
     pub figures: Figures,
-    /// What plots are made of, if that is asked for.
-    pub measured: Option<Measured>,
+    /// What plots are made of since the last state, ascending in time, if that is asked for.
+    pub measured: Vec<Measured>,
     /// What is selected is made of, if that is asked for.
     pub matter: Option<Arc<Matter>>,
     /// The words that stand in the world, those of points that are gone too.
@@ -370,6 +370,12 @@ pub struct Shown {
 }
 
 impl Shown {
+    /// The window did not take the state before this one: what was measured for that is measured still.
+    pub(super) fn follow_unseen(&mut self, unseen: &Shown) {
+        let at_their_times = unseen.measured.iter().filter(|measured| !measured.is_passing);
+        self.measured.splice(0..0, at_their_times.copied());
+    }
+
     /// As the renderer reads it.
     pub fn view(&self) -> View<'_> {
         View {

@@ -161,7 +161,7 @@ impl Desk {
     /// Lays a state down, if there is one, of orders that were begun then. Returns whether the one before had been taken: else the window knows already that there is
     /// something.
     fn lay(&self, seat: &mut Seat, (done, notes): (u64, Vec<Note>), begun: Option<Instant>) -> bool {
-        let shown = match seat {
+        let mut shown = match seat {
             Seat::Played(stage) => {
                 let mut shown = self.lock().spare.take().unwrap_or_default();
                 stage.show(&mut shown);
@@ -171,6 +171,9 @@ impl Desk {
             Seat::Folded(_) => None,
         };
         let mut papers = self.lock();
+        if let (Some(shown), Some(unseen)) = (&mut shown, &papers.fresh) {
+            shown.follow_unseen(unseen);
+        }
         papers.done = done;
         papers.took = begun.map_or(papers.took, |begun| begun.elapsed());
         let is_news = shown.is_some() && papers.fresh.is_none() || !notes.is_empty();

@@ -53,9 +53,11 @@ pub struct Measured {
     pub energies: Energies,
     /// The probed points and bonds that are there.
     pub probes: [Option<Probed>; 2],
+    /// It is the present at no fixed time, and goes once there is a later one.
+    pub is_passing: bool,
 }
 
-/// A world with more points and bonds than this is measured in every second frame, with twice as many in every third: a measurement reads
+/// A world with more points and bonds than this is measured half as often, with twice as many a third as often: a measurement reads
 /// all of them once, so that it takes less than a millisecond a frame in the mean.
 const AT_ONCE: usize = 50_000;
 
@@ -64,53 +66,94 @@ pub const REACH: f64 = 20.0;
 /// Counted work that steps may be taken again for, to measure what was before `[s]`: while time goes on less than a frame may spend.
 const WORK: f64 = 0.4;
 const WORK_IN_A_FRAME: f64 = 0.02;
-/// So many are measured of what was before at most.
-const MOST_BEFORE: f64 = 1200.0;
+/// Measurements lie so far apart, in wall time at the scene's own pace `[s]`, or as a whole number of steps does that is near to it: they are
+/// of the same times however many frames there are. Further apart curves would get corners, nearer they would cost more.
+pub const EVERY: f64 = 1.0 / 60.0;
+/// Of a step: so much the sums of times may be off by.
+const ROUNDING: f64 = 1e-6;
 
-/// Whether and which measurements are wanted.
-#[derive(Debug, Default)]
+/// Whether and which measurements are wanted, and those that were made.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Watch {
     probes: Option<Probes>,
-    /// Frames until the next measurement.
+    /// Seconds of the scene in a second of wall time, at its own pace.
+    rate: f64,
+    /// What was measured since it was handed out last.
+    list: Vec<Measured>,
+    /// Frames until the present is measured again.
     wait: usize,
 }
 
 impl Watch {
-    /// These points and bonds from now on, at once; `None`: nothing more.
-    pub(super) fn set(&mut self, probes: Option<Probes>) {
-        (self.probes, self.wait) = (probes, 0);
+    /// These points and bonds from now on, at once, of a scene that plays so many of its seconds a second of wall time; `None`: nothing more.
+    pub(super) fn set(&mut self, probes: Option<Probes>, world: &dyn Dynamics, rate: f64) {
+        (self.probes, self.rate, self.wait) = (probes, rate, 0);
+        if self.probes.is_none() {
+            self.list.clear();
+        }
+        self.note(world);
     }
 
-    /// What it would have measured before now, if anything is wanted, of a scene that plays so many of its seconds a second of wall time.
-    pub(super) fn look_back(&self, history: &History, rate: f64, moves: bool) -> Vec<Measured> {
+    /// What it would have measured before now, if anything is wanted. What is of no fixed time, where there is nothing else, says so.
+    pub(super) fn look_back(&self, history: &History, moves: bool) -> Vec<Measured> {
         let mut list: Vec<Measured> = Vec::new();
         let Some(probes) = self.probes else { return list };
-        let span = REACH * rate;
-        let from = history.world().time() - span;
+        let from = history.world().time() - REACH * self.rate;
+        let mut last = f64::NEG_INFINITY;
         history.look_back(from, if moves { WORK_IN_A_FRAME } else { WORK }, |world| {
-            let is_due = list.last().is_none_or(|last| world.time() - last.time >= span / MOST_BEFORE);
-            if is_due && world.time() >= from {
-                list.push(measured(world, probes));
+            let (time, is_due) = (world.time(), self.is_due(world));
+            let is_alone = time - last > 1.5 * EVERY * self.rate;
+            last = time;
+            if time >= from && (is_due || is_alone) {
+                list.push(Measured { is_passing: !is_due, ..measured(world, probes) });
             }
         });
         list
     }
 
-    /// The world's state in this frame, if it is wanted.
-    pub(super) fn look(&mut self, world: &dyn Dynamics) -> Option<Measured> {
-        let probes = self.probes?;
+    /// A step was taken: its end is measured if that is one of the fixed times.
+    pub(super) fn note(&mut self, world: &dyn Dynamics) {
+        if let Some(probes) = self.probes
+            && self.is_due(world)
+        {
+            self.list.push(measured(world, probes));
+        }
+    }
+
+    /// Puts what was measured into a list in place of what is there, and the present.
+    pub(super) fn hand_out(&mut self, (world, moves): (&dyn Dynamics, bool), list: &mut Vec<Measured>) {
+        list.clear();
+        list.append(&mut self.list);
+        let Some(probes) = self.probes else { return };
         if self.wait > 0 {
             self.wait -= 1;
-            return None;
+            return;
         }
-        self.wait = (world.point_count() + world.bonds().len()) / AT_ONCE;
-        Some(measured(world, probes))
+        self.wait = size(world) / AT_ONCE;
+        // What stands may have been changed since it was stepped.
+        let is_there = moves && list.last().is_some_and(|last| last.time == world.time());
+        if !is_there {
+            list.push(Measured { is_passing: !self.is_due(world), ..measured(world, probes) });
+        }
     }
+
+    /// Whether the world is at the end of the first step of one of the spans that time is cut into: that goes by its time alone.
+    fn is_due(&self, world: &dyn Dynamics) -> bool {
+        let (time, step) = (world.time(), world.substep());
+        let every = EVERY * self.rate * (1 + size(world) / AT_ONCE) as f64;
+        let span = (every / step).round().max(1.0) * step;
+        time - (time / span + ROUNDING).floor() * span < (1.0 - ROUNDING) * step
+    }
+}
+
+/// Points and bonds `[1]`.
+fn size(world: &dyn Dynamics) -> usize {
+    world.point_count() + world.bonds().len()
 }
 
 fn measured(world: &dyn Dynamics, probes: Probes) -> Measured {
     let probes = probes.map(|probe| probe.and_then(|probe| probed(world, probe)));
-    Measured { time: world.time(), energies: world.energies(), probes }
+    Measured { time: world.time(), energies: world.energies(), probes, is_passing: false }
 }
 
 /// What is measured of a probe, unless it is gone, not there yet or without finite numbers.

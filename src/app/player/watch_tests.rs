@@ -1,8 +1,9 @@
 //! What is measured for plots: the world's own energies and points, and nothing that nobody asked for.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+use super::pace::Pace;
 use super::{Measured, Note, Order, Probe, Probes, Shown, Stage};
-use crate::history::{DeleteKeys, Do, SetKeys};
+use crate::history::{DeleteKeys, Do, History, SetKeys};
 use crate::scene::{Scene, Vector};
 use crate::sim::{Cursor, PointId};
 
@@ -24,9 +25,48 @@ fn frame(stage: &mut Stage) {
 }
 
 fn measured(stage: &mut Stage) -> Option<Measured> {
-    let mut shown = Shown { measured: Some(Measured::default()), ..Shown::default() };
+    let mut shown = Shown { measured: vec![Measured::default()], ..Shown::default() };
     stage.show(&mut shown);
-    shown.measured
+    shown.measured.pop()
+}
+
+/// What is measured at fixed times while frames of so many seconds pass, of which the window sees every second one.
+fn at_fixed_times(scene: &str, walls: &[f64]) -> Vec<Measured> {
+    let mut history = History::new(Scene::parse(scene, "x.json").unwrap().into()).unwrap();
+    let rate = history.scene().rate();
+    let mut pace = Pace::new(&history, rate, None);
+    pace.watch.set(Some([Some(Probe::Point(PointId(0))), None]), history.world(), rate);
+    let (mut seen, mut list) = (Vec::new(), Vec::new());
+    for (place, wall) in walls.iter().enumerate() {
+        pace.advance(&mut history, *wall, None, || 0.0);
+        if place % 2 == 0 || place + 1 == walls.len() {
+            pace.watch.hand_out((history.world(), true), &mut list);
+            seen.extend(list.iter().copied().filter(|measured| !measured.is_passing));
+        }
+    }
+    // The present may be handed out in more than one frame.
+    seen.dedup_by_key(|measured| measured.time);
+    seen
+}
+
+#[test]
+fn what_is_measured_does_not_depend_on_how_many_frames_there_are() {
+    let substep = |keys: &str| SCENE.replacen('{', &format!("{{{keys},"), 1);
+    for (scene, apart) in [
+        (SCENE.to_owned(), None),
+        (substep(r#""method": {"substep": 0.005}"#), Some(0.015)),
+        (substep(r#""method": {"substep": 0.02}"#), Some(0.02)),
+        (substep(r#""rate": 0.125, "method": {"substep": 0.001}"#), Some(0.002)),
+    ] {
+        let (quick, slow) = ([1.0 / 144.0; 144], [0.03, 0.1, 0.07, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1]);
+        let [quick, slow] = [at_fixed_times(&scene, &quick), at_fixed_times(&scene, &slow)];
+        let count = quick.len().min(slow.len());
+        assert!(count > 20 && quick.len().abs_diff(slow.len()) <= 1, "{} {}", quick.len(), slow.len());
+        assert_eq!(quick[..count], slow[..count], "to the bit");
+        let Some(apart) = apart else { continue };
+        let steps: Vec<f64> = quick.windows(2).map(|pair| pair[1].time - pair[0].time).collect();
+        assert!(steps.iter().all(|step| (step - apart).abs() < 0.1 * apart), "{apart} s: {steps:?}");
+    }
 }
 
 #[test]

@@ -8,6 +8,8 @@ pub(in crate::app) struct Curve {
     pub(in crate::app) name: String,
     /// Red, green, blue, opacity.
     pub(in crate::app) color: [u8; 4],
+    /// How wide it is drawn.
+    pub(in crate::app) width: f32,
     pub(in crate::app) points: Vec<[f64; 2]>,
 }
 
@@ -43,13 +45,13 @@ pub(in crate::app) fn svg([across, up]: [&str; 2], curves: &[Curve]) -> String {
             );
         }
     }
-    for Curve { color: [red, green, blue, _], points, .. } in curves {
+    for Curve { color: [red, green, blue, _], width, points, .. } in curves {
         let places = points.iter().filter(|point| point.iter().all(|number| number.is_finite()));
         let way: Vec<String> = places.map(|&[a, b]| format!("{:.2} {:.2}", x(a), y(b))).collect();
         if !way.is_empty() {
             let _ = writeln!(
                 text,
-                "<path d=\"M{}\" fill=\"none\" stroke=\"#{red:02x}{green:02x}{blue:02x}\" stroke-width=\"1.6\" \
+                "<path d=\"M{}\" fill=\"none\" stroke=\"#{red:02x}{green:02x}{blue:02x}\" stroke-width=\"{width}\" \
                  stroke-linejoin=\"round\"/>",
                 way.join("L")
             );
@@ -125,9 +127,11 @@ mod tests {
         let curve = |name: &str, points: &[[f64; 2]]| Curve {
             name: name.to_owned(),
             color: [0, 114, 178, 255],
+            width: 1.6,
             points: points.to_vec(),
         };
         let text = svg(["t [s]", "a < b"], &[curve("one", &[[0.0, -1.0], [f64::NAN, 3.0], [10.0, 1.0]])]);
+        assert!(text.contains("stroke-width=\"1.6\""), "{text}");
         assert!(text.contains("M78.00 352.82L702.00 49.18"), "{text}");
         assert!(text.contains("a &lt; b") && text.contains("#0072b2") && text.contains(">10</text>"), "{text}");
         assert!(!text.contains("NaN") && text.trim_end().ends_with("</svg>"));

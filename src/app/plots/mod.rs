@@ -11,6 +11,12 @@ use crate::sim::PointId;
 pub(super) use figure::{Curve, svg};
 pub(super) use series::Series;
 
+/// Said where the force of a bond is asked for that nobody knows.
+const UNKNOWN: &str = "The force of this bond is not known: where bodies meet, where a frame is braced more than it takes, and in methods that sweep, \
+                       no state tells it.";
+/// Said where force or strain are to be plotted against each other, and there are not two bonds that have them.
+const NO_FORCE: &str = "A point has no force and no strain: against each other there are those of two bonds.";
+
 /// What the panel shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Subject {
@@ -176,7 +182,6 @@ impl Plots {
         if self.dimensions == 2 && self.quantity.is_of_space() {
             (self.quantity, self.subject) = (Quantity::default(), self.without_orbit());
         }
-        let mut is_new = self.series.cut(shown.figures.time);
         let is_there = |probe: &Probe| match probe {
             Probe::Point(point) => {
                 point.index() < shown.point_count() && shown.scenery.gone.binary_search(point).is_err()
@@ -185,10 +190,12 @@ impl Plots {
         };
         let gone: Vec<Probe> = self.probes.into_iter().flatten().filter(|probe| !is_there(probe)).collect();
         gone.iter().for_each(|&probe| self.take_off(probe));
-        if let Some(measured) = shown.measured {
+        let mut is_new = false;
+        for &measured in &shown.measured {
             let measured = self.of_probes(measured);
             is_new |= self.series.push(measured);
         }
+        is_new |= self.series.cut(shown.figures.time);
         [is_new, !gone.is_empty()]
     }
 
@@ -206,12 +213,38 @@ impl Plots {
         measured
     }
 
-    /// Whether the force of bonds is looked at, and was known of none of them of late.
+    /// Whether the force of bonds is looked at, and was known of none of them of late; against each other: not of both.
     pub(super) fn lacks_force(&self) -> bool {
         let last = self.series.iter().last();
         let is_asked = self.quantity == Quantity::Force && self.subject != Subject::Energies;
-        let known = |measured: &Measured| measured.probes.iter().flatten().any(|probed| probed.force.is_some());
+        let is_of_both = self.subject == Subject::Phase;
+        let known = |measured: &Measured| {
+            let mut probed = measured.probes.iter().flatten().map(|probed| probed.force.is_some());
+            if is_of_both { probed.all(|is_known| is_known) } else { probed.any(|is_known| is_known) }
+        };
         is_asked && last.is_some_and(|last| last.probes.iter().any(Option::is_some) && !known(last))
+    }
+
+    /// Whether what is probed at a place has the quantity that is plotted: points have no force and no strain.
+    pub(super) fn has_curve(&self, place: usize) -> bool {
+        match self.probes[place] {
+            Some(Probe::Point(_)) => !self.quantity.is_of_bonds(),
+            Some(Probe::Bond(_)) => true,
+            None => false,
+        }
+    }
+
+    /// Why nothing is plotted, where there are probes.
+    pub(super) fn why_empty(&self) -> Option<&'static str> {
+        match self.subject {
+            Subject::Phase if !(self.has_curve(0) && self.has_curve(1)) => Some(NO_FORCE),
+            _ => self.lacks_force().then_some(UNKNOWN),
+        }
+    }
+
+    /// Of the world: 2 or 3.
+    pub(super) fn dimensions(&self) -> usize {
+        self.dimensions
     }
 
     /// Whether a bond is probed.

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::io::Write;
 
-use crate::app::player::{Measured, Probe};
+use crate::app::player::{EVERY, Measured, Probe, REACH};
 
 /// So many are kept at most: seven for each pixel of a plot's width.
 pub(super) const MOST: usize = 2400;
@@ -34,7 +34,7 @@ impl Series {
         self.list.len() < before
     }
 
-    /// Adds a measurement after those of before its time. Where one follows on the last but one closely, the last goes, so that what is
+    /// Adds a measurement after those of before its time, of which a passing one goes. Where one follows on the last but one closely, the last goes, so that what is
     /// kept is spread evenly over the span however small the steps are. Returns whether it was added: energies that are no finite numbers
     /// are not.
     pub(super) fn push(&mut self, measured: Measured) -> bool {
@@ -43,6 +43,9 @@ impl Series {
         }
         let (now, gap) = (measured.time, self.span / (MOST - 2) as f64);
         self.list.truncate(self.list.partition_point(|earlier| earlier.time < now));
+        if self.list.back().is_some_and(|last| last.is_passing) {
+            self.list.pop_back();
+        }
         if let [.., first, second] = self.list.make_contiguous()
             && second.time - first.time < gap
         {
@@ -58,9 +61,14 @@ impl Series {
     /// Adds measurements of times that had been before to those that are there, spread as those are.
     pub(super) fn fill(&mut self, list: Vec<Measured>) {
         let Some(now) = self.list.back().or(list.last()).map(|last| last.time) else { return };
+        let present = self.list.back().copied().filter(|last| last.is_passing);
+        if present.is_some() {
+            self.list.pop_back();
+        }
         let is_known = |measured: &Measured| measured.energies.sum().is_finite() && measured.time <= now;
         let mut all: Vec<Measured> = list.into_iter().filter(is_known).chain(std::mem::take(&mut self.list)).collect();
         all.sort_by(|a, b| a.time.total_cmp(&b.time));
+        self.leave_out_between(&mut all);
         let gap = self.span / (MOST - 2) as f64;
         let count = |measured: &Measured| measured.probes.iter().flatten().count();
         for measured in all.into_iter().rev() {
@@ -76,6 +84,20 @@ impl Series {
                 _ => self.list.push_front(measured),
             }
         }
+        self.list.extend(present);
+    }
+
+    /// Of an ascending list leaves out what is of no fixed time where there is something of a fixed time near it; what is left is as good as that.
+    fn leave_out_between(&self, all: &mut Vec<Measured>) {
+        let fixed: Vec<f64> = all.iter().filter(|one| !one.is_passing).map(|one| one.time).collect();
+        let apart = 0.999 * self.span * EVERY / REACH;
+        let is_alone = |time: f64| {
+            let next = fixed.partition_point(|other| *other < time);
+            let beside = &fixed[next.saturating_sub(1)..fixed.len().min(next + 1)];
+            beside.iter().all(|other| *other == time || (other - time).abs() >= apart)
+        };
+        all.retain(|one| !one.is_passing || is_alone(one.time));
+        all.iter_mut().for_each(|one| one.is_passing = false);
     }
 
     /// What was measured at one of the probes' places goes: another point is there from now on, or none.
@@ -83,32 +105,41 @@ impl Series {
         self.list.iter_mut().for_each(|measured| measured.probes[place] = None);
     }
 
-    /// Writes a table with a row for each measurement; a column is left empty where nothing was probed that has it.
+    /// Writes a table with a row for each measurement at a fixed time, of a world of so many dimensions; a column is left empty where nothing was
+    /// probed that has it.
     ///
     /// Errors: whatever `to` answers.
-    pub(in crate::app) fn write_csv(&self, to: &mut dyn Write) -> std::io::Result<()> {
+    pub(in crate::app) fn write_csv(&self, dimensions: usize, to: &mut dyn Write) -> std::io::Result<()> {
+        let axes = || ["x", "y", "z"].into_iter().take(dimensions);
+        let components = |vector: [f64; 3]| {
+            let all = vector.into_iter().take(dimensions).map(|number| format!(",{number}"));
+            all.collect::<String>()
+        };
         write!(to, "time_s,kinetic_J,elastic_J,gravity_J,sum_J")?;
         for number in 1..=2 {
-            write!(to, ",point_{number},bond_{number},x_{number}_m,y_{number}_m,z_{number}_m,speed_{number}_m/s")?;
-            write!(to, ",vx_{number}_m/s,vy_{number}_m/s,vz_{number}_m/s")?;
+            write!(to, ",point_{number},bond_{number}")?;
+            axes().try_for_each(|axis| write!(to, ",{axis}_{number}_m"))?;
+            write!(to, ",speed_{number}_m/s")?;
+            axes().try_for_each(|axis| write!(to, ",v{axis}_{number}_m/s"))?;
             write!(to, ",strain_{number},force_{number}_N")?;
         }
-        for Measured { time, energies, probes } in &self.list {
+        let at_their_times = self.list.iter().filter(|measured| !measured.is_passing);
+        for Measured { time, energies, probes, .. } in at_their_times {
             let sum = energies.sum();
             write!(to, "\n{time},{},{},{},{sum}", energies.kinetic, energies.springs, energies.gravity)?;
             for probe in probes {
                 match probe {
                     Some(probed) => {
-                        let ([x, y, z], [u, v, w]) = (probed.position, probed.velocity);
+                        let [position, velocity] = [probed.position, probed.velocity].map(components);
                         let names = match probed.probe {
                             Probe::Point(point) => format!("{},", point.0),
                             Probe::Bond(number) => format!(",{number}"),
                         };
                         let said = |number: Option<f64>| number.map_or(String::new(), |number| number.to_string());
                         let [strain, force] = [probed.strain, probed.force].map(said);
-                        write!(to, ",{names},{x},{y},{z},{},{u},{v},{w},{strain},{force}", probed.speed())?;
+                        write!(to, ",{names}{position},{}{velocity},{strain},{force}", probed.speed())?;
                     }
-                    None => write!(to, ",,,,,,,,,,,")?,
+                    None => write!(to, "{}", ",".repeat(5 + 2 * dimensions))?,
                 }
             }
         }

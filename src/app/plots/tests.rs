@@ -136,7 +136,7 @@ fn probes_are_put_on_taken_off_and_drop_out_with_their_points() {
     played.play(10);
     played.toggle(1);
     played.play(10);
-    assert_eq!(played.probed(), [21, 11], "from where it was put on");
+    assert_eq!(played.probed(), [24, 13], "from where it was put on");
     let last = played.plots.series().iter().last().unwrap().probes[1].unwrap();
     assert_eq!(
         [Quantity::X, Quantity::Y].map(|of| of.of(&last)),
@@ -167,6 +167,22 @@ fn an_orbit_stays_one_when_a_bond_is_probed_too() {
     plots.choose_orbit(Quantity::Y);
     plots.toggle(Probe::Bond(3), |_| false);
     assert_eq!((plots.subject, plots.quantity), (Subject::Orbit, Quantity::Y));
+}
+
+#[test]
+fn it_is_said_why_a_force_against_each_other_has_no_curve() {
+    let force = |probes: [Probe; 2]| {
+        let mut plots = Plots::new(1.0);
+        probes.into_iter().for_each(|probe| plots.toggle(probe, |_| true));
+        (plots.subject, plots.quantity) = (Subject::Phase, Quantity::Force);
+        plots
+    };
+    let mixed = force([PointId(1).into(), Probe::Bond(3)]);
+    assert!(mixed.why_empty().is_some_and(|why| why.starts_with("A point has no force")));
+    assert_eq!([0, 1].map(|place| mixed.has_curve(place)), [false, true]);
+    assert_eq!(force([Probe::Bond(2), Probe::Bond(3)]).why_empty(), None, "nothing was measured yet");
+    let speed = Plots { quantity: Quantity::Speed, ..mixed };
+    assert_eq!(speed.why_empty(), None);
 }
 
 #[test]
@@ -204,7 +220,7 @@ fn a_table_has_a_header_and_a_row_for_each_measurement() {
     played.toggle(1);
     played.play(5);
     let mut bytes = Vec::new();
-    played.plots.series().write_csv(&mut bytes).unwrap();
+    played.plots.series().write_csv(2, &mut bytes).unwrap();
     let text = String::from_utf8(bytes).unwrap();
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(rows.len(), 1 + played.times().len());
@@ -216,14 +232,40 @@ fn a_table_has_a_header_and_a_row_for_each_measurement() {
             [measured.time, measured.energies.kinetic]
         );
         let Some(probed @ Probed { velocity, .. }) = measured.probes[0] else {
-            assert_eq!(row[5..], [""; 22]);
+            assert_eq!(row[5..], [""; 18]);
             continue;
         };
-        assert_eq!((row[5], row[10].parse()), ("1", Ok(probed.speed())));
-        let components: Vec<f64> = row[11..14].iter().map(|word| word.parse().unwrap()).collect();
-        assert_eq!(components, velocity);
+        assert_eq!((row[5], row[9].parse()), ("1", Ok(probed.speed())));
+        let components: Vec<f64> = row[10..12].iter().map(|word| word.parse().unwrap()).collect();
+        assert_eq!(components, velocity[..2], "the plane has no third one");
     }
+    let mut space = Vec::new();
+    played.plots.series().write_csv(3, &mut space).unwrap();
+    let space = String::from_utf8(space).unwrap();
+    assert!(space.contains(",z_1_m,") && space.contains(",vz_2_m/s,") && !text.contains('z'), "{space}");
+    assert!(space.lines().all(|line| line.split(',').count() == rows[0].len() + 4), "{space}");
     assert!(rows[1][5].is_empty() && !rows[rows.len() - 1][5].is_empty());
+}
+
+#[test]
+fn the_present_goes_once_something_follows_and_is_no_row_of_a_table() {
+    let mut series = Series::new(20.0);
+    let rows = |series: &Series| {
+        let mut bytes = Vec::new();
+        series.write_csv(2, &mut bytes).unwrap();
+        String::from_utf8(bytes).unwrap().lines().count() - 1
+    };
+    let times = |series: &Series| series.iter().map(|measured| measured.time).collect::<Vec<f64>>();
+    let passing = |time: f64| Measured { is_passing: true, ..at(time) };
+    [at(0.0), at(0.1), passing(0.15)].into_iter().for_each(|measured| assert!(series.push(measured)));
+    assert_eq!((times(&series), rows(&series)), (vec![0.0, 0.1, 0.15], 2));
+    series.push(passing(0.17));
+    assert_eq!(times(&series), [0.0, 0.1, 0.17]);
+    series.push(at(0.2));
+    assert_eq!((times(&series), rows(&series)), (vec![0.0, 0.1, 0.2], 3));
+    // Copies of times long ago are no neighbours of what was measured at its time.
+    series.fill(vec![passing(-0.3), passing(0.095), at(0.05)]);
+    assert_eq!((times(&series), rows(&series)), (vec![-0.3, 0.0, 0.05, 0.1, 0.2], 5));
 }
 
 #[test]

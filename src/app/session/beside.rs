@@ -8,6 +8,7 @@ use crate::app::lengths::LengthUnit;
 use crate::app::panels::{Neighbor, TOOLS, solvers};
 use crate::app::player::{Beside, Companions, Order};
 use crate::app::tools::{Mark, Role};
+use crate::app::whereabouts::places_of;
 use crate::app::{distances, opening};
 use crate::render::{Camera, Look, Overlay, Pane, View};
 use crate::scene::{BesideKeys, Meeting, Scene, SolverName};
@@ -21,8 +22,16 @@ const GHOST_RADIUS: f64 = 5.0;
 /// What is further from the world than this is nowhere any more `[m]`.
 const BLOWN_UP: f32 = 1e6;
 
-/// How far a world is from the first one at most `[m]`, in words.
-fn apart(unit: LengthUnit, most: f32) -> String {
+/// Worlds that are no further apart than so much of the largest coordinate are the same but for rounding `[1]`.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// So many points are looked at for the largest coordinate.
+const MOST_SEEN: usize = 2_000;
+
+/// How far a world is from the first one at most `[m]`, in words; of worlds whose largest coordinate is this `[m]`.
+fn apart(unit: LengthUnit, most: f32, largest: f64) -> String {
+    if f64::from(most) <= ROUNDING * largest {
+        return "the same to rounding".to_owned();
+    }
     // Not a number is no less.
     if most <= BLOWN_UP { format!("up to {} apart", unit.words(f64::from(most))) } else { "it has blown up".to_owned() }
 }
@@ -164,10 +173,12 @@ impl Session {
         let farthest = known.fold(0.0, f32::max);
         let largest = if self.tints_distance { self.look.difference_full } else { farthest };
         let unit = LengthUnit::of(f64::from(largest));
+        let coordinates = places_of(shown, MOST_SEEN).flatten().map(f64::abs).filter(|far| far.is_finite());
+        let size = coordinates.fold(0.0, f64::max);
         let rests = |rests: bool| if rests { "at rest" } else { "" };
         let first = of(0, &format!("this scene: {}", shown.title), rests(shown.rests).to_owned());
         let others = shown.beside.iter().zip(1..).map(|(world, place)| {
-            let apart = world.farthest.map(|most| apart(unit, most));
+            let apart = world.farthest.map(|most| apart(unit, most, size));
             let all: Vec<&str> = apart.as_deref().into_iter().chain([rests(world.rests)]).collect();
             let words = all.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join(", ");
             of(place, &world.title, if world.words.is_empty() { words } else { world.words.clone() })
@@ -202,9 +213,18 @@ mod tests {
     #[test]
     fn a_world_that_has_no_numbers_left_is_said_to_have_blown_up() {
         let unit = LengthUnit::of(2.0);
-        assert_eq!(apart(unit, 1.5), "up to 1.50 m apart");
+        assert_eq!(apart(unit, 1.5, 3.0), "up to 1.50 m apart");
         for most in [f32::INFINITY, f32::NAN, 1e30] {
-            assert_eq!(apart(unit, most), "it has blown up");
+            assert_eq!(apart(unit, most, 3.0), "it has blown up");
         }
+    }
+
+    #[test]
+    fn what_rounding_alone_parts_is_said_to_be_the_same() {
+        let said = |most: f32, largest: f64| apart(LengthUnit::of(f64::from(most)), most, largest);
+        assert_eq!(said(8e-16, 3.0), "the same to rounding");
+        assert_eq!(said(0.0, 3.0), "the same to rounding");
+        assert_ne!(said(8e-16, 0.1), "the same to rounding", "of a scene as small as that it is more");
+        assert_ne!(said(1e-9, 3.0), "the same to rounding");
     }
 }

@@ -222,7 +222,7 @@ impl Session {
 
     /// Where points are and have been seen lately `[points]`, a few of many, while the plots look for a place.
     fn points_seen(&self) -> Vec<Pos2> {
-        if self.panels.plots.is_none() || self.panels.plots_at.corner.is_some() {
+        if self.panels.plots.is_none() || !self.panels.plots_at.seeks() {
             return Vec::new();
         }
         let shown = self.shown();

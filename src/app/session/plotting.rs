@@ -104,7 +104,7 @@ impl Session {
     pub(super) fn write_table(&mut self) {
         let Some(plots) = &self.panels.plots else { return };
         let mut bytes = Vec::new();
-        match plots.series().write_csv(&mut bytes) {
+        match plots.series().write_csv(plots.dimensions(), &mut bytes) {
             Ok(()) => {
                 let path = self.free_path("csv");
                 self.player.ask(Order::Table(path, bytes));

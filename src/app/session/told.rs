@@ -3,10 +3,10 @@
 use winit::event::WindowEvent;
 
 use super::Session;
-use crate::app::action::Tool;
+use crate::app::action::{Action, Tool};
 use crate::app::keyboard::Keyboard;
 use crate::app::keys::{Down, Held};
-use crate::app::panels::settings_search_id;
+use crate::app::panels::{self, settings_search_id};
 
 impl Session {
     /// Hands an event to the panels: keys only where they write or nothing else is meant by them.
@@ -50,7 +50,17 @@ impl Session {
 
     /// Who has the keyboard now.
     pub(in crate::app) fn keyboard(&self) -> Keyboard {
-        Keyboard::of(self.is_writing(), egui::Popup::is_any_open(self.egui.egui_ctx()))
+        let context = self.egui.egui_ctx();
+        // Lines to read are no menu: nothing in them is chosen by keys.
+        let has_menu = egui::Popup::is_any_open(context) && !panels::are_lines_open(context);
+        Keyboard::of(self.is_writing(), has_menu)
+    }
+
+    /// A key is pressed: lines that were opened to be read close. Returns whether that is all that it does.
+    pub(in crate::app) fn closes_lines(&mut self, action: Action) -> bool {
+        let was_open = panels::close_lines(self.egui.egui_ctx());
+        self.panels_dirty |= was_open;
+        was_open && action == Action::Cancel
     }
 
     /// Whether the tool that builds is taken, where it can be.

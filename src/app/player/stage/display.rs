@@ -8,10 +8,28 @@ use super::super::named::in_world;
 use super::super::shown::{Figures, Scenery, Shown};
 use super::Stage;
 use crate::app::matter::{Matter, Placed, mean_velocity};
+use crate::scene::{MethodKeys, SolverName};
 use crate::sim::Dynamics;
 
 /// How often figures are taken that cost something: nobody reads faster.
 const FIGURES_EVERY: Duration = Duration::from_millis(100);
+
+/// So many methods of a world are named at most.
+const MOST_NAMED: usize = 2;
+
+/// What moves the islands of a world, by its name; `""`: too many.
+fn methods(world: &dyn Dynamics) -> String {
+    let mut names: Vec<&str> = world.moved_by().iter().map(|one| one.method.name()).collect();
+    names.sort_unstable();
+    names.dedup();
+    if names.len() > MOST_NAMED { String::new() } else { names.join(" and ") }
+}
+
+/// A method in words, with what it comes to where rules choose.
+fn titled(method: &MethodKeys, by: &str) -> String {
+    let (words, chosen) = (method.words(), SolverName::Auto.words());
+    if by.is_empty() { words } else { words.replacen(chosen, &format!("{chosen} ({by})"), 1) }
+}
 
 impl Stage {
     /// Looks what is shown is made of now.
@@ -59,6 +77,7 @@ impl Stage {
             self.velocity = mean_velocity(world, &self.among.points);
             self.placed = Placed::of(world, &self.among);
             self.movers = movers(world);
+            self.by = if self.history.companions().is_empty() { String::new() } else { methods(world) };
             self.relaxed.look(&self.history);
             self.acts = self.deeds.look(world.counters(), Instant::now());
             self.yielded = self.rungs.yielded(&self.history);
@@ -91,11 +110,11 @@ impl Stage {
         shown.jam = self.jam.clone().filter(|_| self.is_dragging());
         (shown.base, shown.settings, shown.driving) = (self.base, world.settings(), world.driving());
         shown.figures = self.figures(world);
-        shown.measured = self.watch.look(self.history.world());
+        self.pace.watch.hand_out((self.history.world(), moves), &mut shown.measured);
         shown.matter.clone_from(&self.matter);
         shown.labels = Arc::clone(self.history.labels());
         let has_beside = !self.history.companions().is_empty();
-        shown.title = if has_beside { self.history.method().words() } else { String::new() };
+        shown.title = if has_beside { titled(&self.history.method(), &self.by) } else { String::new() };
         shown.rests = world.is_asleep();
         self.escort.show(&self.history, &self.pace, shown.mix, &mut shown.beside);
     }

@@ -18,7 +18,6 @@ use super::rungs::{Rungs, Yielded};
 use super::save::{self, Seen};
 use super::shown::{Latest, Scenery};
 use super::softness::Relaxed;
-use super::watch::Watch;
 use crate::app::matter::{Among, Former, Matter, Placed};
 use crate::app::meter::{Lowest, Meter};
 use crate::app::tools::Hauled;
@@ -47,6 +46,8 @@ pub struct Stage {
     latest: Latest,
     is_latest_shown: bool,
     energy: f64,
+    /// The methods that rules chose, where something stands beside the world.
+    by: String,
     /// The mean velocity of what is inspected `[m/s]`.
     velocity: Option<[f64; 3]>,
     /// Where that is.
@@ -79,7 +80,6 @@ pub struct Stage {
     branches: Arc<[BranchView]>,
     /// What undo would take back and redo would bring again.
     ways: [Option<String>; 2],
-    watch: Watch,
     /// Whose matter is shown, and what it is.
     among: Among,
     matter: Option<Arc<Matter>>,
@@ -147,6 +147,7 @@ impl Stage {
             latest: Latest::default(),
             is_latest_shown: true,
             energy: 0.0,
+            by: String::new(),
             velocity: None,
             placed: None,
             movers: Arc::default(),
@@ -169,7 +170,6 @@ impl Stage {
             view: None,
             branches: Arc::default(),
             ways: Default::default(),
-            watch: Watch::default(),
             among: Among::default(),
             named,
             matter: None,
@@ -323,9 +323,9 @@ impl Stage {
                 None
             }
             Order::Watch(probes) => {
-                self.watch.set(probes);
+                self.pace.watch.set(probes, self.history.world(), self.history.scene().rate());
                 let moves = self.pace.is_moving(&self.history);
-                let before = self.watch.look_back(&self.history, self.history.scene().rate(), moves);
+                let before = self.pace.watch.look_back(&self.history, moves);
                 (!before.is_empty()).then_some(Note::Before(before))
             }
             Order::Save(path) => Some(save::recording(&self.recording(), path)),
