@@ -415,17 +415,17 @@ fn of_a_box() -> Screen {
 fn where_a_box_is_and_how_it_stands_is_typed() {
     let slope = 21.8_f64.to_radians();
     for (field, text, expected) in [
-        ("1.500 m", "1.25", Placing::At(0, 1.25)),
-        ("2.500 m", "-3", Placing::At(1, -3.0)),
-        ("14.324°", "21.8", Placing::Angle(slope)),
-        ("3.500 m", "4", Placing::Side(0, 4.0)),
-        ("0.750 m", "0.2", Placing::Side(1, 0.2)),
+        ("1.500", "1.25", Placing::At(0, 1.25)),
+        ("2.500", "-3", Placing::At(1, -3.0)),
+        ("14.324", "21.8", Placing::Angle(slope)),
+        ("3.500", "4", Placing::Side(0, 4.0)),
+        ("0.750", "0.2", Placing::Side(1, 0.2)),
     ] {
         assert_eq!(of_a_box().type_in(field, text), [Wish::Place(expected, false)], "{field}");
     }
     let mut screen = of_a_box();
     screen.facts.figures.placed = Some(Placed { middle: [1.0, 2.0, 0.0], angle: None, size: Some(Size::Circle(0.5)) });
-    assert_eq!(screen.type_in("0.500 m", "0.75"), [Wish::Place(Placing::Radius(0.75), false)]);
+    assert_eq!(screen.type_in("0.500", "0.75"), [Wish::Place(Placing::Radius(0.75), false)]);
     assert!(
         !screen.frame(Vec::new()).1.iter().any(|(text, _)| text == "turn by"),
         "a circle looks the same however it is turned"
@@ -435,18 +435,18 @@ fn where_a_box_is_and_how_it_stands_is_typed() {
 #[test]
 fn a_place_that_is_clicked_and_left_stays_however_it_moved_meanwhile() {
     let mut screen = of_a_box();
-    screen.click("1.500 m");
+    screen.click("1.500");
     screen.facts.figures.placed = Some(Placed { middle: [1.75, 2.5, 0.0], angle: None, size: None });
     let beside = click(Pos2::new(300.0, 700.0)).into_iter().chain([Vec::new()]);
     let asked: Vec<Wish> = beside.flat_map(|events| screen.frame(events).0).collect();
     assert_eq!(asked, []);
-    screen.place("1.750 m");
+    screen.place("1.750");
 }
 
 #[test]
 fn what_is_typed_of_a_place_stays_while_that_moves() {
     let mut screen = of_a_box();
-    screen.click("1.500 m");
+    screen.click("1.500");
     let mut asked = Vec::new();
     for (x, text) in [(1.6, "4."), (1.7, "2"), (1.8, "5")] {
         screen.facts.figures.placed = Some(Placed { middle: [x, 2.5, 0.0], angle: None, size: None });
@@ -455,14 +455,14 @@ fn what_is_typed_of_a_place_stays_while_that_moves() {
     let beside = click(Pos2::new(300.0, 700.0)).into_iter().chain([Vec::new()]);
     asked.extend(beside.flat_map(|events| screen.frame(events).0));
     assert_eq!(asked, [Wish::Place(Placing::At(0, 4.25), false)]);
-    screen.place("1.800 m");
+    screen.place("1.800");
 }
 
 #[test]
 fn a_turn_is_dragged_on_by_what_is_more_of_it_and_begins_at_0_again() {
     let mut screen = of_a_box();
     screen.facts.figures.placed = Some(Placed { middle: [1.0, 2.0, 0.0], angle: None, size: None });
-    let at = screen.place("0.000°");
+    let at = screen.place("0.000");
     screen.frame(vec![Event::PointerMoved(at)]);
     let mut all = screen.frame(vec![button(at, true)]).0;
     for x in [20.0, 40.0, 60.0] {
@@ -479,5 +479,5 @@ fn a_turn_is_dragged_on_by_what_is_more_of_it_and_begins_at_0_again() {
     let sum: f64 = turns.iter().map(|(turn, _)| turn).sum();
     assert!(turns.len() >= 2 && (sum - 30.0).abs() < 3.5, "{turns:?}");
     assert!(!turns[0].1 && turns[1..].iter().all(|(_, goes_on)| *goes_on), "{turns:?}");
-    assert_eq!(screen.place("0.000°"), at);
+    assert_eq!(screen.place("0.000"), at);
 }

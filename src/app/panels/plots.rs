@@ -161,7 +161,7 @@ pub(super) fn show(
     // What belongs to a tool has the place that it takes; a folded panel is as low as it is.
     let is_folded = size.y < HEAD;
     let most = if is_folded { size.y } else { size.y.max(high + HEAD) };
-    let (corner, less) = make_way((context, at), (corner, vec2(size.x, most)), room, (&taken, points))?;
+    let (corner, less) = make_way((context, at), (corner, vec2(size.x, most)), (room, top), (&taken, points))?;
     let high = (high - less).max(LEAST);
     // A click inside it is no drag.
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);
@@ -177,7 +177,7 @@ pub(super) fn show(
 fn make_way(
     (context, at): (&egui::Context, &mut PlotsAt),
     (corner, size): (Pos2, Vec2),
-    room: Rect,
+    (room, top): (Rect, f32),
     (taken, points): (&[Rect], &[Pos2]),
 ) -> Option<(Pos2, f32)> {
     if let Some(less) = lower_at(corner, size, taken) {
@@ -189,7 +189,7 @@ fn make_way(
     {
         return Some((aside, less));
     }
-    let went = clear_of(corner, size, room, (taken, points));
+    let went = clear_of(corner, size, (room, top), (taken, points));
     at.aside = went.map(|(aside, _)| aside).filter(|_| !points.is_empty());
     // Once more, with what is known of bodies.
     if points.is_empty() && !at.leaves {
@@ -335,7 +335,12 @@ fn covered(rect: Rect, points: &[Pos2]) -> usize {
 /// The left lower corner of a panel of this size in a room, where it lies over nothing that is `taken`: where it is, if it has a place there when
 /// it is lower, else where the fewest points are, as high and as near to that as may be; and how much lower it is to be for that; `None`: there
 /// is no place at all.
-fn clear_of(corner: Pos2, size: Vec2, room: Rect, (taken, points): (&[Rect], &[Pos2])) -> Option<(Pos2, f32)> {
+fn clear_of(
+    corner: Pos2,
+    size: Vec2,
+    (room, top): (Rect, f32),
+    (taken, points): (&[Rect], &[Pos2]),
+) -> Option<(Pos2, f32)> {
     if let Some(less) = lower_at(corner, size, taken) {
         return Some((corner, less));
     }
@@ -345,7 +350,7 @@ fn clear_of(corner: Pos2, size: Vec2, room: Rect, (taken, points): (&[Rect], &[P
         let beside = taken.iter().flat_map(|other| [other.right() + APART, other.left() - APART - size.x]);
         let across: Vec<f32> = beside.chain([corner.x, at_right]).collect();
         let over = taken.iter().flat_map(|other| [other.top() - APART, other.bottom() + APART + high]);
-        let up: Vec<f32> = over.chain([corner.y, room.bottom(), room.top() + high]).collect();
+        let up: Vec<f32> = over.chain([corner.y, room.bottom(), top + high]).collect();
         let places = across.iter().flat_map(|x| up.iter().map(|y| pos2(*x, *y)));
         let has_room = |place: &Pos2| {
             let rect = lying(*place, size.x, high);
@@ -735,17 +740,17 @@ mod tests {
         let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 640.0));
         let (size, corner) = (vec2(358.0, 298.0), pos2(LEFT[0], 640.0));
         let brush = Rect::from_min_size(pos2(70.0, 90.0), vec2(270.0, 400.0));
-        assert_eq!(clear_of(corner, size, room, (&[], &[])), Some((corner, 0.0)));
+        assert_eq!(clear_of(corner, size, (room, 0.0), (&[], &[])), Some((corner, 0.0)));
         assert_eq!(
-            clear_of(corner, size, room, (&[brush], &[])),
+            clear_of(corner, size, (room, 0.0), (&[brush], &[])),
             Some((pos2(340.0 + APART, 640.0), 0.0)),
             "right of it"
         );
         let wide = brush.with_max_x(1270.0);
-        assert_eq!(clear_of(corner, size, room, (&[wide], &[])), None, "there is no place below it");
+        assert_eq!(clear_of(corner, size, (room, 0.0), (&[wide], &[])), None, "there is no place below it");
         let above = wide.with_max_y(440.0);
         assert_eq!(
-            clear_of(corner, size, room, (&[above], &[])),
+            clear_of(corner, size, (room, 0.0), (&[above], &[])),
             Some((corner, size.y - HEAD - LEAST)),
             "lower below it"
         );
@@ -761,7 +766,7 @@ mod tests {
         // A rod hangs beside the panel of the tool.
         let rod: Vec<Pos2> = (0..8).map(|k| pos2(500.0, 360.0 + 30.0 * k as f32)).collect();
         let mut go = |taken: &[Rect], points: &[Pos2]| {
-            let place = make_way((&context, &mut at), (corner, size), room, (taken, points));
+            let place = make_way((&context, &mut at), (corner, size), (room, 0.0), (taken, points));
             (place, at.seeks())
         };
         assert!(go(&[tool], &[]).1, "where bodies are is to be known first");

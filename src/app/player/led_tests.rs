@@ -64,7 +64,7 @@ fn positions(history: &History) -> Vec<f64> {
 fn a_recording_is_followed_whatever_the_pointer_does_until_it_presses() {
     let start = recorded();
     let mut beside = Stage::new(start.clone()).unwrap();
-    for frame in 0..8 {
+    for frame in 0..6 {
         assert!(frames(&mut beside, 1, at(0.3 * f64::from(frame), 1.0)).is_empty());
     }
     assert!(is_as_recorded(&beside, &start));

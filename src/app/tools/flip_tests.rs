@@ -19,7 +19,7 @@ const SCENE: &str = r#"{"wobble": 1, "gravity": [0, 0], "contact": true, "view":
     "points": {"position": [[3, 0], [4, 0], [4.5, 1]], "velocity": [[0, 0], [0, 0], [0.5, -0.2]], "mass": 1},
     "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}],
     "angles": [{"points": [0, 1, 2], "min": 3.5, "max": 5, "drive": {"speed": -2, "torque": 1}}],
-    "obstacles": [{"polygon": [[6, -2], [7, -2], [6, 1]]}],
+    "obstacles": [{"polygon": [[[6, -2], [7, -2], [6, 1]]]}],
     "bodies": [{"make": "lattice", "columns": 4, "rows": 3, "spacing": 0.5, "velocity": [1, 0.3],
         "material": {"kind": "spring", "stiffness": 300, "damping": 1, "mass": 2}}]}"#;
 

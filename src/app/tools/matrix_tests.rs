@@ -12,7 +12,7 @@ use super::Chosen;
 use super::tests::{SIZE, scope};
 use crate::app::opening;
 use crate::app::player::{Note, Order, Shown, Stage};
-use crate::history::{Do, Group, hash_now};
+use crate::history::{Do, Group, SetKeys, hash_now};
 use crate::picture::Tint;
 use crate::render::Camera;
 use crate::scene::{Scene, gallery};
@@ -241,7 +241,11 @@ impl Bench {
             bench.stage.history().world().time()
         };
         let time = step(FRAMES);
-        assert!(step(2) > time, "{name}");
+        assert!(step(1) > time, "{name}");
+        // What is done after that is only there.
+        let keys = SetKeys { drag_rate: Some(0.1), ..SetKeys::default() };
+        assert_eq!(bench.stage.obey(Order::Give(vec![Do::Set(Box::new(keys))], Some("drag"))), None, "{name}");
+        bench.stage.obey(Order::Step(None));
         (bench, time)
     }
 

@@ -72,7 +72,10 @@ pub(super) fn off(outline: &[Mark], scope: Scope<'_>, at: DVec2, words: String) 
     let is_seen = |corner: &&DVec2| ground(corner)[0].cmpge(least).all() && ground(corner)[1].cmple(most).all();
     let is_free = |corner: &&DVec2| is_seen(corner) && !outline.iter().any(|mark| lies_across(mark, ground(corner)));
     let free = about.iter().chain(&sides).find(is_free);
-    Mark::Words(free.or(about.iter().find(is_seen)).copied().unwrap_or(beside), words)
+    // Long words go along the cursor as far as keeps them in view.
+    let along = [beside.y, below].map(|y| DVec2::new(x, y));
+    let seen = || about.iter().chain(&along).find(is_seen);
+    Mark::Words(free.or_else(seen).copied().unwrap_or(DVec2::new(x, y)), words)
 }
 
 /// Whether a line or a ring goes through a box, given by its left upper and its right lower corner `[px]`.

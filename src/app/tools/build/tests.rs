@@ -197,8 +197,9 @@ fn the_outline_is_what_the_release_makes() {
     hand.press(scope(&seen), at(&seen, -1.0, 0.5));
     let marks = hand.marks(scope(&seen), Some(at(&seen, 0.37, -0.5)));
     let deed = hand.release(scope(&seen), at(&seen, 0.37, -0.5));
-    let [low, high] = extent(history(&seen, &[deed]).world(), 0);
-    assert_eq!(size(&marks), Some(format!("{:.2} × {:.2} m", (high - low).x, (high - low).y)));
+    let [low, high] = extent(history(&seen, &[deed.clone()]).world(), 0);
+    let points = added(&deed).point_count(&seen.2);
+    assert_eq!(size(&marks), Some(format!("{:.2} × {:.2} m, {points} points", (high - low).x, (high - low).y)));
     let ends = marks.iter().filter_map(|mark| if let Mark::Line(_, from, _, _) = mark { Some(*from) } else { None });
     let drawn = ends.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)]);
     let corners = [at(&seen, low.x, high.y), at(&seen, high.x, low.y)];
