@@ -197,7 +197,7 @@ fn the_outline_is_what_the_release_makes() {
     hand.press(scope(&seen), at(&seen, -1.0, 0.5));
     let marks = hand.marks(scope(&seen), Some(at(&seen, 0.37, -0.5)));
     let deed = hand.release(scope(&seen), at(&seen, 0.37, -0.5));
-    let [low, high] = extent(history(&seen, &[deed.clone()]).world(), 0);
+    let [low, high] = extent(history(&seen, std::slice::from_ref(&deed)).world(), 0);
     let points = added(&deed).point_count(&seen.2);
     assert_eq!(size(&marks), Some(format!("{:.2} × {:.2} m, {points} points", (high - low).x, (high - low).y)));
     let ends = marks.iter().filter_map(|mark| if let Mark::Line(_, from, _, _) = mark { Some(*from) } else { None });
