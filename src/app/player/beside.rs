@@ -139,9 +139,9 @@ impl Escort {
     /// these are as far from the truth in all worlds, and what is left between them is what their methods differ by. Returns whether all are there.
     fn bring(&mut self, history: &mut History, [from, to]: [f64; 2], goes_on: &mut dyn FnMut() -> bool) -> bool {
         self.ends.resize_with(history.companions().len(), Ends::default);
-        // Where the last frame ended this one begins.
-        let begins = self.ends.iter().all(|ends| ends.times[1] == from || ends.times == [from, to]);
-        if from < to && !begins {
+        // Those that are beyond the first state would have to go back, and were there.
+        let is_beyond = |companion: &Companion| companion.world().time() > from + slack(companion);
+        if from < to && !history.companions().iter().any(is_beyond) {
             if !history.bring_along(from, goes_on) {
                 return false;
             }
@@ -177,20 +177,21 @@ impl Escort {
         let time = states[1];
         let main = mixed(history, pace, f64::from(mix));
         for (place, (companion, to)) in companions.iter().zip(shown).enumerate() {
-            let (reached, slack) = (companion.world().time(), SLACK * companion.world().substep());
-            let is_there = reached >= time - slack;
+            let reached = companion.world().time();
+            let is_there = reached >= time - slack(companion);
             let mut places = match std::mem::take(&mut to.places) {
                 Places::F64(list) => list,
                 Places::F32(_) => Vec::new(),
             };
-            match self.ends.get(place).filter(|ends| ends.know(states)) {
+            let known = self.ends.get(place).filter(|ends| ends.know(states));
+            match known {
                 Some(ends) => ends.mix(f64::from(mix), &mut places),
                 None => companion.places(shown_time, &mut places),
             }
             to.distances = distances(&main, &places, dimensions);
             let most = to.distances.iter().copied().filter(|distance| !distance.is_nan()).fold(0.0, f32::max);
-            // What is behind by less than is seen says what it said before.
-            if is_there || reached < time - LAG * pace.rate || self.waits {
+            // What is behind by less than is seen says what it said before, and so does what came there just now, on another line.
+            if (is_there && known.is_some()) || reached < time - LAG * pace.rate || self.waits {
                 to.farthest = is_there.then_some(most);
                 to.words = self.words(companion, is_there, time);
             }
@@ -228,6 +229,11 @@ impl Escort {
     }
 }
 
+/// Times of a companion that differ by less are the same `[s]`.
+fn slack(companion: &Companion) -> f64 {
+    SLACK * companion.world().substep()
+}
+
 /// Where a companion was at two times.
 #[derive(Default)]
 struct Ends {
@@ -238,8 +244,11 @@ struct Ends {
 }
 
 impl Ends {
-    /// Where it is at a time that comes after the second one, or is that `[s]`.
+    /// Where it is at a time that comes after the second one, or is that, if it has come there `[s]`.
     fn note(&mut self, companion: &Companion, time: f64) {
+        if companion.world().time() < time - slack(companion) {
+            return *self = Ends::default();
+        }
         if self.times[1] != time {
             self.times = [self.times[1], time];
             self.places.swap(0, 1);
@@ -249,7 +258,8 @@ impl Ends {
 
     /// Whether it is known where it was at both states of the world, or at the one that there is `[s]`.
     fn know(&self, [from, to]: [f64; 2]) -> bool {
-        self.times[1] == to && !self.places[1].is_empty() && (from == to || self.times[0] == from)
+        let knows = |end: usize, time: f64| self.times[end] == time && !self.places[end].is_empty();
+        knows(1, to) && (from == to || knows(0, from))
     }
 
     /// Where it is between the two, 0 to 1 `[m]`.
