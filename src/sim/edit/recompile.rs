@@ -30,8 +30,8 @@ pub(crate) struct Detached<S, const D: usize> {
     moved_of: Vec<u32>,
     /// What the live step is to move of them is to go together.
     pub(crate) are_together: bool,
-    /// Left is right: what was known of the sides that they touch is of another world.
-    pub(super) is_mirrored: bool,
+    /// Of these left is right now, ascending: what was known of the sides that they touch is of another world.
+    pub(super) mirrored: Vec<u32>,
     /// When `[s]`.
     time: f64,
 }
@@ -134,7 +134,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let number = |group: usize| groups.binary_search(&group).map_or(u32::MAX, |found| found as u32);
         let of = |&point: &u32| self.slot(point as usize).map_or(u32::MAX, |[group, _]| number(group));
         let moved_of = points.iter().map(of).collect();
-        Detached { points, state, groups, moved, moved_of, are_together: false, is_mirrored: false, time: t }
+        Detached { points, state, groups, moved, moved_of, are_together: false, mirrored: Vec::new(), time: t }
     }
 
     /// Every point has a slot of its own, and every new one none.
@@ -155,11 +155,10 @@ impl<S: Real, const D: usize> World<S, D> {
 
     /// The same where nothing came, went or changed but who moves it.
     pub(crate) fn put_back(&mut self, detached: Detached<S, D>) -> Vec<usize> {
-        let Detached { mut points, state, groups, moved, moved_of, are_together, is_mirrored, time: t } = detached;
+        let Detached { mut points, state, groups, moved, moved_of, are_together, mirrored, time: t } = detached;
         let mut heritage = Vec::new();
         for &group in &groups {
-            let forgets = is_mirrored && matches!(self.plan.groups[group].kernel(), Some(Kernel::Live));
-            heritage.extend(if forgets { None } else { self.heritage(group, &points) });
+            heritage.extend(self.heritage(group, (&points, &mirrored)));
         }
         for &group in &groups {
             self.vacate(group);
@@ -206,12 +205,18 @@ impl<S: Real, const D: usize> World<S, D> {
     }
 
     /// What moved a group in the live step or by the loop of a source, whose points are among these; its place is to be vacated.
-    fn heritage(&mut self, group: usize, points: &[u32]) -> Option<Heritage<S, D>> {
-        self.plan.groups[group].kernel().filter(|kernel| matches!(kernel, Kernel::Live | Kernel::Printed(_)))?;
+    /// Of points that were `mirrored`, which are ascending, nothing is known any more where they are live.
+    fn heritage(&mut self, group: usize, (points, mirrored): (&[u32], &[u32])) -> Option<Heritage<S, D>> {
+        let kernel = self.plan.groups[group].kernel()?;
+        let is_live = matches!(kernel, Kernel::Live);
+        if !is_live && !matches!(kernel, Kernel::Printed(_)) {
+            return None;
+        }
+        let forgets = |point: &u32| is_live && mirrored.binary_search(point).is_ok();
         let own = |&point: &u32| {
             self.slot(point as usize).filter(|slot| slot[0] == group).map(|slot| (point, slot[1] as u32))
         };
-        let points = points.iter().filter_map(own).collect();
+        let points = points.iter().filter(|point| !forgets(point)).filter_map(own).collect();
         let engine = std::mem::replace(&mut self.plan.groups[group].engine, Engine::Projected);
         let Engine::Bulk(mover) = engine else { return None };
         Some(Heritage { mover, points })

@@ -222,7 +222,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let scaled = (*factors != [1.0; 3]).then(|| self.scaled(&numbers, &placement));
         let mut detached = self.detach(&numbers, moved.is_some());
-        detached.is_mirrored = placement.is_mirror() && !numbers.is_empty();
+        detached.mirrored = if placement.is_mirror() { numbers.clone() } else { Vec::new() };
         for (point, track) in &mut model.pin_motion {
             if numbers.binary_search(&point.0).is_ok() {
                 track.knots.iter_mut().for_each(|(_, x)| *x = placement.place(*x));
