@@ -36,7 +36,7 @@ pub(super) fn of(
     marks.extend(knot::marks(scope, &knots));
     let tied = knot::words(scope, &knots).map(|words| format!("{words} (not with Shift)"));
     let words: Vec<String> = outcome.words().into_iter().chain(tied).collect();
-    let more = if words.is_empty() { String::new() } else { format!(": {}", words.join("; ")) };
+    let more = if words.is_empty() { String::new() } else { format!("; {}", words.join("; ")) };
     let words = off(&marks, scope, at, format!("{}{more}", form.said(&keys)));
     marks.push(words);
     marks
