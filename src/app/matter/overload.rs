@@ -114,7 +114,9 @@ pub(in crate::app) fn overload(shown: &Shown, among: &[PointId]) -> Option<Overl
     let stiffness = in_two_digits(least, f64::ceil);
     let without_leap = standing.without_leap(shown, &carried, (&is_of_it, stiffness));
     let is_first = without_leap < stiffness;
-    let stiffness = if is_first { in_two_digits(without_leap, f64::floor) } else { stiffness };
+    let of_it = (0..standing.ends.len()).filter(|&place| is_of_it(place));
+    let softest = of_it.filter_map(|place| standing.springs[place]).fold(f64::INFINITY, f64::min);
+    let stiffness = if is_first { rounded_down(without_leap, softest) } else { stiffness };
     let softer = (0..standing.ends.len()).filter(|&place| is_of_it(place));
     let softer = softer.filter(|&place| standing.springs[place].is_some_and(|own| own < stiffness));
     let mut bonds: Vec<u32> = softer.map(|place| standing.numbers[place]).collect();
@@ -134,6 +136,12 @@ pub(in crate::app) fn overload(shown: &Shown, among: &[PointId]) -> Option<Overl
 fn in_two_digits(x: f64, to_whole: impl Fn(f64) -> f64) -> f64 {
     let digit = 10_f64.powf(x.max(f64::MIN_POSITIVE).log10().floor() - 1.0);
     to_whole(x / digit) * digit
+}
+
+/// A stiffness in two digits, no higher; as it is where that would be no more than the softest has.
+fn rounded_down(stiffness: f64, softest: f64) -> f64 {
+    let rounded = in_two_digits(stiffness, f64::floor);
+    if rounded > softest { rounded } else { stiffness }
 }
 
 impl Standing {
@@ -462,6 +470,15 @@ mod tests {
         let more = (found.stiffness - 60.0) * squares;
         assert!(more <= LEAP * weight, "{more} J more, of something that {weight} J lift");
         assert!(more > 0.8 * LEAP * weight, "as much as may be, in two digits: {more} J");
+    }
+
+    #[test]
+    fn what_rounds_down_to_what_is_there_is_not_rounded() {
+        let cases = [(73.9, 60.0, 73.0), (60.4, 60.0, 60.4), (69.95, 69.9, 69.95), (71.3, 69.9, 71.0)];
+        for (stiffness, softest, expected) in cases {
+            let rounded = rounded_down(stiffness, softest);
+            assert!((rounded - expected).abs() < 1e-9 && rounded > softest, "{stiffness} N/m: {rounded} N/m");
+        }
     }
 
     #[test]
