@@ -1,7 +1,7 @@
 //! How weight goes down through soft bodies, bond by bond: what gives way under what lies on it, with what it stands on, and the stiffness
 //! that bears it.
 
-use super::carried::{Carried, stands};
+use super::carried::{Carried, Grounds};
 use crate::app::player::Shown;
 use crate::picture::Tint;
 use crate::sim::bond::lower_first;
@@ -99,10 +99,13 @@ pub(in crate::app) fn overload(shown: &Shown, among: &[PointId]) -> Option<Overl
         return None;
     }
     let carried = Carried::of(shown, (&standing.body, standing.high.len()), standing.gravity);
+    let grounds = Grounds::of(shown, (&standing.body, standing.high.len()));
+    let feet = standing.feet();
     let mut judged: Vec<Option<bool>> = vec![None; standing.high.len()];
     gives.retain(|&point| {
         let own = standing.body[point];
-        let gives = || !carried.bears_itself(own as usize) && standing.stands_on_something(shown, own);
+        let stands_on = (&*feet[own as usize], standing.high[own as usize]);
+        let gives = || !carried.bears_itself(own as usize) && grounds.bear(shown, own, stands_on);
         *judged[own as usize].get_or_insert_with(gives)
     });
     let most = gives.iter().map(|&point| share(&now, point)).fold(0.0, f64::max);
@@ -242,11 +245,12 @@ impl Standing {
         self.height[point] <= STANDS * self.high[self.body[point] as usize]
     }
 
-    /// Whether a body stands on anything.
-    fn stands_on_something(&self, shown: &Shown, body: u32) -> bool {
-        let is_foot = |point: &&u32| self.body[**point as usize] == body && self.stands(**point as usize);
-        let feet: Vec<PointId> = self.order.iter().filter(is_foot).map(|&point| PointId(point)).collect();
-        stands(shown, (&self.body, body), (&feet, self.high[body as usize]))
+    /// What each body stands on the ground with.
+    fn feet(&self) -> Vec<Vec<PointId>> {
+        let mut feet = vec![Vec::new(); self.high.len()];
+        let all = self.order.iter().filter(|point| self.stands(**point as usize));
+        all.for_each(|&point| feet[self.body[point as usize] as usize].push(PointId(point)));
+        feet
     }
 
     /// The stiffness `[N/m]`, up to one that is wished, that the softer ones of some springs can have as they are stretched and pressed now: they
