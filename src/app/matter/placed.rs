@@ -44,12 +44,32 @@ pub enum Placing {
     At(usize, f64),
     /// One box or one plane stands at this angle `[rad]`.
     Angle(f64),
-    /// It is turned from how it is `[rad]`.
+    /// It is turned from how it was, as a number that is dragged on began, `[rad]`.
     TurnBy(f64),
     /// The width of one box, or its height, about its middle `[m]`.
     Side(usize, f64),
     /// The radius of one circle `[m]`.
     Radius(f64),
+}
+
+/// How much of a turn that is dragged on was taken `[rad]`; `None`: nothing yet.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Turned(Option<f64>);
+
+impl Turned {
+    /// What a turn is from how it is now, and whether it goes on with what was taken; another number is as it is.
+    pub(in crate::app) fn more(&mut self, placing: Placing, goes_on: bool) -> (Placing, bool) {
+        let Placing::TurnBy(all) = placing else { return (placing, goes_on) };
+        self.0 = self.0.filter(|_| goes_on);
+        (Placing::TurnBy(all - self.0.unwrap_or(0.0)), self.0.is_some())
+    }
+
+    /// It was taken, so far.
+    pub(in crate::app) fn take(&mut self, placing: Placing) {
+        if let Placing::TurnBy(all) = placing {
+            self.0 = Some(all);
+        }
+    }
 }
 
 impl Placing {

@@ -150,6 +150,25 @@ fn a_box_that_is_flipped_stands_at_its_angle_and_is_dragged_on_past_a_right_angl
 }
 
 #[test]
+fn a_turn_that_is_dragged_on_goes_on_from_what_was_taken_of_it() {
+    let mut stage = stage();
+    let bar = obstacle(&stage, corners(4));
+    let before = look(&mut stage, &bar).0;
+    let nothing = Among::default();
+    // What is refused on the way is no part of it.
+    for (of, by, goes_on) in [(&bar, 0.1, false), (&bar, 0.25, true), (&nothing, 0.3, true), (&bar, 0.4, true)] {
+        let order = Order::Place { among: of.clone(), fit: Fit::default(), placing: Placing::TurnBy(by), goes_on };
+        assert_eq!(stage.obey(order).is_some(), of == &nothing, "{by}");
+    }
+    assert!(is_near(look(&mut stage, &bar).0, [1.0, 0.5, 0.0, 0.7, 2.0, 1.0]));
+    put(&mut stage, &bar, Placing::TurnBy(-0.2), false);
+    assert!(is_near(look(&mut stage, &bar).0, [1.0, 0.5, 0.0, 0.5, 2.0, 1.0]), "the next one begins anew");
+    stage.obey(Order::Undo(None));
+    stage.obey(Order::Undo(None));
+    assert_eq!(look(&mut stage, &bar).0, before, "one edit each");
+}
+
+#[test]
 fn a_number_that_is_dragged_on_is_one_edit() {
     let mut stage = stage();
     let bar = obstacle(&stage, corners(4));

@@ -181,7 +181,8 @@ impl Session {
     /// What is selected is put where a number says.
     pub(super) fn place(&mut self, placing: Placing, goes_on: bool) {
         let Some(chosen) = self.selected() else { return };
-        let (fit, words) = match self.with_scope(|_, scope| chosen.fit(scope, placing)) {
+        let (more, goes_on) = self.turned.more(placing, goes_on);
+        let (fit, words) = match self.with_scope(|_, scope| chosen.fit(scope, more)) {
             Ok((fit, words)) => (Some(fit), words),
             Err(words) => (None, words),
         };
@@ -189,6 +190,7 @@ impl Session {
             self.say(words);
         }
         let Some(fit) = fit else { return };
+        self.turned.take(placing);
         let Chosen { points, obstacles } = chosen;
         self.player.ask(Order::Place { among: Among { points, obstacles, bonds: None }, fit, placing, goes_on });
         self.dirty = true;
