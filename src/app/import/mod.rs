@@ -314,7 +314,8 @@ impl Wish {
         }
         let keys = self.keys(picture, None);
         let scene = Scene::of_drawing(name, Arc::clone(picture), keys, self.matter, &Watch::default())?;
-        Ok(Some(covered(&scene.picture_mesh(0)?, self.height)))
+        let mesh = scene.picture_mesh(0)?;
+        Ok(Some(covered(&mesh, self.height)))
     }
 
     fn scene(&self, name: &str, picture: &Arc<Picture>, watch: &Watch) -> Result<Scene, SceneError> {

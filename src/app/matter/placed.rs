@@ -54,7 +54,7 @@ pub enum Placing {
 
 /// How much of a turn that is dragged on was taken `[rad]`; `None`: nothing yet.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Turned(Option<f64>);
+pub(in crate::app) struct Turned(Option<f64>);
 
 impl Turned {
     /// What a turn is from how it is now, and whether it goes on with what was taken; another number is as it is.

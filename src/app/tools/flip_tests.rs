@@ -83,7 +83,10 @@ fn a_torque_on_what_is_flipped_turns_it_the_other_way_and_one_on_a_part_of_it_as
     };
     let flip = |scale: [f64; 2]| {
         let points = vec![0, 1, 2];
-        Order::Give(vec![Do::Move(Box::new(MoveKeys { points, scale: Some(Factors::Each(scale)), ..Default::default() }))], None)
+        Order::Give(
+            vec![Do::Move(Box::new(MoveKeys { points, scale: Some(Factors::Each(scale)), ..Default::default() }))],
+            None,
+        )
     };
     assert_eq!(stage.obey(flip([-1.0, 1.0])), None);
     assert_eq!(torques(&stage), [(-0.7, 0.5), (0.2, 0.0)]);
@@ -92,7 +95,8 @@ fn a_torque_on_what_is_flipped_turns_it_the_other_way_and_one_on_a_part_of_it_as
     let angle = |stage: &Stage| (place(stage, 1) - place(stage, 0)).to_angle();
     let before = angle(&stage);
     stage.obey(Order::Step(None));
-    assert!((before - angle(&stage)).rem_euclid(TAU) < 0.5, "it goes clockwise");
+    let turn = (before - angle(&stage)).rem_euclid(TAU);
+    assert!(turn > 0.0 && turn < 0.5, "it goes clockwise: {turn}");
     stage.obey(Order::Undo(None));
     stage.obey(Order::Undo(None));
     assert_eq!(torques(&stage), [(0.7, 0.5), (0.2, 0.0)]);
