@@ -203,11 +203,12 @@ impl Import {
         &self,
         seen: [[f64; 2]; 2],
     ) -> impl FnOnce(&History) -> Result<Coming, String> + Send + 'static {
-        let (wish, picture) = (self.wish, Arc::clone(&self.picture));
-        let area = self.area();
+        let (wish, name, picture) = (self.wish, self.name.clone(), Arc::clone(&self.picture));
+        let known = self.area();
         move |history| {
             let (scene, world) = (history.scene(), history.world());
-            let keys = wish.keys(&picture, area);
+            let area = known.map_or_else(|| wish.area(&name, &picture), |area| Ok(Some(area)));
+            let keys = wish.keys(&picture, area.map_err(|error| error.to_string())?);
             let added = match wish.matter {
                 Matter::Fixed => scene.obstacle_to_add(world, (&picture, &keys), seen),
                 _ => scene.body_to_add(world, (&picture, keys), seen, wish.apart),
@@ -228,7 +229,8 @@ impl Import {
         if self.wish.matter == Matter::Fixed {
             return Err(scene.complaint("an obstacle does not take the place of a body: add it to the scene"));
         }
-        let mut keys = self.wish.keys(&self.picture, self.area());
+        let area = self.area().map_or_else(|| self.wish.area(&self.name, &self.picture), |area| Ok(Some(area)))?;
+        let mut keys = self.wish.keys(&self.picture, area);
         if (self.wish.of, self.wish.matter, self.wish.young) == (None, matter, young) {
             keys.material = None;
         }
@@ -246,10 +248,11 @@ impl Import {
         Ok(changed)
     }
 
-    /// What the body covers, as it was cut out last `[m^2]`.
+    /// What the body covers, where it was cut out last as it is wished for now `[m^2]`.
     fn area(&self) -> Option<f64> {
         let made = self.forecast.as_ref()?.as_ref().ok()?;
-        Some(covered(&made.mesh, self.wish.height))
+        let is_same = made.wish.settings == self.wish.settings && Arc::ptr_eq(&made.picture, &self.picture);
+        is_same.then(|| covered(&made.mesh, self.wish.height))
     }
 }
 
@@ -300,6 +303,19 @@ impl Wish {
         };
         let pattern = (self.pattern != PatternName::Edges).then_some(self.pattern);
         BodyKeys { material: Some(material), pattern, ..BodyKeys::cut(&self.settings, self.height, picture) }
+    }
+
+    /// What a body of a matter by name covers, cut out for that `[m^2]`; `None` of another.
+    ///
+    /// Errors: as of [`Import::scene`].
+    fn area(&self, name: &str, picture: &Arc<Picture>) -> Result<Option<f64>, SceneError> {
+        if self.of.is_none() || self.matter == Matter::Fixed {
+            return Ok(None);
+        }
+        let keys = self.keys(picture, None);
+        let scene = Scene::of_drawing(name, Arc::clone(picture), keys, self.matter, &Watch::default())?;
+        let mesh = scene.picture_mesh(0)?;
+        Ok(Some(covered(&mesh, self.height)))
     }
 
     fn scene(&self, name: &str, picture: &Arc<Picture>, watch: &Watch) -> Result<Scene, SceneError> {

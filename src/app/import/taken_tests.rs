@@ -10,7 +10,7 @@ use super::{Answer, Import};
 use crate::app::matter::{Among, Preset};
 use crate::app::player::{Order, Shown, Stage};
 use crate::picture::{Picture, Size, Threshold};
-use crate::scene::{Material, Matter};
+use crate::scene::{Material, Matter, Scene};
 use crate::sim::PointId;
 
 /// An opaque grey picture, whose lightness is told by where its pixels are, from 0 to 1 along both sides.
@@ -201,4 +201,21 @@ fn a_matter_by_name_is_what_the_panel_of_what_is_selected_calls_it_and_a_number_
     }
     screen.click("springs");
     assert_eq!((screen.import.wish.of, screen.import.wish.matter), (None, Matter::Soft));
+}
+
+#[test]
+fn a_matter_by_name_is_weighed_as_it_is_cut_out_now_not_as_it_was_last() {
+    let mut screen = Screen::of(blot());
+    screen.click(Preset::Steel.name());
+    let steel = |import: &Import| import.scene().unwrap().bodies[0].material.as_ref().unwrap().mass.unwrap();
+    let before = steel(&screen.import);
+    // All of it is taken, and nobody has looked how much that is.
+    screen.import.wish.settings.threshold = Threshold::Whole;
+    let after = steel(&screen.import);
+    assert!(after > 2.0 * before, "{before} kg, then {after} kg");
+    let text = r#"{"wobble": 1, "points": {"position": [[9, 9]]}}"#;
+    let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+    stage.obey(Order::Add(Box::new(screen.import.adder([[-3.0, -3.0], [3.0, 3.0]]))));
+    let mass: f64 = stage.history().world().masses()[1..].iter().sum();
+    assert!((mass / after - 1.0).abs() < 1e-3, "{mass} kg of {after} kg");
 }

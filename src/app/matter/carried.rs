@@ -68,23 +68,67 @@ impl Carried {
     }
 }
 
-/// Whether a body so high `[m]` stands on a wall, an obstacle or another body: `feet` are its lowest points, `body` says whose each point is.
-pub(super) fn stands(shown: &Shown, (body, own): (&[u32], u32), (feet, high): (&[PointId], f64)) -> bool {
-    let near = NEAR * high;
-    let place = |point: PointId| DVec2::from_slice(&shown.place(point.index())[..2]);
-    if feet.iter().any(|&point| gap_in(&shown.scenery, place(point)) <= near) {
-        return true;
+/// Where the bodies of a world are, to find what a body stands on.
+#[derive(Debug, Default)]
+pub(super) struct Grounds {
+    /// The bonds of each body, one body's after another's, and where each body's begin.
+    bonds: Vec<[PointId; 2]>,
+    begins: Vec<usize>,
+    /// The box around the bonds of each body, lower and upper corner `[m]`.
+    boxes: Vec<[DVec2; 2]>,
+}
+
+impl Grounds {
+    /// Of `bodies` bodies, `body` of each point.
+    pub(super) fn of(shown: &Shown, (body, bodies): (&[u32], usize)) -> Self {
+        let own = |ends: &[PointId; 2]| body[ends[0].index()] as usize;
+        let mut bonds = shown.scenery.bonds.ends().to_vec();
+        bonds.sort_by_key(own);
+        let begins = (0..=bodies).map(|first| bonds.partition_point(|ends| own(ends) < first)).collect();
+        let mut boxes = vec![NOWHERE; bodies];
+        for ends in &bonds {
+            let around = &mut boxes[own(ends)];
+            *around = ends.iter().fold(*around, |around, &end| with(around, place(shown, end)));
+        }
+        Grounds { bonds, begins, boxes }
     }
-    let is_other = |ends: &&[PointId; 2]| body[ends[0].index()] != own;
-    shown.scenery.bonds.ends().iter().filter(is_other).any(|&[a, b]| {
-        let [from, to] = [place(a), place(b)];
-        let is_at = |&foot: &PointId| {
-            let foot = place(foot);
-            let share = ((foot - from).dot(to - from) / from.distance_squared(to)).clamp(0.0, 1.0);
-            foot.distance(from.lerp(to, share)) <= near
-        };
-        feet.iter().any(is_at)
-    })
+
+    /// Whether a body so high `[m]` stands on a wall, an obstacle or another body: `feet` are its lowest points.
+    pub(super) fn bear(&self, shown: &Shown, own: u32, (feet, high): (&[PointId], f64)) -> bool {
+        let near = NEAR * high;
+        if feet.iter().any(|&point| gap_in(&shown.scenery, place(shown, point)) <= near) {
+            return true;
+        }
+        let [low, high] = feet.iter().fold(NOWHERE, |around, &foot| with(around, place(shown, foot)));
+        let around = [low - near, high + near];
+        let others = (0..self.boxes.len()).filter(|&other| other != own as usize && meet(around, self.boxes[other]));
+        others.flat_map(|other| &self.bonds[self.begins[other]..self.begins[other + 1]]).any(|&ends| {
+            let [from, to] = ends.map(|end| place(shown, end));
+            let is_at = |&foot: &PointId| {
+                let foot = place(shown, foot);
+                let share = ((foot - from).dot(to - from) / from.distance_squared(to)).clamp(0.0, 1.0);
+                foot.distance(from.lerp(to, share)) <= near
+            };
+            meet(around, with(with(NOWHERE, from), to)) && feet.iter().any(is_at)
+        })
+    }
+}
+
+/// A box around nothing.
+const NOWHERE: [DVec2; 2] = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+
+fn place(shown: &Shown, point: PointId) -> DVec2 {
+    DVec2::from_slice(&shown.place(point.index())[..2])
+}
+
+/// A box that has a place in it too, where that is one.
+fn with([low, high]: [DVec2; 2], at: DVec2) -> [DVec2; 2] {
+    if at.is_finite() { [low.min(at), high.max(at)] } else { [low, high] }
+}
+
+/// Whether two boxes have a place in common.
+fn meet([low, high]: [DVec2; 2], [other_low, other_high]: [DVec2; 2]) -> bool {
+    low.cmple(other_high).all() && other_low.cmple(high).all()
 }
 
 #[cfg(test)]
@@ -117,5 +161,19 @@ mod tests {
         assert!(light.bears_itself(0), "it stands");
         assert!(!carried(1.2, 0).bears_itself(0), "nothing is known of it yet");
         assert!(!carried(48.0, 300).bears_itself(0), "it is pressed flat");
+    }
+
+    #[test]
+    fn a_body_stands_on_what_is_below_its_feet_of_others_alone() {
+        let text = r#"{"wobble": 1, "gravity": [0, 0], "points": {"position": [[0, 0], [4, 0], [1, 0.01], [1, 1], [9, 0.01], [9, 1]]},
+            "bonds": [{"a": 0, "b": 1}, {"a": 2, "b": 3}, {"a": 4, "b": 5}]}"#;
+        let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        let mut shown = Shown::default();
+        stage.show(&mut shown);
+        let grounds = Grounds::of(&shown, (&[0, 0, 1, 1, 2, 2], 3));
+        let bears = |own: u32, foot: u32, high: f64| grounds.bear(&shown, own, (&[PointId(foot)], high));
+        assert!(bears(1, 2, 1.0), "above the middle of a bond");
+        assert!(!bears(1, 2, 0.1), "it is too far above that");
+        assert!(!bears(2, 4, 1.0), "nothing is there but its own bond");
     }
 }

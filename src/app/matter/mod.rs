@@ -44,7 +44,7 @@ pub(super) use led::led;
 pub(super) use motors::{MotorChange, Motors};
 pub(super) use overload::{Overload, overload};
 pub(super) use painted::{Painted, Switched};
-pub(super) use placed::{Fit, Placed, Placing, Size, placed};
+pub(super) use placed::{Fit, Placed, Placing, Size, Turned, placed};
 pub(super) use preset::Preset;
 pub(super) use wear::{but_for_pictures, worn};
 

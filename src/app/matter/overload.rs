@@ -1,7 +1,7 @@
 //! How weight goes down through soft bodies, bond by bond: what gives way under what lies on it, with what it stands on, and the stiffness
 //! that bears it.
 
-use super::carried::{Carried, stands};
+use super::carried::{Carried, Grounds};
 use crate::app::player::Shown;
 use crate::picture::Tint;
 use crate::sim::bond::lower_first;
@@ -99,10 +99,13 @@ pub(in crate::app) fn overload(shown: &Shown, among: &[PointId]) -> Option<Overl
         return None;
     }
     let carried = Carried::of(shown, (&standing.body, standing.high.len()), standing.gravity);
+    let grounds = Grounds::of(shown, (&standing.body, standing.high.len()));
+    let feet = standing.feet();
     let mut judged: Vec<Option<bool>> = vec![None; standing.high.len()];
     gives.retain(|&point| {
         let own = standing.body[point];
-        let gives = || !carried.bears_itself(own as usize) && standing.stands_on_something(shown, own);
+        let stands_on = (&*feet[own as usize], standing.high[own as usize]);
+        let gives = || !carried.bears_itself(own as usize) && grounds.bear(shown, own, stands_on);
         *judged[own as usize].get_or_insert_with(gives)
     });
     let most = gives.iter().map(|&point| share(&now, point)).fold(0.0, f64::max);
@@ -114,7 +117,9 @@ pub(in crate::app) fn overload(shown: &Shown, among: &[PointId]) -> Option<Overl
     let stiffness = in_two_digits(least, f64::ceil);
     let without_leap = standing.without_leap(shown, &carried, (&is_of_it, stiffness));
     let is_first = without_leap < stiffness;
-    let stiffness = if is_first { in_two_digits(without_leap, f64::floor) } else { stiffness };
+    let of_it = (0..standing.ends.len()).filter(|&place| is_of_it(place));
+    let softest = of_it.filter_map(|place| standing.springs[place]).fold(f64::INFINITY, f64::min);
+    let stiffness = if is_first { rounded_down(without_leap, softest) } else { stiffness };
     let softer = (0..standing.ends.len()).filter(|&place| is_of_it(place));
     let softer = softer.filter(|&place| standing.springs[place].is_some_and(|own| own < stiffness));
     let mut bonds: Vec<u32> = softer.map(|place| standing.numbers[place]).collect();
@@ -134,6 +139,12 @@ pub(in crate::app) fn overload(shown: &Shown, among: &[PointId]) -> Option<Overl
 fn in_two_digits(x: f64, to_whole: impl Fn(f64) -> f64) -> f64 {
     let digit = 10_f64.powf(x.max(f64::MIN_POSITIVE).log10().floor() - 1.0);
     to_whole(x / digit) * digit
+}
+
+/// A stiffness in two digits, no higher; as it is where that would be no more than the softest has.
+fn rounded_down(stiffness: f64, softest: f64) -> f64 {
+    let rounded = in_two_digits(stiffness, f64::floor);
+    if rounded > softest { rounded } else { stiffness }
 }
 
 impl Standing {
@@ -234,11 +245,12 @@ impl Standing {
         self.height[point] <= STANDS * self.high[self.body[point] as usize]
     }
 
-    /// Whether a body stands on anything.
-    fn stands_on_something(&self, shown: &Shown, body: u32) -> bool {
-        let is_foot = |point: &&u32| self.body[**point as usize] == body && self.stands(**point as usize);
-        let feet: Vec<PointId> = self.order.iter().filter(is_foot).map(|&point| PointId(point)).collect();
-        stands(shown, (&self.body, body), (&feet, self.high[body as usize]))
+    /// What each body stands on the ground with.
+    fn feet(&self) -> Vec<Vec<PointId>> {
+        let mut feet = vec![Vec::new(); self.high.len()];
+        let all = self.order.iter().filter(|point| self.stands(**point as usize));
+        all.for_each(|&point| feet[self.body[point as usize] as usize].push(PointId(point)));
+        feet
     }
 
     /// The stiffness `[N/m]`, up to one that is wished, that the softer ones of some springs can have as they are stretched and pressed now: they
@@ -462,6 +474,15 @@ mod tests {
         let more = (found.stiffness - 60.0) * squares;
         assert!(more <= LEAP * weight, "{more} J more, of something that {weight} J lift");
         assert!(more > 0.8 * LEAP * weight, "as much as may be, in two digits: {more} J");
+    }
+
+    #[test]
+    fn what_rounds_down_to_what_is_there_is_not_rounded() {
+        let cases = [(73.9, 60.0, 73.0), (60.4, 60.0, 60.4), (69.95, 69.9, 69.95), (71.3, 69.9, 71.0)];
+        for (stiffness, softest, expected) in cases {
+            let rounded = rounded_down(stiffness, softest);
+            assert!((rounded - expected).abs() < 1e-9 && rounded > softest, "{stiffness} N/m: {rounded} N/m");
+        }
     }
 
     #[test]

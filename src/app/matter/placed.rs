@@ -1,5 +1,7 @@
 //! Where what is selected is, in figures, and the commands that put it elsewhere: those of the tool that moves, turns and scales.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use super::Among;
 use super::extent::place;
 use crate::history::{Do, Factors, MoveKeys};
@@ -19,7 +21,8 @@ const SMALL: f64 = 1.0 / 1024.0;
 pub struct Placed {
     /// The middle of the box around it; of nothing but planes the point that the first is given by `[m]`.
     pub(in crate::app) middle: [f64; 3],
-    /// How one box or one plane in the plane is turned, anticlockwise, between -pi and pi `[rad]`.
+    /// How one box or one plane in the plane is turned, anticlockwise `[rad]`: a plane between -pi and pi, a box, which looks the same after half a
+    /// turn, in (-pi/2, pi/2].
     pub(in crate::app) angle: Option<f64>,
     /// How large one box or one circle in the plane is.
     pub(in crate::app) size: Option<Size>,
@@ -41,12 +44,32 @@ pub enum Placing {
     At(usize, f64),
     /// One box or one plane stands at this angle `[rad]`.
     Angle(f64),
-    /// It is turned from how it is `[rad]`.
+    /// It is turned from how it was, as a number that is dragged on began, `[rad]`.
     TurnBy(f64),
     /// The width of one box, or its height, about its middle `[m]`.
     Side(usize, f64),
     /// The radius of one circle `[m]`.
     Radius(f64),
+}
+
+/// How much of a turn that is dragged on was taken `[rad]`; `None`: nothing yet.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::app) struct Turned(Option<f64>);
+
+impl Turned {
+    /// What a turn is from how it is now, and whether it goes on with what was taken; another number is as it is.
+    pub(in crate::app) fn more(&mut self, placing: Placing, goes_on: bool) -> (Placing, bool) {
+        let Placing::TurnBy(all) = placing else { return (placing, goes_on) };
+        self.0 = self.0.filter(|_| goes_on);
+        (Placing::TurnBy(all - self.0.unwrap_or(0.0)), self.0.is_some())
+    }
+
+    /// It was taken, so far.
+    pub(in crate::app) fn take(&mut self, placing: Placing) {
+        if let Placing::TurnBy(all) = placing {
+            self.0 = Some(all);
+        }
+    }
 }
 
 impl Placing {
@@ -61,6 +84,12 @@ impl Placing {
 }
 
 impl Placed {
+    /// The turn to an angle `[rad]`: the nearest one of a box, which goes on as it is dragged past a right angle.
+    pub(in crate::app) fn turn_to(&self, to: f64) -> Option<f64> {
+        let turn = to - self.angle?;
+        Some(if self.size.is_some() { half_turned(turn) } else { turn })
+    }
+
     /// Of what is meant in a world; `None` where nothing of it has a place.
     pub(in crate::app) fn of(world: &dyn Dynamics, among: &Among) -> Option<Self> {
         let points = among.points_of(world);
@@ -108,6 +137,11 @@ fn corners(obstacle: &Obstacle) -> Vec<[f64; 3]> {
     }
 }
 
+/// The angle in (-pi/2, pi/2] that is as many half turns from this one as it takes `[rad]`.
+fn half_turned(angle: f64) -> f64 {
+    angle - PI * ((angle - FRAC_PI_2) / PI).ceil()
+}
+
 /// How a box is turned `[rad]`, and its sides `[m]`; `None` of what is none.
 fn rectangle(polygon: &Polygon) -> Option<(f64, [f64; 2])> {
     let [outline] = &polygon.loops[..] else { return None };
@@ -117,7 +151,7 @@ fn rectangle(polygon: &Polygon) -> Option<(f64, [f64; 2])> {
     let least = ROUNDING * (sides[0] + sides[1]);
     let is_closed = length(sub(sub(c, d), along)) <= least;
     let is_square = (along[0] * up[0] + along[1] * up[1]).abs() <= ROUNDING * sides[0] * sides[1];
-    (is_closed && is_square && sides[0] > 0.0 && sides[1] > 0.0).then(|| (along[1].atan2(along[0]), sides))
+    (is_closed && is_square && sides[0] > 0.0 && sides[1] > 0.0).then(|| (half_turned(along[1].atan2(along[0])), sides))
 }
 
 /// The radius of a circle `[m]`; `None` of what is none.
@@ -156,7 +190,8 @@ pub(in crate::app) fn placed(
     placing: Placing,
 ) -> Result<Vec<Do>, &'static str> {
     const NOTHING: &str = "nothing of what is selected can be changed so";
-    let Placed { middle, angle, size } = Placed::of(world, among).ok_or(NOTHING)?;
+    let placed = Placed::of(world, among).ok_or(NOTHING)?;
+    let Placed { middle, angle, size } = placed;
     let vector = |x: [f64; 3]| Some(Vector::new(x, world.dimensions()));
     let mut points: Vec<u32> = among.points_of(world).iter().chain(&fit.along).map(|point| point.0).collect();
     points.sort_unstable();
@@ -172,7 +207,7 @@ pub(in crate::app) fn placed(
             by[axis] += to - middle[axis];
             vec![MoveKeys { by: vector(by), about: None, ..keys }]
         }
-        (Placing::Angle(to), _) => vec![MoveKeys { turn: Some(to - angle.ok_or(NOTHING)?), by: lift, ..keys }],
+        (Placing::Angle(to), _) => vec![MoveKeys { turn: Some(placed.turn_to(to).ok_or(NOTHING)?), by: lift, ..keys }],
         (Placing::TurnBy(turn), _) => vec![MoveKeys { turn: Some(turn), by: lift, ..keys }],
         (Placing::Radius(to), Some(Size::Circle(radius))) => {
             vec![MoveKeys { scale: Some(Factors::One(to / radius)), ..alone }]

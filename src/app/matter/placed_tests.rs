@@ -134,6 +134,41 @@ fn a_number_puts_it_there_exactly_and_is_one_step_of_undo() {
 }
 
 #[test]
+fn a_box_that_is_flipped_stands_at_its_angle_and_is_dragged_on_past_a_right_angle() {
+    let text = r#"{"wobble": 1, "obstacles": [{"polygon": [[[2, 0], [0, 0], [0, 1], [2, 1]]]}]}"#;
+    let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+    let bar = obstacle(&stage, corners(4));
+    assert_eq!(look(&mut stage, &bar).0.angle, Some(0.0), "not half a turn");
+    for (to, shown, goes_on) in [(89.0_f64, 89.0_f64, false), (91.0, -89.0, true), (93.0, -87.0, true)] {
+        let before = look(&mut stage, &bar).0;
+        let turn = before.turn_to(to.to_radians()).unwrap().to_degrees();
+        assert!(turn.abs() < 89.5, "{turn}°: no half turn more");
+        put(&mut stage, &bar, Placing::Angle(to.to_radians()), goes_on);
+        let after = look(&mut stage, &bar).0;
+        assert!(is_near(after, [1.0, 0.5, 0.0, shown.to_radians(), 2.0, 1.0]), "{after:?}");
+    }
+}
+
+#[test]
+fn a_turn_that_is_dragged_on_goes_on_from_what_was_taken_of_it() {
+    let mut stage = stage();
+    let bar = obstacle(&stage, corners(4));
+    let before = look(&mut stage, &bar).0;
+    let nothing = Among::default();
+    // What is refused on the way is no part of it.
+    for (of, by, goes_on) in [(&bar, 0.1, false), (&bar, 0.25, true), (&nothing, 0.3, true), (&bar, 0.4, true)] {
+        let order = Order::Place { among: of.clone(), fit: Fit::default(), placing: Placing::TurnBy(by), goes_on };
+        assert_eq!(stage.obey(order).is_some(), of == &nothing, "{by}");
+    }
+    assert!(is_near(look(&mut stage, &bar).0, [1.0, 0.5, 0.0, 0.7, 2.0, 1.0]));
+    put(&mut stage, &bar, Placing::TurnBy(-0.2), false);
+    assert!(is_near(look(&mut stage, &bar).0, [1.0, 0.5, 0.0, 0.5, 2.0, 1.0]), "the next one begins anew");
+    stage.obey(Order::Undo(None));
+    stage.obey(Order::Undo(None));
+    assert_eq!(look(&mut stage, &bar).0, before, "one edit each");
+}
+
+#[test]
 fn a_number_that_is_dragged_on_is_one_edit() {
     let mut stage = stage();
     let bar = obstacle(&stage, corners(4));

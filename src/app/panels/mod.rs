@@ -46,6 +46,7 @@ mod palette;
 mod parameters;
 mod places;
 mod plots;
+mod plots_at;
 #[cfg(test)]
 mod plots_tests;
 #[cfg(test)]
@@ -107,7 +108,8 @@ use opened::Seen;
 pub(super) use opened::{Opened, Room};
 pub(super) use parameters::all as parameters;
 pub(super) use places::{Laid, clear_about, covered, kept_in, read as read_at};
-pub(super) use plots::{PlotsAt, figure, lie as plots_lie};
+pub(super) use plots::{figure, lie as plots_lie};
+pub(super) use plots_at::PlotsAt;
 pub(super) use presses::listen;
 pub(super) use save_to::{SaveTo, Saved, ask as ask_to_save, is_recording};
 pub(super) use settings::settings_search_id;

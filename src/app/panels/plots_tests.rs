@@ -3,7 +3,8 @@
 
 use egui::{Color32, Event, Pos2, Rect, Shape, vec2};
 
-use super::plots::{self, ENERGIES, PlotsAt, Seat, of_energies};
+use super::plots::{self, ENERGIES, Seat, of_energies};
+use super::plots_at::PlotsAt;
 use super::pointer::{button, click};
 use super::theme::colors;
 use super::{Wish, theme};

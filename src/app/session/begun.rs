@@ -133,6 +133,7 @@ impl Session {
             figures: Figures::default(),
             settings: SceneChange::default(),
             matter: None,
+            turned: Default::default(),
             bearings: Default::default(),
             overload: None,
             painted: Default::default(),

@@ -51,7 +51,7 @@ use super::import::Import;
 use super::keys::{Down, Held};
 use super::leftovers::{Found, Leftover, look};
 use super::loading::Loading;
-use super::matter::{Bearings, Matter, Overload};
+use super::matter::{Bearings, Matter, Overload, Turned};
 use super::meter::Meter;
 use super::opening::{Followed, Free, Over};
 use super::panels::{At, Misfits, PanelState, theme};
@@ -249,6 +249,8 @@ pub(super) struct Session {
     figures: Figures,
     settings: SceneChange,
     matter: Option<Arc<Matter>>,
+    /// Of a turn that is dragged on.
+    turned: Turned,
     /// How soft bodies bear their weight, and of which topology and gravity that is.
     bearings: (Option<Borne>, Arc<Bearings>),
     /// What of it gives way, and the points that the brush went over in this history.

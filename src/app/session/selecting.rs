@@ -19,8 +19,8 @@ const HIDDEN: &str = "hidden: the Select tool (6) shows its outline; Ctrl+Shift+
 /// Said where nothing is selected.
 const NOTHING: &str = "select something first, with the Select tool (6)";
 
-/// How often it is looked at again whether bodies bear their weight `[s]`, of no more bonds than this, and of what is selected once it is no
-/// faster than this `[m/s]`.
+/// How often it is looked at again whether bodies bear their weight `[s]`; in a world of no more bonds than this; and of what is selected once it is
+/// no faster than this `[m/s]`.
 const LOOKS: f64 = 0.5;
 const MOST_WEIGHED: usize = 20_000;
 const STILL: f64 = 0.1;
@@ -128,7 +128,8 @@ impl Session {
             Some((.., None, _)) => (Bearings::of(shown), self.painted.iter().copied().collect()),
             None => Default::default(),
         };
-        let overload = if among.is_empty() { None } else { overload(shown, &among) };
+        // Of more bonds it would take longer than a frame.
+        let overload = if among.is_empty() || !goes_on { None } else { overload(shown, &among) };
         (self.bearings, self.overload) = ((of, Arc::new(bearings)), overload.map(Arc::new));
     }
 
@@ -180,7 +181,8 @@ impl Session {
     /// What is selected is put where a number says.
     pub(super) fn place(&mut self, placing: Placing, goes_on: bool) {
         let Some(chosen) = self.selected() else { return };
-        let (fit, words) = match self.with_scope(|_, scope| chosen.fit(scope, placing)) {
+        let (more, goes_on) = self.turned.more(placing, goes_on);
+        let (fit, words) = match self.with_scope(|_, scope| chosen.fit(scope, more)) {
             Ok((fit, words)) => (Some(fit), words),
             Err(words) => (None, words),
         };
@@ -188,6 +190,7 @@ impl Session {
             self.say(words);
         }
         let Some(fit) = fit else { return };
+        self.turned.take(placing);
         let Chosen { points, obstacles } = chosen;
         self.player.ask(Order::Place { among: Among { points, obstacles, bonds: None }, fit, placing, goes_on });
         self.dirty = true;

@@ -10,7 +10,7 @@ use super::tests::{scope, shown};
 use super::{Hand, Mark};
 use crate::app::action::Tool;
 use crate::app::player::{Note, Order, Stage};
-use crate::history::{Do, Factors};
+use crate::history::{Do, Factors, MoveKeys};
 use crate::scene::Scene;
 use crate::sim::AngleDrive;
 
@@ -70,6 +70,36 @@ fn a_flip_mirrors_bodies_obstacles_velocities_stops_and_motors_and_so_they_go_on
         flipped.show(&mut seen.0);
         assert_eq!(flipped.history().world().angles()[0], before);
     }
+}
+
+#[test]
+fn a_torque_on_what_is_flipped_turns_it_the_other_way_and_one_on_a_part_of_it_as_before() {
+    let text = r#"{"wobble": 1, "points": {"position": [[0, 0], [1, 0], [1, 1], [5, 0]], "mass": 1},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 0, "b": 2}],
+        "forces": [{"points": [0, 1, 2], "force": [0.5, 0], "torque": 0.7}, {"points": [2, 3], "torque": 0.2}]}"#;
+    let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+    let torques = |stage: &Stage| -> Vec<(f64, f64)> {
+        stage.history().world().forces().iter().map(|force| (force.torque, force.force[0])).collect()
+    };
+    let flip = |scale: [f64; 2]| {
+        let points = vec![0, 1, 2];
+        Order::Give(
+            vec![Do::Move(Box::new(MoveKeys { points, scale: Some(Factors::Each(scale)), ..Default::default() }))],
+            None,
+        )
+    };
+    assert_eq!(stage.obey(flip([-1.0, 1.0])), None);
+    assert_eq!(torques(&stage), [(-0.7, 0.5), (0.2, 0.0)]);
+    assert_eq!(stage.obey(flip([-1.0, -1.0])), None);
+    assert_eq!(torques(&stage), [(-0.7, 0.5), (0.2, 0.0)], "half a turn is no mirror");
+    let angle = |stage: &Stage| (place(stage, 1) - place(stage, 0)).to_angle();
+    let before = angle(&stage);
+    stage.obey(Order::Step(None));
+    let turn = (before - angle(&stage)).rem_euclid(TAU);
+    assert!(turn > 0.0 && turn < 0.5, "it goes clockwise: {turn}");
+    stage.obey(Order::Undo(None));
+    stage.obey(Order::Undo(None));
+    assert_eq!(torques(&stage), [(0.7, 0.5), (0.2, 0.0)]);
 }
 
 #[test]

@@ -19,7 +19,8 @@ impl Chosen {
         scope: Scope<'_>,
         placing: Placing,
     ) -> Result<(Fit, Option<String>), Option<String>> {
-        let Placed { middle, angle, .. } = scope.shown.figures.placed.ok_or(None)?;
+        let placed = scope.shown.figures.placed.ok_or(None)?;
+        let Placed { middle, .. } = placed;
         let (change, by) = match placing {
             Placing::At(axis, to) if to == middle[axis] => return Err(None),
             Placing::At(axis, to) => {
@@ -27,7 +28,7 @@ impl Chosen {
                 by[axis] = to - middle[axis];
                 (Change::Shift(DVec3::from(by)), DVec3::from(by))
             }
-            Placing::Angle(to) => (Change::Turn(to - angle.ok_or(None)?), DVec3::ZERO),
+            Placing::Angle(to) => (Change::Turn(placed.turn_to(to).ok_or(None)?), DVec3::ZERO),
             Placing::TurnBy(turn) => (Change::Turn(turn), DVec3::ZERO),
             // What lies around it is put aside by the world.
             Placing::Side(..) | Placing::Radius(_) => return Ok((Fit::default(), None)),

@@ -22,7 +22,7 @@ use crate::sim::world::World;
 /// An angle at rest is no nearer to none, or to a whole turn `[rad]`.
 const LEAST_ANGLE: f64 = 1e-6;
 
-/// Rest lengths, angles, areas at rest and triangles that follow a scale, by their places in their lists.
+/// Rest lengths, angles, areas at rest, triangles and torques that follow a scale, by their places in their lists.
 struct Scaled {
     /// `[m]`
     rests: Vec<(usize, f64)>,
@@ -31,6 +31,8 @@ struct Scaled {
     areas: Vec<(usize, f64)>,
     /// Corners of what is mirrored, anticlockwise again.
     triangles: Vec<(usize, [PointId; 3])>,
+    /// Torques of constant forces on what is mirrored, which turn it the other way `[N m]`.
+    torques: Vec<(usize, f64)>,
 }
 
 /// Scaled and turned about a place, then moved.
@@ -381,7 +383,7 @@ impl<S: Real, const D: usize> World<S, D> {
         sub(self.place(b.index()), self.place(a.index()))
     }
 
-    /// What bonds, angles and areas of points alone are at rest once these are placed.
+    /// What bonds, angles and areas of points alone are at rest once these are placed, and what turns them then.
     fn scaled(&self, points: &[u32], placement: &Placement) -> Scaled {
         let mut is_moved = vec![false; self.count()];
         points.iter().for_each(|&point| is_moved[point as usize] = true);
@@ -398,7 +400,11 @@ impl<S: Real, const D: usize> World<S, D> {
         let areas = areas.map(|(k, (rest, _))| (k, rest * (x * y).abs())).collect();
         let covered = self.model.triangles.iter().enumerate();
         let covered = covered.filter(|(_, corners)| D == 2 && placement.is_mirror() && is_whole(corners));
-        Scaled { rests, angles, areas, triangles: covered.map(|(k, &[a, b, c])| (k, [a, c, b])).collect() }
+        let turning = self.model.forces.iter().enumerate().filter(|(_, force)| force.torque != 0.0);
+        let turning = turning.filter(|(_, force)| force.points.iter().all(|point| is_moved[point.index()]));
+        let torques = turning.filter(|_| placement.is_mirror()).map(|(k, force)| (k, -force.torque)).collect();
+        let triangles = covered.map(|(k, &[a, b, c])| (k, [a, c, b])).collect();
+        Scaled { rests, angles, areas, triangles, torques }
     }
 
     /// An angle whose points are placed: at rest, and at its stops, it is turned by as much as it turns; mirrored, it is the rest of a turn, and
@@ -420,18 +426,19 @@ impl<S: Real, const D: usize> World<S, D> {
         Angle { arms, rest, range: angle.range.map(|range| range.map(|stop| stop + turned)), ..angle }
     }
 
-    fn take_scaled(&mut self, Scaled { rests, angles, areas, triangles }: Scaled) {
+    fn take_scaled(&mut self, Scaled { rests, angles, areas, triangles, torques }: Scaled) {
         let bonds = Arc::make_mut(&mut self.bonds);
         for (k, rest_length) in rests {
             bonds.set(k, Bond { rest_length, ..bonds.get(k) });
         }
-        if angles.is_empty() && areas.is_empty() && triangles.is_empty() {
+        if angles.is_empty() && areas.is_empty() && triangles.is_empty() && torques.is_empty() {
             return;
         }
         let model = Arc::make_mut(&mut self.model);
         angles.into_iter().for_each(|(k, angle)| model.angles.list[k] = angle);
         areas.into_iter().for_each(|(k, rest)| model.rest_areas[k] = rest);
         triangles.into_iter().for_each(|(k, corners)| model.triangles[k] = corners);
+        torques.into_iter().for_each(|(k, torque)| model.forces[k].torque = torque);
     }
 }
 

@@ -54,13 +54,14 @@ fn field(ui: &mut Ui, of: Row<'_>, value: f64, sink: &mut Sink<'_>, place: impl 
     }
 }
 
-/// A turn from how it is: a drag turns on, and begins at 0 again the next time.
+/// A turn from how it is: a drag asks for all of it from its beginning, of which some may be refused on the way, and begins at 0 again the next
+/// time.
 fn turn_by(ui: &mut Ui, sink: &mut Sink<'_>) {
     let kept = Id::unique("turned by");
     let before: f64 = ui.data(|data| data.get_temp(kept)).unwrap_or(0.0);
     let (by, to) = written(ui, ("turn by", "°", ANGLES, SPEEDS[1]), before);
     if let Some(to) = to {
-        sink.place(&by, Placing::TurnBy((to - before).to_radians()));
+        sink.place(&by, Placing::TurnBy(to.to_radians()));
     }
     let after = if by.dragged() { to.unwrap_or(before) } else { 0.0 };
     ui.data_mut(|data| data.insert_temp(kept, after));

@@ -146,11 +146,16 @@ impl Stage {
 
     /// What is meant is put elsewhere, by the commands of the tool for that.
     pub(super) fn place(&mut self, of: (&Among, &Fit), placing: Placing, goes_on: bool) -> Option<Note> {
-        match placed(self.history.world(), of, placing) {
+        let (more, goes_on) = self.turned.more(placing, goes_on);
+        let note = match placed(self.history.world(), of, more) {
             Err(why) => Some(Note::Refused(why.to_owned())),
             Ok(list) if goes_on => self.give_on(list, placing.name()),
             Ok(list) => self.give(list, Some(placing.name())),
+        };
+        if !matches!(note, Some(Note::Refused(_) | Note::Held)) {
+            self.turned.take(placing);
         }
+        note
     }
 
     /// Does commands that belong to the last edit: a setting is dragged on.

@@ -18,7 +18,7 @@ use super::rungs::{Rungs, Yielded};
 use super::save::{self, Seen};
 use super::shown::{Latest, Scenery};
 use super::softness::Relaxed;
-use crate::app::matter::{Among, Former, Matter, Placed};
+use crate::app::matter::{Among, Former, Matter, Placed, Turned};
 use crate::app::meter::{Lowest, Meter};
 use crate::app::tools::Hauled;
 use crate::history::{BranchView, Clock, GivenUp, GoneBack, History, HistoryError, Recording, Start};
@@ -83,6 +83,8 @@ pub struct Stage {
     /// Whose matter is shown, and what it is.
     among: Among,
     matter: Option<Arc<Matter>>,
+    /// Of a turn that is dragged on.
+    turned: Turned,
     /// Stops that were taken from joints.
     former: Former,
     /// Numbers that the scene names for sliders.
@@ -173,6 +175,7 @@ impl Stage {
             among: Among::default(),
             named,
             matter: None,
+            turned: Turned::default(),
             former: Former::default(),
             warned: Vec::new(),
             strained: None,
