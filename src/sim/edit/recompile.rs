@@ -309,7 +309,7 @@ impl<S: Real, const D: usize> World<S, D> {
         }
         let moved = group.moved;
         self.touch(place);
-        let heritage = self.heritage(place, &points);
+        let heritage = self.heritage(place, (&points, &[]));
         self.vacate(place);
         let places = self.put_in(made.plan, &made.points);
         self.bequeath(heritage.as_slice(), &places);
