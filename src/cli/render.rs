@@ -130,7 +130,7 @@ pub(super) fn run(arguments: &Arguments, quiet: bool) -> anyhow::Result<()> {
     let count = arguments.count();
     let bar = progress::frames(quiet, u64::from(count));
     let mut animation = Vec::new();
-    film.lead_up(arguments.time)?;
+    film.lead_up(arguments.time, &mut |_| true)?;
     for index in 0..count {
         let picture = film.picture(arguments.time_of(index, scene))?;
         if let Some(path) = arguments.out.as_ref().filter(|path| values::extension(path) == "png") {

@@ -70,3 +70,32 @@ impl History {
         }
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use crate::history::{Do, Entry, History, Recording, Replay};
+    use crate::scene::Scene;
+    use crate::sim::PointId;
+
+    #[test]
+    fn a_reel_goes_on_past_what_was_refused() {
+        let text = r#"{"wobble": 1, "gravity": [0, -9.81], "points": {"position": [[0, 3]]}}"#;
+        let scene = Scene::parse(text, "x.json").unwrap();
+        // There is no point of this number.
+        let nothing = Do::Group { points: vec![PointId(7)], name: "nothing".to_owned() };
+        let commands = vec![Entry { at: 0.5, act: nothing, edit: None, name: None }];
+        let recording = Recording { commands: commands.clone(), ..scene.into() };
+        let mut strict = Replay::new(&recording, "x.json").unwrap();
+        assert!(strict.advance(&commands, 1.0).is_err());
+        let mut history = History::new(recording.into()).unwrap();
+        while history.world().time() < 1.0 {
+            history.step();
+        }
+        assert_eq!(history.take_refused().len(), 1);
+        let mut reel = history.reel(10.0);
+        reel.run.advance(&reel.recording.commands, reel.span[1]).unwrap();
+        assert!((reel.run.world().time() - history.world().time()).abs() < 1e-9);
+        assert_eq!(reel.run.world().positions().get(1), history.world().positions().get(1));
+    }
+}

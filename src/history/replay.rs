@@ -22,6 +22,8 @@ pub struct Replay {
     scene: Scene,
     label: String,
     steps: u32,
+    /// Whether commands that cannot be done are passed over.
+    is_lenient: bool,
 }
 
 impl Replay {
@@ -29,12 +31,13 @@ impl Replay {
     ///
     /// Errors: a scene that cannot be run, a state that cannot be gone on from.
     pub fn new(head: &Recording, label: &str) -> Result<Self, HistoryError> {
-        Ok(Replay { frame: head.begin(label)?, scene: head.scene.clone(), label: label.to_owned(), steps: 0 })
+        let (frame, scene) = (head.begin(label)?, head.scene.clone());
+        Ok(Replay { frame, scene, label: label.to_owned(), steps: 0, is_lenient: false })
     }
 
-    /// A world of a scene that has followed commands to somewhere.
+    /// A world of a scene that has followed commands to somewhere, and passes over those that cannot be done, as a [`super::History`] does.
     pub(super) fn of(frame: Frame, scene: &Scene) -> Self {
-        Replay { frame, scene: scene.clone(), label: scene.name().to_owned(), steps: 0 }
+        Replay { frame, scene: scene.clone(), label: scene.name().to_owned(), steps: 0, is_lenient: true }
     }
 
     /// The world as it is now.
@@ -72,11 +75,13 @@ impl Replay {
             self.frame.step(Some(entry.at), &self.scene);
             self.look(LOOK_EVERY)?;
         }
-        self.frame.follow(entry, &self.scene).map_err(|reason| {
-            let refusal = Refusal { number, at: entry.at, reason };
-            HistoryError::Refused { label: self.label.clone(), refusal }
-        })?;
-        Ok(())
+        match self.frame.follow(entry, &self.scene) {
+            Err(reason) if !self.is_lenient => {
+                let refusal = Refusal { number, at: entry.at, reason };
+                Err(HistoryError::Refused { label: self.label.clone(), refusal })
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Takes the steps that end at or before `time` `[s]`, the next command being at `next` `[s]`: what is at `time` is then within

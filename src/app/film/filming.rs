@@ -12,7 +12,8 @@ use crate::render::Gpu;
 
 /// Pictures a second.
 const FPS: f64 = 25.0;
-/// What of the work is the way to the first picture, about.
+/// What of the work is the way to where trails begin, about, and what that to the first picture is as well.
+const APPROACH_SHARE: f64 = 0.15;
 const LEAD_SHARE: f64 = 0.2;
 /// Parts in which it is told how far it is.
 const PARTS: f64 = 100.0;
@@ -69,7 +70,8 @@ pub(in crate::app) enum Filmed {
 /// What the window and the thread that draws share.
 #[derive(Default)]
 struct Shared {
-    is_given_up: AtomicBool,
+    /// Whether it is given up, or goes to its file: whichever came first.
+    is_settled: AtomicBool,
     /// How many parts are done.
     done: AtomicU32,
 }
@@ -98,12 +100,13 @@ impl Filming {
                 if told.done.swap(done, Ordering::Relaxed) != done {
                     wake();
                 }
-                !told.is_given_up.load(Ordering::Relaxed)
+                !told.is_settled.load(Ordering::Relaxed)
             };
             // What brings it is gone with the scene.
             let drawn = reel.recv().map_err(|_| GONE.to_owned());
             let drawn = drawn.and_then(|reel| drawn_of(reel, (gpu, shot), settings, &mut goes_on));
             // A window that has been closed hears no more.
+            let drawn = drawn.map(|bytes| bytes.filter(|_| !told.is_settled.swap(true, Ordering::Relaxed)));
             let _ = sender.send(drawn.and_then(|bytes| written(bytes, &to)).unwrap_or_else(Filmed::Failed));
             wake();
         });
@@ -120,9 +123,10 @@ impl Filming {
         (f64::from(self.shared.done.load(Ordering::Relaxed)) / PARTS) as f32
     }
 
-    /// It is not wanted any more.
-    pub(in crate::app) fn give_up(&self) {
-        self.shared.is_given_up.store(true, Ordering::Relaxed);
+    /// It is not wanted any more. Returns whether that comes in time, and for the first time: nothing is written then, though the thread may
+    /// end later.
+    pub(in crate::app) fn give_up(&self) -> bool {
+        !self.shared.is_settled.swap(true, Ordering::Relaxed)
     }
 
     /// What became of it, once that is known.
@@ -154,13 +158,22 @@ fn drawn_of(
     settings: ClipSettings,
     goes_on: &mut dyn FnMut(f64) -> bool,
 ) -> Result<Option<Vec<u8>>, String> {
+    if !goes_on(0.0) {
+        return Ok(None);
+    }
     let Reel { recording, beside, run, span, rate } = reel;
     let times = settings.times(span, rate);
     let mut film = Film::new((&recording, run), &beside, Some(gpu), shot).map_err(|error| error.to_string())?;
     let first = times.first().copied().unwrap_or(span[1]);
     let trail = film.trail();
-    film.approach(first - trail, &mut |share| goes_on(LEAD_SHARE * share)).map_err(|error| error.to_string())?;
-    film.lead_up(first).map_err(|error| error.to_string())?;
+    let mut approaches = |share: f64| goes_on(APPROACH_SHARE * share);
+    if !film.approach(first - trail, &mut approaches).map_err(|error| error.to_string())? {
+        return Ok(None);
+    }
+    let mut leads_up = |share: f64| goes_on(APPROACH_SHARE + (LEAD_SHARE - APPROACH_SHARE) * share);
+    if !film.lead_up(first, &mut leads_up).map_err(|error| error.to_string())? {
+        return Ok(None);
+    }
     let mut bytes = Vec::new();
     let mut gif = Gif::begin(&mut bytes, FPS).map_err(|error| error.to_string())?;
     for (k, time) in times.iter().enumerate() {
@@ -186,6 +199,7 @@ mod tests {
     use crate::history::History;
     use crate::render::{Look, Overlay, Palette, Tiles, View};
     use crate::scene::Scene;
+    use crate::sim::PointId;
 
     const SIZE: [u32; 2] = [96, 64];
 
@@ -259,6 +273,38 @@ mod tests {
     }
 
     #[test]
+    fn what_is_given_up_on_the_way_to_the_first_picture_goes_no_further() {
+        let Some(gpu) = gpu() else { return };
+        let settings = ClipSettings { seconds: 0.5, ..ClipSettings::default() };
+        // Before all, while worlds beside are led to the first, and while trails are.
+        for last in [0.0, 0.5 * APPROACH_SHARE, 0.5 * (APPROACH_SHARE + LEAD_SHARE)] {
+            let (history, shot) = falling();
+            let shot = Shot { followers: Box::new(|_| vec![PointId(0)]), trail: 0.2, ..shot };
+            let mut reel = history.reel(0.5);
+            reel.beside = vec![serde_json::from_str(r#"{"method": {"substep": 0.005}}"#).unwrap()];
+            let mut noes = 0;
+            let mut goes_on = |share: f64| {
+                noes += u32::from(share >= last);
+                share < last
+            };
+            assert_eq!(drawn_of(reel, (gpu.clone(), shot), settings, &mut goes_on), Ok(None));
+            assert_eq!(noes, 1, "nothing is asked after that");
+        }
+    }
+
+    #[test]
+    fn worlds_beside_are_led_from_the_start_a_little_at_a_time() {
+        let Some(gpu) = gpu() else { return };
+        let (history, shot) = falling();
+        let Reel { recording, run, .. } = history.reel(0.0);
+        let beside = [serde_json::from_str(r#"{"method": {"substep": 0.005}}"#).unwrap()];
+        let mut film = Film::new((&recording, run), &beside, Some(gpu), shot).unwrap();
+        assert_eq!(film.beside.time(), Some(0.0));
+        assert_eq!(film.approach(1.0, &mut |share| share < 0.5).map_err(|error| error.to_string()), Ok(false));
+        assert!(film.beside.time().is_some_and(|time| (0.4..0.5).contains(&time)), "{:?}", film.beside.time());
+    }
+
+    #[test]
     fn a_clip_that_is_given_up_leaves_what_stood_there() {
         let Some(gpu) = gpu() else { return };
         let folder = tempfile::tempdir().unwrap();
@@ -270,7 +316,7 @@ mod tests {
             let settings = ClipSettings { seconds: 0.5, ..ClipSettings::default() };
             let filming = Filming::new((gpu.clone(), shot), reel, settings, path.clone(), || {});
             if is_given_up {
-                filming.give_up();
+                assert!(filming.give_up() && !filming.give_up(), "once");
             }
             sender.send(history.reel(0.5)).unwrap();
             (filming.filmed.recv().unwrap(), std::fs::read(&path).unwrap())

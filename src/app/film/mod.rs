@@ -116,34 +116,41 @@ impl Film {
         &self.run
     }
 
-    /// Goes to a time `[s]` as long as `goes_on` says so, which is told how much of the way is gone, 0 to 1.
+    /// Goes to about a time `[s]` as long as `goes_on` says so, which is told how much of the way is gone, 0 to 1: it begins where the world is
+    /// that is behind all others. Returns whether it got there.
     ///
     /// Errors: the recording cannot be followed.
-    pub fn approach(&mut self, time: f64, goes_on: &mut dyn FnMut(f64) -> bool) -> Result<(), FilmError> {
-        let began = self.run.world().time();
+    pub fn approach(&mut self, time: f64, goes_on: &mut dyn FnMut(f64) -> bool) -> Result<bool, FilmError> {
+        let here = self.run.world().time();
+        let began = self.beside.time().map_or(here, |behind| behind.min(here));
         for step in 0..LEAD {
             let share = f64::from(step) / f64::from(LEAD);
             if !goes_on(share) {
-                break;
+                return Ok(false);
             }
             self.go_to(began + (time - began) * share)?;
         }
-        Ok(())
+        Ok(true)
     }
 
-    /// Notes where points were before the first picture, at `time` `[s]`, as far as trails last, where there are some.
+    /// Notes where points were before the first picture, at `time` `[s]`, as far as trails last, where there are some, as long as `goes_on` says
+    /// so, which is told how much of the way is gone, 0 to 1. Returns whether it got there.
     ///
     /// Errors: the recording cannot be followed.
-    pub fn lead_up(&mut self, time: f64) -> Result<(), FilmError> {
+    pub fn lead_up(&mut self, time: f64, goes_on: &mut dyn FnMut(f64) -> bool) -> Result<bool, FilmError> {
         if (self.shot.followers)(&View::of(self.run.world())).is_empty() {
-            return Ok(());
+            return Ok(true);
         }
         let from = (time - self.shot.trail).max(0.0);
         for step in 0..LEAD {
-            self.go_to(from + (time - from) * f64::from(step) / f64::from(LEAD))?;
+            let share = f64::from(step) / f64::from(LEAD);
+            if !goes_on(share) {
+                return Ok(false);
+            }
+            self.go_to(from + (time - from) * share)?;
             self.note();
         }
-        Ok(())
+        Ok(true)
     }
 
     /// All worlds reach a time `[s]`.

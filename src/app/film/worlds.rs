@@ -74,6 +74,11 @@ impl Neighbors {
         self.companions.iter().map(|(companion, ..)| companion.title()).collect()
     }
 
+    /// When the one that is behind all others is, if there are any `[s]`.
+    pub(super) fn time(&self) -> Option<f64> {
+        self.companions.iter().map(|(companion, ..)| companion.world().time()).min_by(f64::total_cmp)
+    }
+
     pub(super) fn reach(&mut self, commands: &[Entry], time: f64) {
         for (companion, skins, _) in &mut self.companions {
             companion.reach(commands, time);

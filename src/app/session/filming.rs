@@ -62,25 +62,33 @@ impl Session {
         Box::new(move |view| Trails::choose(view, &[&probed, &selected], most))
     }
 
-    /// The clip that is being written is not wanted. Returns whether there is one.
+    /// The clip that is being drawn is not wanted: another one may begin at once. Returns whether there was one.
     pub(super) fn give_up_clip(&mut self) -> bool {
-        self.filming.as_ref().inspect(|filming| filming.give_up()).is_some()
+        // One that goes to its file is heard of.
+        let Some(_) = self.filming.take_if(|filming| filming.give_up()) else { return false };
+        self.say("given up: no clip was written".to_owned());
+        self.have_filmed(false);
+        self.touch();
+        true
     }
 
     /// Looks how far the clip is, and says what became of it.
     pub(super) fn hear_of_clip(&mut self) {
         let Some(filming) = &self.filming else { return };
         let (path, filmed) = (filming.path().to_owned(), filming.take());
+        let is_written = filmed == Some(Filmed::Written);
         match filmed {
             None => {
                 self.panels_dirty = true;
                 return;
             }
             Some(Filmed::Written) => self.say(format!("written: {}", path.display())),
-            Some(Filmed::GivenUp) => self.say("given up: no clip was written".to_owned()),
+            // That was said then.
+            Some(Filmed::GivenUp) => {}
             Some(Filmed::Failed(why)) => self.complain(&why),
         }
         self.filming = None;
+        self.have_filmed(is_written);
         self.touch();
     }
 }

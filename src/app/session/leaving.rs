@@ -17,6 +17,8 @@ pub(super) enum Leaving {
     Naming,
     /// Once the file is written.
     Writing,
+    /// Once the clip is written.
+    Filming,
     /// As soon as may be.
     Now,
 }
@@ -35,26 +37,34 @@ const HERE_AND_ELSEWHERE: &[(&str, &str)] = &[
 ];
 /// The same where the scene that is open has nothing to save.
 const ELSEWHERE: &[(&str, &str)] = &[("Go there", "Enter"), ("Don't save", "Ctrl+Q once more"), ("Cancel", "Esc")];
+/// The same where there is nothing to save, but a clip is being written.
+const CLIP: &[(&str, &str)] = &[("Wait for it", "Enter"), ("Don't wait", "Ctrl+Q once more"), ("Cancel", "Esc")];
+/// Said while it is waited for.
+const WAITS: &str = "the window closes once the clip is written";
 
 /// So many scenes that were not saved are named at most.
 const MOST_NAMED: usize = 4;
 
-/// What is asked where the scene that is open has work in it that was not saved, and others, of these names, that were left for it; `None`:
-/// nothing.
-fn question(title: &str, has_work: bool, left: &[&str]) -> Option<String> {
+/// What is asked where the scene that is open has work in it that was not saved, and others, of these names, that were left for it, or where
+/// a clip is being written; `None`: nothing.
+fn question(title: &str, (has_work, films): (bool, bool), left: &[&str]) -> Option<String> {
     let others = counted(left.len(), "other scene");
     let names = named(left);
-    match (has_work, left.len()) {
-        (false, 0) => None,
-        (true, 0) => Some(format!("{title}: save what you did?")),
-        (true, _) => {
-            Some(format!("{title}: save what you did? {others} that you worked on will not be saved: {names}."))
-        }
+    let clip = match (films, has_work) {
+        (false, _) => "",
+        (true, true) => " A clip is being written too: it is lost unless you save.",
+        (true, false) => " A clip is being written too, which would be lost.",
+    };
+    let words = match (has_work, left.len()) {
+        (false, 0) => return films.then(|| "A clip is being written: it would be lost.".to_owned()),
+        (true, 0) => format!("{title}: save what you did?"),
+        (true, _) => format!("{title}: save what you did? {others} that you worked on will not be saved: {names}."),
         (false, count) => {
             let was = if count == 1 { "was" } else { "were" };
-            Some(format!("{others} that you worked on {was} not saved: {names}."))
+            format!("{others} that you worked on {was} not saved: {names}.")
         }
-    }
+    };
+    Some(words + clip)
 }
 
 /// The first few of some names, those that are the same counted, and how many there are more.
@@ -75,19 +85,22 @@ fn named(all: &[&str]) -> String {
 
 impl Session {
     /// Somebody wants to leave; `insists`: whatever is asked already, if there was time to read it. Returns whether that may be at once: else it is asked what becomes of
-    /// what was not saved.
+    /// what was not saved, and of a clip that is being written.
     pub(in crate::app) fn may_leave(&mut self, insists: bool) -> bool {
+        self.hear_of_clip();
         if let Some(since) = self.asked.as_ref().and_then(|asked| asked.leaving_since) {
             return insists && since.elapsed() >= READ;
         }
         let has_work = self.player.is_unsaved();
         let others = self.shelf.unsaved();
-        let Some(words) = question(&self.title(), has_work, &others) else { return true };
+        let films = self.filming.is_some();
+        let Some(words) = question(&self.title(), (has_work, films), &others) else { return true };
         let has_others = !others.is_empty();
         // A sheet would lie over the question.
         self.close_sheet();
         let answered = move |session: &mut Session, answer: usize| match answer {
-            0 if !has_work => session.go_to_unsaved(),
+            0 if !has_work && has_others => session.go_to_unsaved(),
+            0 if !has_work => session.leave_once_filmed(),
             0 => {
                 session.leaving = Leaving::Naming;
                 session.save();
@@ -99,7 +112,8 @@ impl Session {
         let answers = match (has_work, has_others) {
             (true, true) => HERE_AND_ELSEWHERE,
             (true, false) => ANSWERS,
-            (false, _) => ELSEWHERE,
+            (false, true) => ELSEWHERE,
+            (false, false) => CLIP,
         };
         let question = Question { words, answers };
         self.asked = Some(Asked { question, leaving_since: Some(Instant::now()), act: Box::new(answered) });
@@ -125,12 +139,32 @@ impl Session {
             self.player.note_saved();
         }
         if self.leaving == Leaving::Writing {
-            self.leaving = match is_written {
-                true => Leaving::Now,
+            match is_written {
+                true => self.leave_once_filmed(),
                 // Another name may do.
-                false if self.panels.sheet == Some(Sheet::SaveTo) => Leaving::Naming,
-                false => Leaving::Not,
-            };
+                false if self.panels.sheet == Some(Sheet::SaveTo) => self.leaving = Leaving::Naming,
+                false => self.leaving = Leaving::Not,
+            }
+        }
+    }
+
+    /// Nothing but a clip is waited for.
+    fn leave_once_filmed(&mut self) {
+        self.leaving = Leaving::Now;
+        if self.filming.is_some() {
+            self.leaving = Leaving::Filming;
+            self.say(WAITS.to_owned());
+        }
+    }
+
+    /// A clip was written, or there is none.
+    pub(super) fn have_filmed(&mut self, is_written: bool) {
+        if self.leaving == Leaving::Filming {
+            self.leaving = Leaving::Not;
+            // Meanwhile more may have been done, which is asked about.
+            if is_written && self.may_leave(false) {
+                self.leaving = Leaving::Now;
+            }
         }
     }
 
@@ -148,12 +182,22 @@ mod tests {
 
     #[test]
     fn work_that_was_not_saved_is_asked_about() {
-        assert_eq!(question("jelly", false, &[]), None);
-        assert_eq!(question("jelly", true, &[]).as_deref(), Some("jelly: save what you did?"));
-        let words = question("jelly", true, &["Rope", "Net"]).unwrap_or_default();
+        assert_eq!(question("jelly", (false, false), &[]), None);
+        assert_eq!(question("jelly", (true, false), &[]).as_deref(), Some("jelly: save what you did?"));
+        let words = question("jelly", (true, false), &["Rope", "Net"]).unwrap_or_default();
         assert!(words.ends_with("2 other scenes that you worked on will not be saved: Rope, Net."), "{words}");
-        let words = question("jelly", false, &["Rope"]).unwrap_or_default();
+        let words = question("jelly", (false, false), &["Rope"]).unwrap_or_default();
         assert_eq!(words, "1 other scene that you worked on was not saved: Rope.");
+    }
+
+    #[test]
+    fn a_clip_that_is_being_written_is_asked_about() {
+        let alone = question("jelly", (false, true), &[]).unwrap_or_default();
+        assert_eq!(alone, "A clip is being written: it would be lost.");
+        let words = question("jelly", (true, true), &[]).unwrap_or_default();
+        assert!(words.starts_with("jelly: save what you did? A clip is being written too"), "{words}");
+        let words = question("jelly", (false, true), &["Rope"]).unwrap_or_default();
+        assert!(words.ends_with("Rope. A clip is being written too, which would be lost."), "{words}");
     }
 
     #[test]

@@ -38,9 +38,6 @@ impl Session {
         if was_busy {
             return;
         }
-        if self.give_up_clip() {
-            return;
-        }
         let is_closed = self.panels.notes.close() || self.loading.take().is_some() || self.stop_opening();
         if is_closed {
             return;
@@ -51,20 +48,22 @@ impl Session {
         // In a field of a panel Esc gives up what is written: at once, so that the next one closes whatever came between.
         match self.is_writing() && !self.is_searching_settings() {
             true => self.leave_field(),
-            false => self.close_panel(),
+            // A clip lies over nothing: it is drawn while all goes on.
+            false => _ = self.close_panel() || self.give_up_clip(),
         }
     }
 
-    /// Closes the panel that was opened last.
-    fn close_panel(&mut self) {
+    /// Closes the panel that was opened last. Returns whether there was one.
+    fn close_panel(&mut self) -> bool {
         self.panels.has_selection = self.with_scope(|hand, scope| hand.chosen(scope)).is_some();
         match self.panels.opened_last() {
             Some(Opened::Settings) => self.close_settings(),
             Some(Opened::Selection) => self.hand.deselect(),
             Some(Opened::Plots) => self.toggle_plots(),
             Some(Opened::Lessons) => self.toggle_lessons(),
-            Some(Opened::Tool) | None => {}
+            Some(Opened::Tool) | None => return false,
         }
+        true
     }
 
     /// A search that is filled is not there when they open again: it would hide the most.
