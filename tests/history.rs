@@ -231,6 +231,30 @@ fn a_branch_is_gone_back_to_where_it_was_left() {
     }
 }
 
+/// What was dragged without an edit is a timeline, the first or not; where only the cursor went there is none.
+#[test]
+fn what_was_dragged_without_an_edit_is_gone_back_to_on_any_timeline() {
+    let mut history = history("rim");
+    let numbers =
+        |history: &History| history.branches().into_iter().map(|branch| branch.number).collect::<Vec<usize>>();
+    let grab = || vec![Do::Grab(Reach::Points(vec![PointId(3)]))];
+    play(&mut history, 30);
+    history.go_to(0.5 * history.world().time());
+    history.give(vec![cursor(0.2, 0.1)], None).unwrap();
+    assert_eq!((history.branch(), numbers(&history)), (1, vec![1]), "the cursor alone did nothing");
+    let before = history.world().time();
+    play(&mut history, 20);
+    history.give(grab(), None).unwrap();
+    play(&mut history, 20);
+    let dragged = hash(&history);
+    history.go_to(before);
+    history.give(grab(), None).unwrap();
+    play(&mut history, 10);
+    assert_eq!((history.branch(), numbers(&history)), (2, vec![1, 2]));
+    history.to_branch(1);
+    assert_eq!(hash(&history), dragged);
+}
+
 #[test]
 fn a_reset_is_undone_as_one() {
     let mut history = history("rim");

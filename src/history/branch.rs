@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::command::Entry;
+use super::command::{Do, Entry};
 use super::mark::Mark;
 
 /// A branch, to be shown.
@@ -10,9 +10,9 @@ use super::mark::Mark;
 pub struct BranchView {
     /// What [`super::History::to_branch`] takes.
     pub number: usize,
-    /// What the last edit is called where it was left; empty where it has none.
+    /// What the last edit is called where it was left, or else its own; empty where it has none.
     pub name: String,
-    /// When it left the branch that it comes from `[s]`.
+    /// When it left the branch that it comes from, or was left itself, if that was before `[s]`.
     pub from: f64,
     /// When it was left `[s]`.
     pub end: f64,
@@ -65,7 +65,7 @@ struct Branch {
     anew: usize,
     /// `None`: it is left at its end.
     left: Option<Left>,
-    /// It was followed until something else was done amid its commands.
+    /// It was followed until something else was done before the last of what was done on it.
     is_taken_over: bool,
 }
 
@@ -292,7 +292,21 @@ impl Tree {
         }
     }
 
-    /// A branch that was followed is left amid its commands, for something else.
+    /// The branch that something was done on last, of the commands of a branch from `place` on: an edit of its own, or what was driven or
+    /// dragged. Where the cursor went is nothing done.
+    pub(super) fn done_from(&self, branch: usize, place: usize) -> Option<usize> {
+        let is_done = |&place: &usize| {
+            let is_own = place >= self.shared(branch);
+            self.entry(branch, place).is_some_and(|entry| match entry.act {
+                Do::Key { .. } | Do::Grab(_) | Do::Release => is_own || entry.edit.is_none(),
+                _ => is_own && entry.edit.is_some(),
+            })
+        };
+        let last = (place..self.len(branch)).rev().find(is_done)?;
+        Some(self.way_to(branch, last).last().unwrap_or(branch))
+    }
+
+    /// A branch that was followed is left before the last of what was done on it, for something else.
     pub(super) fn take_over(&mut self, branch: usize) {
         self.branches[branch].is_taken_over = true;
     }
@@ -310,7 +324,8 @@ impl Tree {
         // Each comes after the one before it.
         let on: Vec<usize> = std::iter::successors(along(&branch), along).collect();
         let last = on.last().copied().unwrap_or(branch);
-        if on.iter().any(|&other| other == present || self.last_edit(other).is_some()) {
+        let is_something = |&other: &usize| self.last_edit(other).is_some() || self.branches[other].is_taken_over;
+        if on.iter().any(|other| *other == present || is_something(other)) {
             return at_end(branch);
         }
         self.branches[last].left.map_or(at_end(last), |Left { place, time, .. }| Spot { branch: last, place, time })
@@ -340,13 +355,13 @@ impl Tree {
         reached
     }
 
-    /// The branches that one may want to go back to: those on which something was done that is nowhere else, nor brought again by redo; the
-    /// first, where it was followed until something else was done; and the present one.
+    /// The branches that one may want to go back to: those on which something was done that is nowhere else, nor brought again by redo;
+    /// those that were followed until something else was done; and the present one.
     pub(super) fn views(&self, present: usize, redone: impl Iterator<Item = Shared>) -> Vec<BranchView> {
         let elsewhere = self.elsewhere(present, redone);
         let is_shown = |&number: &usize| {
             let is_own = self.last_edit(number).is_some_and(|last| last >= elsewhere[number]);
-            number == present || is_own || (number == 0 && self.branches[0].is_taken_over)
+            number == present || is_own || self.branches[number].is_taken_over
         };
         (0..self.count()).filter(is_shown).map(|number| self.view(number, present)).collect()
     }
@@ -356,8 +371,9 @@ impl Tree {
         let end = Spot { branch: number, place: usize::MAX, time: self.end(number) };
         let left = if is_present { end } else { self.where_left(number, present) };
         let last = if left == end { self.last_edit(number) } else { self.edit_before(left.branch, left.place) };
-        let name = last.and_then(|last| self.entry(left.branch, last)).and_then(|entry| entry.name.clone());
-        let from = self.branches[number].from;
+        let called = |branch: usize, last: Option<usize>| self.entry(branch, last?)?.name.clone();
+        let name = called(left.branch, last).or_else(|| called(number, self.last_edit(number)));
+        let from = self.branches[number].from.min(left.time);
         BranchView { number, name: name.unwrap_or_default(), from, end: left.time, is_present }
     }
 
@@ -373,8 +389,8 @@ fn edits_of(entries: &[Entry]) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::command::Do;
     use super::*;
+    use crate::sim::Reach;
 
     fn entry(at: f64) -> Entry {
         Entry { at, act: Do::Release, edit: Some(at as u64), name: None }
@@ -478,6 +494,47 @@ mod tests {
         assert_eq!(listed(&tree, second, &[]), [0, second, later], "the present one is listed");
         tree.take_over(0);
         assert_eq!(listed(&tree, later, &[(0, 3)]), [0, later], "what was followed until something else was done is");
+    }
+
+    #[test]
+    fn what_was_driven_or_dragged_is_something_done_and_the_way_of_the_cursor_is_not() {
+        let aside = |at: f64, act: Do| Entry { edit: None, act, ..entry(at) };
+        let cursor = |at: f64| aside(at, Do::Cursor { to: None, by: None });
+        let mut tree = Tree::new(vec![entry(0.0), cursor(1.0)], Vec::new(), 0.0, 5.0);
+        assert_eq!([0, 1, 2].map(|place| tree.done_from(0, place)), [Some(0), None, None]);
+        let first = tree.fork(Spot { branch: 0, place: 1, time: 1.0 });
+        [cursor(1.0), aside(2.0, Do::Grab(Reach::Within(1.0))), cursor(3.0)]
+            .into_iter()
+            .for_each(|entry| tree.push(first, entry));
+        assert_eq!([0, 2, 3].map(|place| tree.done_from(first, place)), [Some(first), Some(first), None]);
+        // What it was done on has it, whatever comes after it.
+        let on = tree.fork(Spot { branch: first, place: 4, time: 4.0 });
+        tree.push(on, cursor(5.0));
+        assert_eq!([1, 3].map(|place| tree.done_from(on, place)), [Some(first), None]);
+        // Of what undo left an edit is no one else's.
+        let undone = tree.fork(Spot { branch: 0, place: 1, time: 6.0 });
+        tree.push(undone, cursor(6.0));
+        let pin = Entry { act: Do::Pin(Vec::new()), ..entry(7.0) };
+        tree.push(undone, pin);
+        let later = tree.fork(Spot { branch: undone, place: 3, time: 8.0 });
+        assert_eq!([undone, later].map(|branch| tree.done_from(branch, 1)), [Some(undone), None]);
+        let listed =
+            |tree: &Tree| tree.views(later, std::iter::empty()).iter().map(|view| view.number).collect::<Vec<_>>();
+        assert!(!listed(&tree).contains(&first));
+        tree.take_over(first);
+        assert!(listed(&tree).contains(&first));
+    }
+
+    #[test]
+    fn a_branch_that_was_left_before_it_began_is_listed_with_its_own_edit() {
+        let mut tree = Tree::new(Vec::new(), Vec::new(), 0.0, 5.0);
+        let branch = tree.fork(Spot { branch: 0, place: 0, time: 3.0 });
+        tree.push(branch, Entry { name: Some("pin".to_owned()), ..entry(3.0) });
+        tree.extend_to(branch, 4.0);
+        let seen = |tree: &Tree| tree.views(0, std::iter::empty()).pop().map(|view| (view.name, view.from, view.end));
+        assert_eq!(seen(&tree), Some(("pin".to_owned(), 3.0, 4.0)));
+        tree.leave_at(Spot { branch, place: 0, time: 2.0 });
+        assert_eq!(seen(&tree), Some(("pin".to_owned(), 2.0, 2.0)));
     }
 
     #[test]

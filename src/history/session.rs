@@ -225,6 +225,11 @@ impl History {
         self.give_as(vec![command], Called { edit: None, name: Some(name.to_owned()) })
     }
 
+    /// The number of the edit that [`History::give_on`] goes on with; `None`: it begins another.
+    pub fn last_edit(&self) -> Option<u64> {
+        self.last_edit
+    }
+
     /// Does commands that belong to the last edit: a drag, a stroke or a slider is undone as one.
     ///
     /// Errors: as of [`History::give`].
@@ -292,13 +297,12 @@ impl History {
     /// A new branch, where the present one has commands that are still to come.
     fn fork(&mut self) {
         let time = self.frame.world.time();
-        let has_commands = self.frame.place < self.tree.len(self.branch);
-        if has_commands || self.tree.end(self.branch) > time {
+        if self.frame.place < self.tree.len(self.branch) || self.tree.end(self.branch) > time {
             let next = self.tree.fork(self.spot());
-            match self.is_free {
-                true => self.tree.go_on(self.branch, next),
-                false if has_commands => self.tree.take_over(self.branch),
-                false => {}
+            if self.is_free {
+                self.tree.go_on(self.branch, next);
+            } else if let Some(done_on) = self.tree.done_from(self.branch, self.frame.place) {
+                self.tree.take_over(done_on);
             }
             self.branch = next;
         }

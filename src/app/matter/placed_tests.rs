@@ -182,6 +182,25 @@ fn a_number_that_is_dragged_on_is_one_edit() {
 }
 
 #[test]
+fn a_drag_whose_first_number_is_refused_or_not_asked_for_is_an_edit_of_its_own() {
+    let mut stage = stage();
+    let bar = obstacle(&stage, corners(4));
+    put(&mut stage, &bar, Placing::Angle(0.5), false);
+    let before = look(&mut stage, &bar).0;
+    let (fit, placing) = (Fit::default(), Placing::Angle(0.1));
+    let refused = Order::Place { among: among(0..2), fit, placing, goes_on: false };
+    assert!(matches!(stage.obey(refused), Some(Note::Refused(_))));
+    [0.6, 0.7].into_iter().for_each(|angle| put(&mut stage, &bar, Placing::Angle(angle), true));
+    let turned = look(&mut stage, &bar).0;
+    [1.1, 1.2].into_iter().for_each(|x| put(&mut stage, &bar, Placing::At(0, x), true));
+    assert!((look(&mut stage, &bar).0.middle[0] - 1.2).abs() < 1e-12);
+    for (name, then) in [("move", turned), ("turn", before)] {
+        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(undone, _)) if undone == name));
+        assert_eq!(look(&mut stage, &bar).0, then, "{name}");
+    }
+}
+
+#[test]
 fn what_has_no_such_number_says_so() {
     let mut stage = stage();
     for placing in [Placing::Angle(0.1), Placing::Radius(1.0), Placing::Side(0, 1.0)] {

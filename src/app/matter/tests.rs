@@ -135,6 +135,20 @@ fn a_drag_of_a_number_is_one_edit() {
 }
 
 #[test]
+fn a_drag_whose_first_number_is_refused_is_an_edit_of_its_own() {
+    let mut stage = stage();
+    let soft = among(3..12);
+    change(&mut stage, &soft, MatterChange::Restitution(0.3));
+    let before = matter(&mut stage, &soft);
+    for (k, bounces) in [3.0, 0.4, 0.5].into_iter().enumerate() {
+        let order = Order::Change { among: soft.clone(), change: MatterChange::Restitution(bounces), goes_on: k > 0 };
+        assert_eq!(matches!(stage.obey(order), Some(Note::Refused(_))), k == 0, "{bounces}");
+    }
+    stage.obey(Order::Undo(None));
+    assert_eq!(matter(&mut stage, &soft), before);
+}
+
+#[test]
 fn presets_weigh_by_area_are_soft_by_weight_and_hold_their_shape() {
     for preset in Preset::ALL {
         let mut stage = stage();

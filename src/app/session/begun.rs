@@ -81,6 +81,7 @@ impl Session {
             gone_by: None,
             pushes: false,
             inspected: Chosen::default(),
+            is_put: false,
             copied: None,
             duplicated: None,
             cursor_icon: CursorIcon::Default,

@@ -158,6 +158,8 @@ pub(super) struct Session {
     pushes: bool,
     /// What the stepping thread was told is selected, and what was copied.
     inspected: Chosen,
+    /// The drag of a number has put what is selected elsewhere: before, there was no room.
+    is_put: bool,
     copied: Option<Copied>,
     duplicated: Option<Row>,
     /// How the pointer looks.

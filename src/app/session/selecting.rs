@@ -180,6 +180,9 @@ impl Session {
 
     /// What is selected is put where a number says.
     pub(super) fn place(&mut self, placing: Placing, goes_on: bool) {
+        // What was not asked for at first is no edit to go on with.
+        let goes_on = goes_on && self.is_put;
+        self.is_put = goes_on;
         let Some(chosen) = self.selected() else { return };
         let (more, goes_on) = self.turned.more(placing, goes_on);
         let (fit, words) = match self.with_scope(|_, scope| chosen.fit(scope, more)) {
@@ -193,6 +196,7 @@ impl Session {
         self.turned.take(placing);
         let Chosen { points, obstacles } = chosen;
         self.player.ask(Order::Place { among: Among { points, obstacles, bonds: None }, fit, placing, goes_on });
+        self.is_put = true;
         self.dirty = true;
     }
 

@@ -30,6 +30,8 @@ impl Stage {
     /// Errors: what is to be said of those that were refused.
     pub(super) fn do_now(&mut self, commands: Vec<Do>, edit: Option<&'static str>) -> Result<Given, Note> {
         let changes = commands.iter().any(|act| matches!(act, Do::Mouse(_)));
+        let before = self.history.last_edit();
+        self.opened.take_if(|_| edit.is_some());
         self.pace.take_over(&mut self.history);
         // Where a log is left, what it leads is let go with it.
         let mut all = if self.history.has_future() { self.history.letting_go() } else { Vec::new() };
@@ -42,6 +44,9 @@ impl Stage {
         let (given, why) = self.give_met(meeting, all, edit, why);
         self.pace.motion += 1;
         self.pace.is_taken |= given.is_ok();
+        // What was refused, or did nothing, began none.
+        let begun = self.history.last_edit().filter(|&last| before != Some(last));
+        self.opened = begun.zip(edit).or(self.opened);
         if given.is_ok() && changes {
             self.base = self.history.base_strength();
         }
@@ -125,6 +130,7 @@ impl Stage {
 
     /// Bodies get another matter.
     pub(super) fn change_matter(&mut self, among: &Among, change: MatterChange, goes_on: bool) -> Option<Note> {
+        let goes_on = self.goes_on(goes_on, change.name());
         let ahead = self.history.ahead();
         let world = ahead.as_deref().unwrap_or(self.history.world());
         let list = commands((world, &self.former), among, change);
@@ -146,6 +152,7 @@ impl Stage {
 
     /// What is meant is put elsewhere, by the commands of the tool for that.
     pub(super) fn place(&mut self, of: (&Among, &Fit), placing: Placing, goes_on: bool) -> Option<Note> {
+        let goes_on = self.goes_on(goes_on, placing.name());
         let (more, goes_on) = self.turned.more(placing, goes_on);
         let note = match placed(self.history.world(), of, more) {
             Err(why) => Some(Note::Refused(why.to_owned())),
@@ -158,15 +165,24 @@ impl Stage {
         note
     }
 
+    /// Whether a drag goes on with an edit that it began itself: what came first may have been refused.
+    fn goes_on(&mut self, goes_on: bool, name: &'static str) -> bool {
+        self.opened.take_if(|_| !goes_on);
+        self.opened.is_some() && self.opened == self.history.last_edit().map(|last| (last, name))
+    }
+
     /// Does commands that belong to the last edit: a setting is dragged on.
     pub(super) fn give_on(&mut self, acts: Vec<Do>, name: &'static str) -> Option<Note> {
         self.do_on(acts, name).err()
     }
 
-    /// The same: what each of them did.
+    /// The same: what each of them did. Where what is dragged on has begun no edit, they begin one.
     ///
     /// Errors: as of [`Stage::do_now`].
     pub(super) fn do_on(&mut self, acts: Vec<Do>, name: &'static str) -> Result<Given, Note> {
+        if !self.goes_on(true, name) {
+            return self.do_now(acts, Some(name));
+        }
         let changes = acts.iter().any(|act| matches!(act, Do::Mouse(_)));
         let given = self.history.give_on(acts, name);
         self.pace.motion += 1;

@@ -97,6 +97,8 @@ pub struct Stage {
     led_at: Option<f64>,
     /// How far obstacles went of the way that they are on.
     hauled: Option<Hauled>,
+    /// The edit that was begun last by what may be dragged on, and its name.
+    opened: Option<(u64, &'static str)>,
     /// The tracks of pins that are stuck in them, as they were before any of it was gone.
     tracks: Vec<(PointId, Knots)>,
     /// What stops them.
@@ -181,6 +183,7 @@ impl Stage {
             strained: None,
             led_at: None,
             hauled: None,
+            opened: None,
             tracks: Vec::new(),
             jam: None,
             led: None,
