@@ -112,8 +112,15 @@ pub(super) fn show(
     if shown.response.dragged() {
         at.drag_to(shown.response.rect.left_bottom(), is_beside);
     }
+    // It was laid by how high it was before.
+    if (shown.response.rect.height() - size.y).abs() > SAME {
+        context.request_repaint();
+    }
     Some(shown.response.rect)
 }
+
+/// Heights that differ by less are the same `[points]`.
+const SAME: f32 = 0.5;
 
 fn area_id() -> Id {
     Id::unique("plots")
