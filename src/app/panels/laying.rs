@@ -1,6 +1,6 @@
 //! Lays the panels out, one after another: what comes later lies where the earlier ones left room.
 
-use egui::{Context, Rect};
+use egui::{Context, Rect, pos2};
 
 use super::places::{APART, Laid, Places};
 use super::{
@@ -227,7 +227,9 @@ impl<'a> Laying<'a> {
             let seat = plots::Seat { points: &facts.points, at, is_docked: are_docked, is_beside };
             let high = places.right.max(places.bar_bottom());
             let room = (places.low_beside(shares.panels_edge), high);
-            let taken = palette::of_tool(context, facts.tool).into_iter().chain(held::lie(context)).collect();
+            let bar = Rect::from_min_max(places.room.min, pos2(places.room.right(), places.bar_bottom() - APART));
+            let taken = palette::of_tool(context, facts.tool).into_iter().chain(held::lie(context)).chain([bar]);
+            let taken = taken.collect();
             let rect = plots::show(context, room, (plots, seat, taken), wishes);
             self.plotted = rect.filter(|_| !are_docked);
         }

@@ -162,6 +162,7 @@ fn clear_of(
             let rect = lying(*place, size.x, high);
             // What was dragged over an edge may be over it still.
             let is_inside = room.left() <= rect.left() && rect.right() <= room.right() && room.top() <= rect.top();
+            let is_inside = is_inside && (rect.top() >= top || rect.right() < room.right() - CORNER);
             is_inside && is_free(&rect, taken)
         };
         let places = places.filter(|place| place.y <= room.bottom().max(corner.y) && has_room(place));

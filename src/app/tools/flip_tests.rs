@@ -85,7 +85,7 @@ fn a_torque_on_what_is_flipped_turns_it_the_other_way_and_one_on_a_part_of_it_as
         let points = vec![0, 1, 2];
         Order::Give(
             vec![Do::Move(Box::new(MoveKeys { points, scale: Some(Factors::Each(scale)), ..Default::default() }))],
-            None,
+            Some("flip"),
         )
     };
     assert_eq!(stage.obey(flip([-1.0, 1.0])), None);

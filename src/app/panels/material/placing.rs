@@ -99,8 +99,10 @@ fn is_meant(by: &Response) -> bool {
     let kept = by.id.with("written");
     let was_edited = !by.gained_focus() && by.ctx.data(|data| data.get_temp(kept)).unwrap_or(false);
     let is_edited = edits || was_edited;
-    by.ctx.data_mut(|data| data.insert_temp(kept, is_edited && !by.lost_focus()));
-    is_edited || !by.lost_focus()
+    // Asked for before: what is known of focus lies behind the same lock.
+    let is_left = by.lost_focus();
+    by.ctx.data_mut(|data| data.insert_temp(kept, is_edited && !is_left));
+    is_edited || !is_left
 }
 
 /// A number to a thousandth, without a sign that says nothing.
