@@ -94,6 +94,11 @@ impl Companion {
         &*self.frame.world
     }
 
+    /// When its last step began `[s]`: it need not go back for what comes after.
+    pub fn began(&self) -> f64 {
+        self.previous.1
+    }
+
     /// What is drawn on its triangles now.
     pub fn skins(&self) -> Vec<Skin> {
         if self.frame.dress.has_skins() { self.frame.dress.skins(&*self.frame.world) } else { Vec::new() }

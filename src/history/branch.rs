@@ -299,7 +299,9 @@ impl Tree {
             let is_own = place >= self.shared(branch);
             self.entry(branch, place).is_some_and(|entry| match entry.act {
                 Do::Key { .. } | Do::Grab(_) | Do::Release => is_own || entry.edit.is_none(),
-                _ => is_own && entry.edit.is_some(),
+                Do::Cursor { .. } | Do::Mouse(_) | Do::Set(_) => is_own && entry.edit.is_some(),
+                // Files need not say which commands are one edit.
+                _ => is_own,
             })
         };
         let last = (place..self.len(branch)).rev().find(is_done)?;

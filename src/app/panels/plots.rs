@@ -97,13 +97,13 @@ pub(super) fn show(
         false => at.corner.unwrap_or_else(found),
     };
     at.corner = at.corner.or_else(|| (!points.is_empty() && !is_docked).then(found));
-    let corner =
-        pos2(corner.x.min(room.right() - size.x - APART), corner.y.max(room.top() + size.y).min(room.bottom()));
-    let corner = if at.is_dragged(is_beside) { corner } else { below_corner(corner, size, (room, top)) };
-    // What belongs to a tool has the place that it takes; a folded panel is as low as it is.
+    // What belongs to a tool has the place that it takes; a folded panel is as low as it is. Where it lies does not depend on how low it was made.
     let is_folded = size.y < HEAD;
-    let most = if is_folded { size.y } else { size.y.max(high + HEAD) };
-    let (corner, less) = make_way((context, at), (corner, vec2(size.x, most)), (room, top), (&taken, points))?;
+    let whole = vec2(size.x, if is_folded { size.y } else { size.y.max(high + HEAD) });
+    let corner =
+        pos2(corner.x.min(room.right() - size.x - APART), corner.y.max(room.top() + whole.y).min(room.bottom()));
+    let corner = if at.is_dragged(is_beside) { corner } else { below_corner(corner, whole, (room, top)) };
+    let (corner, less) = make_way((context, at), (corner, whole), (room, top), (&taken, points))?;
     let high = (high - less).max(LEAST);
     // A click inside it is no drag.
     let area = Area::new(id).pivot(Align2::LEFT_BOTTOM).current_pos(corner).movable(true);

@@ -139,8 +139,8 @@ impl Escort {
     /// these are as far from the truth in all worlds, and what is left between them is what their methods differ by. Returns whether all are there.
     fn bring(&mut self, history: &mut History, [from, to]: [f64; 2], goes_on: &mut dyn FnMut() -> bool) -> bool {
         self.ends.resize_with(history.companions().len(), Ends::default);
-        // Those that are beyond the first state would have to go back, and were there.
-        let is_beyond = |companion: &Companion| companion.world().time() > from + slack(companion);
+        // Those whose last step begins after the first state would have to go back, and were there.
+        let is_beyond = |companion: &Companion| companion.began() > from + slack(companion);
         if from < to && !history.companions().iter().any(is_beyond) {
             if !history.bring_along(from, goes_on) {
                 return false;

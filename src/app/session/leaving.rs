@@ -116,6 +116,8 @@ impl Session {
             (false, false) => CLIP,
         };
         let question = Question { words, answers };
+        // What was answered before is asked anew.
+        self.leaving = Leaving::Not;
         self.asked = Some(Asked { question, leaving_since: Some(Instant::now()), act: Box::new(answered) });
         self.touch();
         false

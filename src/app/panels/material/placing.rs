@@ -48,7 +48,7 @@ pub(super) fn placing(ui: &mut Ui, facts: &Facts, sink: &mut Sink<'_>) {
 
 /// A number of where it is, as figures are shown.
 fn field(ui: &mut Ui, of: Row<'_>, value: f64, sink: &mut Sink<'_>, place: impl Fn(f64) -> Placing) {
-    let (by, to) = written(ui, of, value);
+    let (by, to, _) = written(ui, of, value);
     if let Some(to) = to {
         sink.place(&by, place(to));
     }
@@ -59,17 +59,19 @@ fn field(ui: &mut Ui, of: Row<'_>, value: f64, sink: &mut Sink<'_>, place: impl 
 fn turn_by(ui: &mut Ui, sink: &mut Sink<'_>) {
     let kept = Id::unique("turned by");
     let before: f64 = ui.data(|data| data.get_temp(kept)).unwrap_or(0.0);
-    let (by, to) = written(ui, ("turn by", "°", ANGLES, SPEEDS[1]), before);
+    let (by, to, from) = written(ui, ("turn by", "°", ANGLES, SPEEDS[1]), before);
     if let Some(to) = to {
-        sink.place(&by, Placing::TurnBy(to.to_radians()));
+        // Arrow keys go on from what they asked for before.
+        let turn = if by.dragged() { to } else { to - from };
+        sink.place(&by, Placing::TurnBy(turn.to_radians()));
     }
     let after = if by.dragged() { to.unwrap_or(before) } else { 0.0 };
     ui.data_mut(|data| data.insert_temp(kept, after));
 }
 
-/// A field, and what was dragged to or written in it. While one writes it keeps the number that it had before: what is written would go with
+/// A field, what was dragged to or written in it, and the number that it had before. While one writes it keeps the number that it had before: what is written would go with
 /// that.
-fn written(ui: &mut Ui, (name, unit, range, speed): Row<'_>, value: f64) -> (Response, Option<f64>) {
+fn written(ui: &mut Ui, (name, unit, range, speed): Row<'_>, value: f64) -> (Response, Option<f64>, f64) {
     row(ui, name, |ui, label| {
         let own = ui.next_auto_id();
         let kept = own.with("before");
@@ -83,7 +85,7 @@ fn written(ui: &mut Ui, (name, unit, range, speed): Row<'_>, value: f64) -> (Res
         let is_meant = is_meant(&by);
         ui.data_mut(|data| data.insert_temp(kept, (if by.changed() { to } else { before }, has_focus)));
         let to = (by.changed() && is_meant).then_some(to);
-        (by, to)
+        (by, to, before)
     })
 }
 
