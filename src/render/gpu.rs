@@ -42,6 +42,17 @@ impl Gpu {
         })
     }
 
+    /// The GPU of a test of parts, if there is one: none is a failure where one is required.
+    #[cfg(test)]
+    #[allow(clippy::panic, reason = "a test that cannot go on stops")]
+    pub(crate) fn of_test() -> Option<Self> {
+        match Gpu::headless() {
+            Ok(gpu) => Some(gpu),
+            Err(error) if std::env::var("WOBBLE_REQUIRE").is_ok_and(|all| all.contains("gpu")) => panic!("{error}"),
+            Err(_) => None,
+        }
+    }
+
     /// Opens a GPU for off-screen work.
     ///
     /// Errors: no driver, or one that fails.

@@ -188,7 +188,7 @@ fn drawn_of(
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
     use image::AnimationDecoder as _;
     use image::codecs::gif::GifDecoder;
@@ -244,18 +244,9 @@ mod tests {
         (history, shot)
     }
 
-    /// The GPU, if there is one.
-    fn gpu() -> Option<Gpu> {
-        match Gpu::headless() {
-            Ok(gpu) => Some(gpu),
-            Err(error) if std::env::var("WOBBLE_REQUIRE").is_ok_and(|all| all.contains("gpu")) => panic!("{error}"),
-            Err(_) => None,
-        }
-    }
-
     #[test]
     fn a_clip_shows_what_happened_and_ends_with_what_is_seen() {
-        let Some(gpu) = gpu() else { return };
+        let Some(gpu) = Gpu::of_test() else { return };
         let (history, shot) = falling();
         let settings = ClipSettings { seconds: 0.5, ..ClipSettings::default() };
         let mut told = Vec::new();
@@ -274,7 +265,7 @@ mod tests {
 
     #[test]
     fn what_is_given_up_on_the_way_to_the_first_picture_goes_no_further() {
-        let Some(gpu) = gpu() else { return };
+        let Some(gpu) = Gpu::of_test() else { return };
         let settings = ClipSettings { seconds: 0.5, ..ClipSettings::default() };
         // Before all, while worlds beside are led to the first, and while trails are.
         for last in [0.0, 0.5 * APPROACH_SHARE, 0.5 * (APPROACH_SHARE + LEAD_SHARE)] {
@@ -294,7 +285,7 @@ mod tests {
 
     #[test]
     fn worlds_beside_are_led_from_the_start_a_little_at_a_time() {
-        let Some(gpu) = gpu() else { return };
+        let Some(gpu) = Gpu::of_test() else { return };
         let (history, shot) = falling();
         let Reel { recording, run, .. } = history.reel(0.0);
         let beside = [serde_json::from_str(r#"{"method": {"substep": 0.005}}"#).unwrap()];
@@ -306,7 +297,7 @@ mod tests {
 
     #[test]
     fn a_clip_that_is_given_up_leaves_what_stood_there() {
-        let Some(gpu) = gpu() else { return };
+        let Some(gpu) = Gpu::of_test() else { return };
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("clip.gif");
         std::fs::write(&path, b"old").unwrap();

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::app::player::Shown;
-use crate::app::tools::gap_in;
+use crate::app::tools::{gap_in, touch};
 use crate::sim::vector::{dot, length, sub};
 use crate::sim::{BondKind, PointId};
 
@@ -101,7 +101,7 @@ impl Grounds {
         }
         let [low, high] = feet.iter().fold(NOWHERE, |around, &foot| with(around, place(shown, foot)));
         let around = [low - near, high + near];
-        let others = (0..self.boxes.len()).filter(|&other| other != own as usize && meet(around, self.boxes[other]));
+        let others = (0..self.boxes.len()).filter(|&other| other != own as usize && touch(around, self.boxes[other]));
         others.flat_map(|other| &self.bonds[self.begins[other]..self.begins[other + 1]]).any(|&ends| {
             let [from, to] = ends.map(|end| place(shown, end));
             let is_at = |&foot: &PointId| {
@@ -109,7 +109,7 @@ impl Grounds {
                 let share = ((foot - from).dot(to - from) / from.distance_squared(to)).clamp(0.0, 1.0);
                 foot.distance(from.lerp(to, share)) <= near
             };
-            meet(around, with(with(NOWHERE, from), to)) && feet.iter().any(is_at)
+            touch(around, with(with(NOWHERE, from), to)) && feet.iter().any(is_at)
         })
     }
 }
@@ -124,11 +124,6 @@ fn place(shown: &Shown, point: PointId) -> DVec2 {
 /// A box that has a place in it too, where that is one.
 fn with([low, high]: [DVec2; 2], at: DVec2) -> [DVec2; 2] {
     if at.is_finite() { [low.min(at), high.max(at)] } else { [low, high] }
-}
-
-/// Whether two boxes have a place in common.
-fn meet([low, high]: [DVec2; 2], [other_low, other_high]: [DVec2; 2]) -> bool {
-    low.cmple(other_high).all() && other_low.cmple(high).all()
 }
 
 #[cfg(test)]

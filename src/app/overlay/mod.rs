@@ -193,7 +193,7 @@ fn pipeline(
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
     use super::*;
 
@@ -258,11 +258,7 @@ mod tests {
 
     #[test]
     fn what_changed_is_painted_and_the_picture_is_the_same_as_one_that_is_painted_anew() {
-        let gpu = match Gpu::headless() {
-            Ok(gpu) => gpu,
-            Err(error) if std::env::var("WOBBLE_REQUIRE").is_ok_and(|all| all.contains("gpu")) => panic!("{error}"),
-            Err(_) => return,
-        };
+        let Some(gpu) = Gpu::of_test() else { return };
         let format = wgpu::TextureFormat::Rgba8Unorm;
         let mut painter = Painter::new(&gpu, format);
         let context = egui::Context::default();

@@ -10,7 +10,7 @@ pub(super) fn around(places: impl Iterator<Item = DVec2>) -> Option<[DVec2; 2]> 
 }
 
 /// Whether two boxes have a place in common, be it on their sides alone.
-pub(super) fn touch([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+pub(in crate::app) fn touch([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
     a.cmple(d).all() && c.cmple(b).all()
 }
 

@@ -92,6 +92,7 @@ use glam::{DVec2, DVec3};
 
 use super::action::Tool;
 use crate::sim::PointId;
+pub(super) use areas::touch;
 use brush::Stroke;
 pub(super) use brush::{Brush, RADII};
 pub(super) use build::{BuiltOf, Fibre, Grain, Link, Links, is_of_space};

@@ -88,7 +88,7 @@ impl Labels {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 mod tests {
     use egui::Rect;
     use glam::DVec2;
@@ -159,11 +159,8 @@ mod tests {
     #[test]
     fn pictures_have_labels_where_they_are_laid_and_nothing_else_is_other() {
         let of = labels(r#"[{"at": [0.5, 0], "text": "one"}]"#);
-        let mut capture = match Capture::new(SIZES[0], 2) {
-            Ok(capture) => capture,
-            Err(error) if std::env::var("WOBBLE_REQUIRE").is_ok_and(|all| all.contains("gpu")) => panic!("{error}"),
-            Err(_) => return,
-        };
+        let Some(gpu) = Gpu::of_test() else { return };
+        let mut capture = Capture::on(gpu, SIZES[0], 2).unwrap();
         let mut both = [of.as_slice(), &[]].map(|labels: &[LabelKeys]| Labels::new(labels, (Palette::Dark, 1.0)));
         let mut taken = |which: usize, places: &[f64]| {
             capture.forget_world();
