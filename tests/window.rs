@@ -166,7 +166,7 @@ impl App<'_> {
             panic!("Ctrl+Q does not leave");
         }
         let done = self.process.wait_with_output().unwrap();
-        assert!(done.status.success());
+        assert!(done.status.success(), "it ends with {}", done.status);
         let text = String::from_utf8(done.stdout).unwrap();
         let words: Vec<&str> = text.split_whitespace().collect();
         let value = |name: &str| {
@@ -333,7 +333,7 @@ impl App<'_> {
         self.title() == title
     }
 
-    /// Waits until the window is called so.
+    /// Waits until the window is called so: by the name of a scene alone, once that is there.
     fn wait_for_title(&self, title: &str) {
         let is_called = self.comes_to_be_called(title, Duration::from_secs(20));
         assert!(is_called, "it is called {:?}, not {title:?}", self.title());

@@ -5,6 +5,7 @@
 
 pub mod action;
 mod alike;
+mod aside;
 mod canvas;
 mod clip;
 mod count;

@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 
 use image::RgbaImage;
 
+use super::aside::Aside;
 use super::opening;
 use super::panels::THUMBNAIL;
 use crate::render::{Camera, Capture, Gpu, Look, Palette, View};
@@ -36,6 +37,7 @@ pub(super) struct Thumbnails {
     is_done: bool,
     /// The names of those that are looked at: they come first.
     wanted: Arc<Mutex<Vec<&'static str>>>,
+    _aside: Aside,
 }
 
 /// The next scene of those that are left: the first that is looked at.
@@ -51,7 +53,7 @@ impl Thumbnails {
         let (sender, drawn) = channel();
         let wanted: Arc<Mutex<Vec<&'static str>>> = Arc::default();
         let looked_at = Arc::clone(&wanted);
-        std::thread::spawn(move || {
+        let aside = Aside::new(move |is_wanted| {
             let size = THUMBNAIL.map(|side| (FINE * side) as u32);
             let mut draft = Draft::new(gpu, size, palette);
             let kept = Kept::in_folder(folder, palette, size);
@@ -65,7 +67,7 @@ impl Thumbnails {
                 let wanted = looked_at.lock().unwrap_or_else(PoisonError::into_inner).clone();
                 next(left, &wanted)
             };
-            while let Some(entry) = next(&mut left) {
+            while let Some(entry) = next(&mut left).filter(|_| is_wanted()) {
                 let Some(picture) = kept.read(entry.name).or_else(|| draw(entry)) else { continue };
                 if sender.send((entry.name, picture)).is_err() {
                     return;
@@ -75,7 +77,7 @@ impl Thumbnails {
             drop(sender);
             wake();
         });
-        Thumbnails { drawn, ready: Vec::new(), is_done: false, wanted }
+        Thumbnails { drawn, ready: Vec::new(), is_done: false, wanted, _aside: aside }
     }
 
     /// These are looked at from now on.

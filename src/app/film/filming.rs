@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 use super::{Film, Gif, Shot};
+use crate::app::aside::Aside;
 use crate::history::Reel;
 use crate::output::replace;
 use crate::render::Gpu;
@@ -81,6 +82,7 @@ pub(in crate::app) struct Filming {
     path: PathBuf,
     shared: Arc<Shared>,
     filmed: Receiver<Filmed>,
+    _aside: Aside,
 }
 
 impl Filming {
@@ -94,13 +96,13 @@ impl Filming {
     ) -> Self {
         let (shared, (sender, filmed)) = (Arc::<Shared>::default(), channel());
         let (told, to) = (Arc::clone(&shared), path.clone());
-        std::thread::spawn(move || {
+        let aside = Aside::new(move |is_wanted| {
             let mut goes_on = |share: f64| {
                 let done = (PARTS * share) as u32;
                 if told.done.swap(done, Ordering::Relaxed) != done {
                     wake();
                 }
-                !told.is_settled.load(Ordering::Relaxed)
+                is_wanted() && !told.is_settled.load(Ordering::Relaxed)
             };
             // What brings it is gone with the scene.
             let drawn = reel.recv().map_err(|_| GONE.to_owned());
@@ -110,7 +112,7 @@ impl Filming {
             let _ = sender.send(drawn.and_then(|bytes| written(bytes, &to)).unwrap_or_else(Filmed::Failed));
             wake();
         });
-        Filming { path, shared, filmed }
+        Filming { path, shared, filmed, _aside: aside }
     }
 
     /// Where it is written.

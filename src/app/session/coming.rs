@@ -72,9 +72,10 @@ impl Session {
         self.panels.notes.begin();
     }
 
-    /// The window is called by what is open in it.
+    /// The window is called by what is open in it, or will be.
     pub(super) fn call_window(&self) {
-        self.window.set_title(&format!("wobble · {}", title(self.player.start())));
+        let coming = if self.opening_since.is_some() { " …" } else { "" };
+        self.window.set_title(&format!("wobble · {}{coming}", title(self.player.start())));
     }
 
     /// A history that is being made is not waited for: the one before it is there again. Returns whether there is one.

@@ -7,6 +7,7 @@ use std::sync::mpsc::{Receiver, channel};
 use image::RgbaImage;
 
 use super::{Draft, FINE};
+use crate::app::aside::Aside;
 use crate::app::panels::THUMBNAIL;
 use crate::history::Left;
 use crate::render::{Gpu, Palette, View};
@@ -19,6 +20,7 @@ pub(in crate::app) type Wanted = (PathBuf, Scene);
 pub(in crate::app) struct CutOff {
     drawn: Receiver<(PathBuf, RgbaImage)>,
     ready: Vec<(PathBuf, RgbaImage)>,
+    _aside: Aside,
 }
 
 impl CutOff {
@@ -30,9 +32,9 @@ impl CutOff {
         wake: impl Fn() + Send + 'static,
     ) -> Self {
         let (sender, drawn) = channel();
-        std::thread::spawn(move || {
+        let aside = Aside::new(move |is_wanted| {
             let mut draft = Draft::new(gpu, THUMBNAIL.map(|side| (FINE * side) as u32), palette);
-            for (path, scene) in wanted {
+            for (path, scene) in wanted.into_iter().take_while(|_| is_wanted()) {
                 let Some(picture) = picture(&path, &scene, &mut draft) else { continue };
                 if sender.send((path, picture)).is_err() {
                     return;
@@ -40,7 +42,7 @@ impl CutOff {
                 wake();
             }
         });
-        CutOff { drawn, ready: Vec::new() }
+        CutOff { drawn, ready: Vec::new(), _aside: aside }
     }
 
     /// Takes what was drawn. Returns whether there is something new.
