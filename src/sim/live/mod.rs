@@ -33,6 +33,7 @@ mod flats;
 mod frame;
 mod gather;
 mod given;
+mod ground;
 mod guard;
 mod heir;
 mod impaled;

@@ -2,6 +2,7 @@
 
 use super::Live;
 use super::cluster::Cluster;
+use super::ground::grounded;
 use crate::sim::environment::Environment;
 use crate::sim::measure;
 use crate::sim::points::Points;
@@ -11,7 +12,7 @@ use crate::sim::vector::{dot, zero};
 /// How long a cluster stays where it is before it sleeps `[s]`.
 const STILL_TIME: f64 = 0.5;
 /// How far its points may get from where they were within that time, in mean edges of their skins: of bodies that touch something, hops
-/// apart, and of others, which nothing stops.
+/// apart, and of others, which nothing stops: they fly, or hang and swing.
 const STILL_WAY: [f64; 2] = [0.1, 5e-4];
 /// The same at most `[m]`: 1 cm/s.
 const MOST_WAY: f64 = 5e-3;
@@ -32,8 +33,9 @@ const MOST_DRAG: f64 = 10.0;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Rest {
     pub(super) is_asleep: bool,
-    /// It touched something in the last step.
+    /// It touched something in the last step, but neither it nor what it touches lies on the ground.
     pub(super) touches: bool,
+    hangs: bool,
     /// Since when its points are about where they are `[s]`.
     since: Option<f64>,
     /// How long it has been slow and touched something, hops apart `[s]`, and how long of that it did not slide.
@@ -140,6 +142,7 @@ impl<S: Real> Live<S> {
         for on in cluster.on_planes.iter().filter(|on| on.pressed > S::ZERO) {
             note(on.p, on.slips);
         }
+        let lies = grounded(cluster);
         let all = cluster.bodies.iter().map(|&body| self.bodies.list[body].points.len() as f64).sum::<f64>();
         for (k, &body) in cluster.bodies.iter().enumerate() {
             let range = cluster.bases[k] as usize..cluster.bases[k + 1] as usize;
@@ -161,6 +164,8 @@ impl<S: Real> Live<S> {
             };
             rest.is_tethered = cluster.sunk[k] && cluster.tethers.holds(k);
             rest.touches = sticks + slips > 0;
+            // What hops has left the ground for a moment.
+            rest.hangs = if rest.touches { !lies[k] } else { rest.hangs };
             rest.aloft = if rest.touches { 0.0 } else { rest.aloft + h };
             let slow = S::from_f64(SLOW[usize::from(cluster.is_rigid(k as u32))]);
             let is_slow = square < slow * slow && rest.aloft < HOP && self.settles && !driven.contains(&body);
@@ -169,7 +174,7 @@ impl<S: Real> Live<S> {
             rest.slow = if is_slow { rest.slow + goes_on } else { 0.0 };
             rest.calm = if is_slow && slips <= sticks { rest.calm + goes_on } else { 0.0 };
             rest.slid = if slips > sticks { rest.slid + h } else { 0.0 };
-            let drag = if rest.touches { GROWTH * (rest.calm - CALM) } else { 0.0 };
+            let drag = if rest.touches && !rest.hangs { GROWTH * (rest.calm - CALM) } else { 0.0 };
             self.settling[body] = S::from_f64(drag.clamp(0.0, MOST_DRAG));
         }
     }
@@ -207,7 +212,7 @@ impl<S: Real> Live<S> {
         let of = &self.bodies.list[body];
         let scale = if of.edge_length > S::ZERO { of.edge_length } else { S::from_f64(0.1) };
         let rest = self.rests[body];
-        let lies = rest.aloft < HOP;
+        let lies = rest.aloft < HOP && !rest.hangs;
         let share = S::from_f64(STILL_WAY[usize::from(!lies)]);
         let slots = &self.bodies.order[of.points.range()];
         let is_speedless = || slots.iter().all(|&slot| points.velocity[slot as usize] == zero());

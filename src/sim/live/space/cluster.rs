@@ -60,10 +60,8 @@ pub(super) struct Cluster<S: Real> {
     pub(super) touches: Vec<Touch<S>>,
     pub(super) touch_rooms: Vec<S>,
     pub(super) near: Vec<u32>,
-    /// How far points may go until what is near obstacles is looked for anew `[m]`, and how far the fastest has gone since.
-    pub(super) promise: S,
-    pub(super) gone: S,
-    /// How far every point has gone since.
+    /// How far every point may go until what is near obstacles is looked for anew `[m]`, and how far it has gone since.
+    pub(super) promised_far: Vec<S>,
     pub(super) gone_far: Vec<S>,
     /// What goes together, for what is near each other.
     pub(super) patches: Patches<S>,

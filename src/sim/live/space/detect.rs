@@ -23,20 +23,23 @@ const STRETCHED: f64 = 2.0;
 
 /// Finds anew what obstacles touch.
 pub(super) fn look_at_obstacles<S: Real>(state: &mut Cluster<S>, common: &Common<S>) {
-    state.gone = S::ZERO;
     state.gone_far.fill(S::ZERO);
-    state.promise = state.least_promise.max(state.fastest() * S::from_f64(LEAST_TIME / FRAMES));
+    let time = S::from_f64(LEAST_TIME / FRAMES);
+    // What is fast alone, or drags on others, has much near it, not all that goes with it.
+    for (promised, &velocity) in state.promised_far.iter_mut().zip(&state.velocity) {
+        *promised = state.least_promise + dot(velocity, velocity).sqrt() * time;
+    }
     let mut touches = std::mem::take(&mut state.touches);
     touches.clear();
-    let reach = state.promise;
+    let farthest = state.promised_far.iter().fold(S::ZERO, |most, &promised| most.max(promised));
     let is_free = |i: &usize| state.w[*i] != S::ZERO;
     for (number, surface) in common.planes.iter().enumerate() {
-        for i in (0..state.now.len()).filter(is_free).filter(|&i| surface.gap(state.now[i]) < reach) {
+        for i in (0..state.now.len()).filter(is_free).filter(|&i| surface.gap(state.now[i]) < state.promised_far[i]) {
             touches.push(Touch::new(Kind::Plane(number as u32), [i as u32; 3], common));
         }
     }
     let Some(extent) = crate::sim::measure::extent(&state.now) else { return };
-    for (number, solid) in common.solids.iter().enumerate().filter(|(_, solid)| solid.is_near(extent, reach)) {
+    for (number, solid) in common.solids.iter().enumerate().filter(|(_, solid)| solid.is_near(extent, farthest)) {
         near_solid(state, common, (number as u32, solid), &mut touches);
     }
     // Points last: what they say holds exactly.
@@ -65,7 +68,7 @@ fn near_solid<S: Real>(
     (number, solid): (u32, &Solid<S>),
     touches: &mut Vec<Touch<S>>,
 ) {
-    let reach = state.promise;
+    let reach = |points: &[u32]| points.iter().fold(S::ZERO, |most, &i| most.max(state.promised_far[i as usize]));
     let is_near = |points: &[u32]| {
         let mut extent = [[S::INFINITY; 3], [-S::INFINITY; 3]];
         for x in points.iter().map(|&i| state.now[i as usize]) {
@@ -74,7 +77,7 @@ fn near_solid<S: Real>(
                 extent[1][k] = extent[1][k].max(x[k]);
             }
         }
-        solid.is_near(extent, reach) && points.iter().any(|&i| state.w[i as usize] != S::ZERO)
+        solid.is_near(extent, reach(points)) && points.iter().any(|&i| state.w[i as usize] != S::ZERO)
     };
     let mut note = |kind: Kind, points: [u32; 3]| touches.push(Touch::new(kind, points, common));
     for i in (0..state.now.len() as u32).filter(|&i| is_near(&[i])) {
@@ -85,8 +88,9 @@ fn near_solid<S: Real>(
             Shape::Ball { .. } => note(Kind::Edge(number), [a, b, a]),
             Shape::Box { corners, .. } => {
                 let own = [a, b].map(|end| state.now[end as usize]);
+                let apart = reach(&[a, b]) * S::from_f64(2.0);
                 for (k, ends) in BOX_EDGES.iter().enumerate() {
-                    if are_near(own, ends.map(|end| corners[end as usize]), reach + reach) {
+                    if are_near(own, ends.map(|end| corners[end as usize]), apart) {
                         note(Kind::BoxEdge(number, k as u32), [a, b, a]);
                     }
                 }
@@ -98,9 +102,10 @@ fn near_solid<S: Real>(
             Shape::Ball { .. } => note(Kind::Triangle(number), points),
             Shape::Box { corners, .. } => {
                 let [a, b, c] = three(&state.now, points);
+                let apart = reach(&points) * S::from_f64(2.0);
                 for (k, &corner) in corners.iter().enumerate() {
                     let from = nearest([corner, a, b, c]).from;
-                    if dot(from, from) < reach * reach * S::from_f64(4.0) {
+                    if dot(from, from) < apart * apart {
                         note(Kind::Corner(number, k as u32), points);
                     }
                 }
@@ -288,7 +293,12 @@ pub(super) fn farthest<S: Real>(list: &[S], [a, b, c]: [u32; 3]) -> S {
 
 /// Whether more than what was promised would be gone after `h` `[s]` at the speeds of now: of obstacles, and of each other.
 pub(super) fn is_due<S: Real>(state: &Cluster<S>, h: S) -> [bool; 2] {
-    let obstacles = state.gone + h * state.fastest() > state.promise;
+    let goes_on = |i: usize| {
+        let (velocity, left) = (state.velocity[i], state.promised_far[i] - state.gone_far[i]);
+        left >= S::ZERO && h * h * dot(velocity, velocity) <= left * left
+    };
+    // NaN is looked at.
+    let obstacles = !(0..state.now.len()).all(goes_on);
     if state.triangles.is_empty() {
         return [obstacles, false];
     }
@@ -306,13 +316,9 @@ pub(super) fn is_due<S: Real>(state: &Cluster<S>, h: S) -> [bool; 2] {
 
 /// Counts the ways of a substep against the promises.
 pub(super) fn count_ways<S: Real>(state: &mut Cluster<S>) {
-    let mut most = S::ZERO;
     for (gone, &way) in state.gone_far.iter_mut().zip(&state.way) {
-        let way = dot(way, way).sqrt();
-        *gone += way;
-        most = most.max(way);
+        *gone += dot(way, way).sqrt();
     }
-    state.gone += most;
     if state.triangles.is_empty() {
         return;
     }
