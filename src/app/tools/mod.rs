@@ -66,6 +66,7 @@ mod region;
 mod release;
 mod rings;
 mod room;
+mod segments;
 #[cfg(test)]
 mod select_tests;
 mod selecting;
@@ -126,6 +127,7 @@ use region::Region;
 pub(super) use rings::Ring;
 use rings::RingGrip;
 pub(super) use room::{Walls, over};
+pub(super) use segments::distance_to_segment;
 use selection::Selection;
 pub(super) use stall::Stalls;
 pub(super) use standing::Kept;

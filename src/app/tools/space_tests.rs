@@ -80,7 +80,7 @@ fn a_stroke_cuts_the_bonds_that_are_seen_under_it_and_opens_the_skin() {
         let ends: Vec<_> = room.shown.scenery.bonds.ends().to_vec();
         let crossed = |ends: &&[PointId; 2]| {
             let [a, b] = ends.map(|end| room.with(|_, scope| scope.pixel(end).unwrap()));
-            super::pick::cross([from, to], [a, b])
+            super::segments::cross([from, to], [a, b])
         };
         ends.iter().filter(crossed).count()
     };
