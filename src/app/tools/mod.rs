@@ -10,6 +10,8 @@ mod brush_tests;
 mod build;
 mod choices;
 mod chosen;
+#[cfg(test)]
+mod copy_tests;
 mod cutting;
 mod deed;
 mod drawing;
@@ -29,6 +31,8 @@ mod grab_tests;
 mod ground;
 mod grown;
 mod handles;
+#[cfg(test)]
+mod handles_tests;
 mod haul;
 #[cfg(test)]
 mod haul_tests;
@@ -64,6 +68,8 @@ mod push;
 mod push_tests;
 mod region;
 mod release;
+#[cfg(test)]
+mod ring_tests;
 mod rings;
 mod room;
 mod segments;
