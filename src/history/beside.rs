@@ -14,7 +14,7 @@ use super::session::History;
 use super::start::Recording;
 use crate::picture::{Skin, Tint};
 use crate::scene::{BesideKeys, MethodKeys, Scene};
-use crate::sim::Dynamics;
+use crate::sim::{Dynamics, Positions};
 
 /// Bytes that the copies of a companion may take.
 const MOST_BYTES: usize = 128 << 20;
@@ -121,13 +121,7 @@ impl Companion {
         let now = self.frame.world.positions();
         let span = self.frame.world.time() - from;
         let share = if span > 0.0 { ((time - from) / span).clamp(0.0, 1.0) } else { 1.0 };
-        to.clear();
-        // What came since has no place before.
-        let has_before = before.len() == now.len() && share < 1.0;
-        to.extend((0..now.len()).map(|k| {
-            let here = now.get(k);
-            if has_before { before[k] + share * (here - before[k]) } else { here }
-        }));
+        interpolate(Positions::F64(before), now, share, to);
     }
 
     /// Does the commands up to `time` `[s]`, where steps are cut short for them, and takes the steps that end by then: as a recording
@@ -229,6 +223,19 @@ fn flat_into(world: &dyn Dynamics, to: &mut Vec<f64>) {
     to.extend((0..positions.len()).map(|k| positions.get(k)));
 }
 
+/// Where points are at a share of the way from one state to the next, on straight lines `[m]`; the memory of `to` is used again.
+///
+/// Valid range: shares from 0 on; at 1 and beyond, and where other numbers are known of before, points are where they are now.
+pub fn interpolate(before: Positions<'_>, now: Positions<'_>, share: f64, to: &mut Vec<f64>) {
+    // What came since has no place before.
+    let has_before = before.len() == now.len() && share < 1.0;
+    to.clear();
+    to.extend((0..now.len()).map(|k| {
+        let here = now.get(k);
+        if has_before { before.get(k) + share * (here - before.get(k)) } else { here }
+    }));
+}
+
 /// The distance of each point from one place to another `[m]`; NaN where it is in one of them only.
 ///
 /// Shapes: both have `dimensions` numbers a point; of the longer one the rest counts as points of one of them only.
@@ -285,5 +292,24 @@ impl History {
     pub fn rests(&self) -> bool {
         let is_still = self.frame.world.is_asleep() && self.frame.eased.is_empty();
         is_still && !self.has_more() && self.companions.iter().all(|companion| companion.world().is_asleep())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_lie_on_straight_lines_between_two_states_and_exactly_where_they_are_at_the_second() {
+        let mut places = vec![9.0; 7];
+        let mut at = |before: &[f64], now: Positions<'_>, share: f64| {
+            interpolate(Positions::F64(before), now, share, &mut places);
+            places.clone()
+        };
+        assert_eq!(at(&[0.0, 8.0], Positions::F64(&[4.0, 4.0]), 0.25), [1.0, 7.0]);
+        assert_eq!(at(&[0.0], Positions::F32(&[1.0]), 0.5), [0.5]);
+        assert_eq!(at(&[1e16], Positions::F64(&[0.1]), 1.0), [0.1], "no rounding on the way there");
+        assert_eq!(at(&[0.0], Positions::F64(&[4.0, 4.0]), 0.25), [4.0, 4.0], "a point came");
+        assert!(at(&[f64::NAN], Positions::F64(&[4.0]), 0.25)[0].is_nan(), "it was nowhere");
     }
 }

@@ -42,7 +42,7 @@ mod undo;
 mod write;
 
 pub use autosave::{Autosave, Called, EVERY, Left};
-pub use beside::{Companion, distances};
+pub use beside::{Companion, distances, interpolate};
 pub use branch::BranchView;
 pub use clock::Clock;
 pub use command::{

@@ -53,6 +53,7 @@ pub use mesh::{Mesh, fill_boundary};
 pub use nest::keep;
 pub use outline::{Outline, outline};
 pub use plane::Point;
+pub(crate) use plane::to_segment;
 pub(crate) use png::{PNG_MARK, png_parts};
 pub use rope::{Ropes, ropes};
 pub use settings::{LEAST_SPACING, MAX_POINTS, Settings, Size, Strokes, Threshold, WIDEST_SPACING};

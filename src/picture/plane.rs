@@ -36,10 +36,10 @@ pub(super) fn doubled_area(points: &[Point]) -> f64 {
     points.windows(2).map(|pair| turn(points[0], pair[0], pair[1])).sum()
 }
 
-/// The distance of a point from a segment, and at which share of it the nearest place lies.
+/// The distance of a point from a segment, in the unit of both, and at which share of it the nearest place lies.
 ///
 /// Valid range: a segment of no length is a point, with share 0.
-pub(super) fn to_segment(point: Point, [a, b]: [Point; 2]) -> (f64, f64) {
+pub(crate) fn to_segment(point: Point, [a, b]: [Point; 2]) -> (f64, f64) {
     let (along, to) = (minus(b, a), minus(point, a));
     let square = dot(along, along);
     let share = if square > 0.0 { (dot(along, to) / square).clamp(0.0, 1.0) } else { 0.0 };

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::app::player::Shown;
-use crate::app::tools::{gap_in, touch};
+use crate::app::tools::{distance_to_segment, gap_in, touch};
 use crate::sim::vector::{dot, length, sub};
 use crate::sim::{BondKind, PointId};
 
@@ -104,11 +104,7 @@ impl Grounds {
         let others = (0..self.boxes.len()).filter(|&other| other != own as usize && touch(around, self.boxes[other]));
         others.flat_map(|other| &self.bonds[self.begins[other]..self.begins[other + 1]]).any(|&ends| {
             let [from, to] = ends.map(|end| place(shown, end));
-            let is_at = |&foot: &PointId| {
-                let foot = place(shown, foot);
-                let share = ((foot - from).dot(to - from) / from.distance_squared(to)).clamp(0.0, 1.0);
-                foot.distance(from.lerp(to, share)) <= near
-            };
+            let is_at = |&foot: &PointId| distance_to_segment(place(shown, foot), from, to) <= near;
             touch(around, with(with(NOWHERE, from), to)) && feet.iter().any(is_at)
         })
     }

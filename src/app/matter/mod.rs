@@ -15,6 +15,7 @@ mod former;
 mod hinges;
 #[cfg(test)]
 mod hinges_tests;
+mod hubs;
 mod joints;
 #[cfg(test)]
 mod joints_tests;
@@ -38,7 +39,7 @@ pub(super) use change::{MatterChange, commands, mean_velocity};
 pub(super) use common::Common;
 pub(super) use facts::{Matter, NEVER, Pin, Span};
 pub(super) use former::Former;
-pub(super) use hinges::{LEAST_BONDS, MOST_LOOSE, sides};
+pub(super) use hubs::{Adjacency, is_broad};
 pub(super) use joints::{Joint, Stops};
 pub(super) use led::led;
 pub(super) use motors::{MotorChange, Motors};

@@ -6,9 +6,10 @@ use std::time::Instant;
 use super::pace::Pace;
 use super::rungs::Load;
 use super::shown::{Places, Scenery};
-use crate::history::{Companion, History, distances};
+use crate::history::{Companion, History, distances, interpolate};
 use crate::render::View;
 use crate::scene::{BesideKeys, BudgetKeys, MethodKeys, PrecisionName, SolverName};
+use crate::sim::Positions;
 
 /// Wall time that companions may take of a frame while the world moves, and while it does not `[s]`.
 const BUDGETS: [f64; 2] = [0.012, 0.030];
@@ -175,7 +176,8 @@ impl Escort {
         let (states, shown_time, dimensions) =
             (pace.states(history), pace.shown_time(history), history.world().dimensions());
         let time = states[1];
-        let main = mixed(history, pace, f64::from(mix));
+        let mut main = Vec::new();
+        interpolate(pace.previous.view(), history.world().positions(), f64::from(mix), &mut main);
         for (place, (companion, to)) in companions.iter().zip(shown).enumerate() {
             let reached = companion.world().time();
             let is_there = reached >= time - slack(companion);
@@ -264,10 +266,8 @@ impl Ends {
 
     /// Where it is between the two, 0 to 1 `[m]`.
     fn mix(&self, mix: f64, to: &mut Vec<f64>) {
-        let [before, now] = &self.places;
-        let has_before = before.len() == now.len() && mix < 1.0;
-        to.clear();
-        to.extend((0..now.len()).map(|k| if has_before { before[k] + mix * (now[k] - before[k]) } else { now[k] }));
+        let [before, now] = self.places.each_ref().map(|places| Positions::F64(places));
+        interpolate(before, now, mix, to);
     }
 }
 
@@ -320,14 +320,6 @@ impl Still {
         }
         time - self.since >= REST.1
     }
-}
-
-/// Where the points of the world are drawn `[m]`.
-fn mixed(history: &History, pace: &Pace, mix: f64) -> Vec<f64> {
-    let (from, to) = (pace.previous.view(), history.world().positions());
-    let has_before = from.len() == to.len();
-    let of = |k: usize| if has_before { from.get(k) + mix * (to.get(k) - from.get(k)) } else { to.get(k) };
-    (0..to.len()).map(of).collect()
 }
 
 /// What is asked to stand beside a world.

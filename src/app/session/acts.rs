@@ -1,5 +1,6 @@
 //! What actions do.
 
+use std::path::PathBuf;
 use std::time::Instant;
 
 use winit::window::Fullscreen;
@@ -182,21 +183,7 @@ impl Session {
             Wish::TakeBack => self.player.ask(Order::TakeBack),
             Wish::WriteTable => self.write_table(),
             Wish::WriteFigure => self.write_figure(),
-            Wish::SaveTo(path) => {
-                let kind = self.panels.save_to.kind;
-                if kind != Saved::Clip {
-                    // The sheet stays until it is written.
-                    self.panels.save_to.begin_to_write(&path);
-                }
-                match kind {
-                    Saved::All => self.save_to(path),
-                    Saved::Moment => self.save_moment(path),
-                    Saved::Clip => {
-                        self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
-                        self.save_clip(path);
-                    }
-                }
-            }
+            Wish::SaveTo(path) => self.save_as_asked(path),
             Wish::StopOpening => {
                 self.stop_opening();
             }
@@ -213,6 +200,23 @@ impl Session {
             }
         }
         self.touch();
+    }
+
+    /// Writes what a name was asked for to a file of that name.
+    fn save_as_asked(&mut self, path: PathBuf) {
+        let kind = self.panels.save_to.kind;
+        if kind != Saved::Clip {
+            // The sheet stays until it is written.
+            self.panels.save_to.begin_to_write(&path);
+        }
+        match kind {
+            Saved::All => self.save_to(path),
+            Saved::Moment => self.save_moment(path),
+            Saved::Clip => {
+                self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
+                self.save_clip(path);
+            }
+        }
     }
 
     fn toggle_full_screen(&mut self) {

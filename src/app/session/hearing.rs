@@ -1,5 +1,6 @@
 //! What the stepping thread has to tell: what is new, and what became of orders.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use super::Session;
@@ -96,34 +97,39 @@ impl Session {
                 self.refuse(&why);
             }
             Note::Warned(lines) => lines.into_iter().for_each(|line| self.panels.notes.warn(line)),
-            Note::Written(path) => {
-                self.say(format!("written: {}", path.display()));
-                if self.panels.save_to.is_written(&path) {
-                    self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
-                    if self.panels.save_to.kind == Saved::Moment {
-                        self.player.lie_in(&path);
-                    }
-                }
-                if is_recording(&path) {
-                    self.remember(&path, Used::Saved);
-                    self.have_saved(true);
-                    self.player.call(&path);
-                }
-            }
-            Note::NotWritten(why) => {
-                // Where the name is asked for it can be mended.
-                let is_asked = self.panels.save_to.failed(&why) && self.panels.sheet == Some(Sheet::SaveTo);
-                self.panels.is_fresh |= is_asked;
-                self.have_saved(false);
-                if !is_asked {
-                    self.complain(&why);
-                }
-            }
+            Note::Written(path) => self.have_written(&path),
+            Note::NotWritten(why) => self.have_not_written(&why),
             Note::NotKept(why) => self.panels.notes.tell(format!(
                 "what you do here would be lost if the program were killed, until this can be written again: {why}"
             )),
         }
         self.touch();
+    }
+
+    /// A file was written: a name that was asked for it is asked no longer.
+    fn have_written(&mut self, path: &Path) {
+        self.say(format!("written: {}", path.display()));
+        if self.panels.save_to.is_written(path) {
+            self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
+            if self.panels.save_to.kind == Saved::Moment {
+                self.player.lie_in(path);
+            }
+        }
+        if is_recording(path) {
+            self.remember(path, Used::Saved);
+            self.have_saved(true);
+            self.player.call(path);
+        }
+    }
+
+    /// A file could not be written: where its name is asked for that can be mended.
+    fn have_not_written(&mut self, why: &str) {
+        let is_asked = self.panels.save_to.failed(why) && self.panels.sheet == Some(Sheet::SaveTo);
+        self.panels.is_fresh |= is_asked;
+        self.have_saved(false);
+        if !is_asked {
+            self.complain(why);
+        }
     }
 
     /// The world went to another time.

@@ -6,14 +6,14 @@ use egui::Order;
 use glam::DVec2;
 use winit::event::{ElementState, MouseButton, MouseScrollDelta};
 
-use super::drawing::MOST_MARKED;
+use super::marking::MOST_MARKED;
 use super::{Framing, Session};
 use crate::app::action::Tool;
 use crate::app::player;
 use crate::app::pointer::Pointer;
 use crate::app::resting::{Pointing, Way};
 use crate::app::starting;
-use crate::app::tools::{Hand, Scope};
+use crate::app::tools::{Deed, Hand, Scope};
 use crate::history::Do;
 use crate::render::{Camera, level_floor};
 use crate::scene::Scene;
@@ -89,43 +89,46 @@ impl Session {
         };
         // Also on what it would have led.
         let starts = !is_pressed && self.with_scope(|hand, scope| hand.has_clicked(scope, at));
-        let deed = match is_pressed {
-            true => {
-                self.used();
-                self.hand.stand_still(!self.player.is_playing());
-                let last = self.pressed_at.replace(Instant::now());
-                self.hand.hasten(last.is_some_and(|last| last.elapsed() < DOUBLE));
-                let label = self.label_under(at);
-                let mut deed = self.with_scope(|hand, scope| match label {
-                    Some(number) => hand.press_label(scope, number, at),
-                    None => hand.press(scope, at),
-                });
-                self.resting.press(at.to_array());
-                if self.hand.is_grabbing() {
-                    // What is grabbed follows the cursor, so it is there first.
-                    let to = Some(self.camera_here().cursor(at.to_array()));
-                    self.resting.tell(Some(at.to_array()), Way { to, jumps: true });
-                    deed.commands.insert(0, Do::Cursor { to, by: None });
-                    self.told = to;
-                }
-                if deed.is_empty() && self.hand.is_pushing() {
-                    self.start_at(at);
-                }
-                deed
-            }
-            false => {
-                self.lead(f64::INFINITY);
-                self.probe(at);
-                let deed = self.with_scope(|hand, scope| hand.release(scope, at));
-                self.hand.hold_cut(false);
-                deed
-            }
-        };
+        let deed = if is_pressed { self.press_down(at) } else { self.let_go(at) };
         self.do_deed(deed);
         if starts {
             self.start_at(at);
         }
         self.show_cursor();
+    }
+
+    /// The left button went down at a pixel. Returns what is done there.
+    fn press_down(&mut self, at: DVec2) -> Deed {
+        self.used();
+        self.hand.stand_still(!self.player.is_playing());
+        let last = self.pressed_at.replace(Instant::now());
+        self.hand.hasten(last.is_some_and(|last| last.elapsed() < DOUBLE));
+        let label = self.label_under(at);
+        let mut deed = self.with_scope(|hand, scope| match label {
+            Some(number) => hand.press_label(scope, number, at),
+            None => hand.press(scope, at),
+        });
+        self.resting.press(at.to_array());
+        if self.hand.is_grabbing() {
+            // What is grabbed follows the cursor, so it is there first.
+            let to = Some(self.camera_here().cursor(at.to_array()));
+            self.resting.tell(Some(at.to_array()), Way { to, jumps: true });
+            deed.commands.insert(0, Do::Cursor { to, by: None });
+            self.told = to;
+        }
+        if deed.is_empty() && self.hand.is_pushing() {
+            self.start_at(at);
+        }
+        deed
+    }
+
+    /// The button that was held was let go at a pixel. Returns what is done there.
+    fn let_go(&mut self, at: DVec2) -> Deed {
+        self.lead(f64::INFINITY);
+        self.probe(at);
+        let deed = self.with_scope(|hand, scope| hand.release(scope, at));
+        self.hand.hold_cut(false);
+        deed
     }
 
     /// Whether the right button cuts, as it goes down or up: in cloths of the plane, where it goes down while the hand has nothing else to do.

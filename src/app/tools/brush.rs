@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use glam::{DVec2, DVec3};
 
 use super::marks::{Mark, Role};
-use super::pick::{Scope, distance_to_segment};
+use super::pick::Scope;
+use super::segments::distance_to_segment;
 use crate::app::matter::{Among, MatterChange, NEVER, Painted, Preset, Switched};
 use crate::picture::Tint;
 use crate::sim::{BondKind, PointId};

@@ -4,7 +4,8 @@ use glam::{DVec2, DVec3};
 
 use super::Deed;
 use super::marks::{self, Mark, Role};
-use super::pick::{self, Scope};
+use super::pick::Scope;
+use super::segments;
 use crate::history::{DeleteKeys, Do};
 use crate::picture::Tint;
 use crate::render::Pose;
@@ -196,7 +197,7 @@ fn solids(scope: Scope<'_>) -> impl Iterator<Item = (u32, Vec<DVec2>)> {
     let scenery = &scope.shown.scenery;
     let pixel = move |x: DVec3| scope.camera.screen_from_world(x).map(DVec2::from);
     let of_polygons = scenery.polygons.iter().map(move |polygon| {
-        let places = pick::sides(&polygon.loops).flat_map(|[from, to]| [from, 0.5 * (from + to)]);
+        let places = segments::sides(&polygon.loops).flat_map(|[from, to]| [from, 0.5 * (from + to)]);
         places.filter_map(|place| pixel(place.extend(0.0))).collect()
     });
     let of_convex = scenery

@@ -4,7 +4,8 @@ use glam::DVec2;
 
 use super::Deed;
 use super::marks::{Mark, Role};
-use super::pick::{self, Scope, distance_to_segment};
+use super::pick::Scope;
+use super::segments::{self, distance_to_segment};
 use crate::history::Do;
 use crate::sim::PointId;
 
@@ -45,7 +46,7 @@ impl Slash {
     fn crossed<'a>(scope: Scope<'a>, corners: &'a [DVec2]) -> impl Iterator<Item = [DVec2; 2]> + 'a {
         let ends = scope.shown.scenery.bonds.ends().iter();
         let seen = ends.filter_map(move |&[a, b]: &[PointId; 2]| Some([scope.pixel(a)?, scope.pixel(b)?]));
-        seen.filter(move |&bond| corners.windows(2).any(|side| pick::cross([side[0], side[1]], bond)))
+        seen.filter(move |&bond| corners.windows(2).any(|side| segments::cross([side[0], side[1]], bond)))
     }
 
     /// The bonds that it crosses go: in space all that are seen under it, also behind each other.

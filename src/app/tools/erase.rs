@@ -6,7 +6,8 @@ use glam::DVec2;
 
 use super::Deed;
 use super::marks::{self, Mark, Role};
-use super::pick::{Scope, cross, distance_to_segment};
+use super::pick::Scope;
+use super::segments::{cross, distance_to_segment};
 use super::selecting::is_drag;
 use crate::app::count::counted;
 use crate::history::{DeleteKeys, Do};

@@ -4,7 +4,8 @@ use glam::{DVec2, DVec3};
 
 use super::chosen::Chosen;
 use super::hub::Hubs;
-use super::pick::{Scope, distance_to_sides, is_inside};
+use super::pick::Scope;
+use super::segments::{distance_to_sides, is_inside};
 use crate::sim::PointId;
 
 /// A pin this near to the side of an obstacle hangs on it `[logical px]`.

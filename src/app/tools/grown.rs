@@ -30,7 +30,7 @@ struct Body {
 }
 
 /// What a point is part of.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 enum Fills {
     /// A point without a size.
     Nothing,
@@ -42,15 +42,22 @@ enum Fills {
     Volume,
 }
 
-impl Growth {
-    /// Of what is selected, scaled by factors along x, y and z. Parts of bodies keep their mass, and so does what is no body.
-    ///
-    /// Model: mass by length, area or volume stays: m' = m s, with s the mean factor along the bonds of what is a line, the product of two factors
-    /// where triangles or a net are filled, of three where bonds fill space. Stiffness and damping of a spring go with the geometric mean of
-    /// the factors of its ends, so frequencies stay.
-    pub(super) fn of(scope: Scope<'_>, chosen: &Chosen, factors: DVec3) -> Self {
-        // What is mirrored is as large as before.
-        let factors = factors.abs();
+/// What each point of a world is part of, beside what is selected and scaled.
+struct Parts {
+    dimensions: usize,
+    factors: DVec3,
+    /// Which body each point is of.
+    of: Vec<u32>,
+    bodies: Vec<Body>,
+    /// Triangles meet there.
+    is_corner: Vec<bool>,
+    /// How long the bonds of each point are together, now and then `[m]`.
+    lengths: Vec<[f64; 2]>,
+}
+
+impl Parts {
+    /// `factors` along x, y and z, above 0.
+    fn of(scope: Scope<'_>, chosen: &Chosen, factors: DVec3) -> Self {
         let scenery = &scope.shown.scenery;
         let count = scope.shown.point_count().min(scenery.masses.len());
         let is_inside = |ends: &[PointId; 2]| ends.iter().all(|end| end.index() < count);
@@ -66,52 +73,64 @@ impl Growth {
             body.chosen += usize::from(chosen.points.binary_search(&point).is_ok());
             body.covers |= is_corner[point.index()];
         }
-        ends().for_each(|[a, _]| bodies[of[a.index()] as usize].bonds += 1);
-        let fills = |point: PointId| {
-            let body = bodies[of[point.index()] as usize];
-            match body.bonds {
-                0 => Fills::Nothing,
-                _ if is_corner[point.index()] => Fills::Area,
-                bonds if body.covers || bonds <= body.points => Fills::Length,
-                _ if scope.shown.dimensions == 2 => Fills::Area,
-                _ => Fills::Volume,
-            }
-        };
-        // How long the bonds of each point are, then and now.
         let mut lengths = vec![[0.0; 2]; count];
         for [a, b] in ends() {
+            bodies[of[a.index()] as usize].bonds += 1;
             let [from, to] = [a, b].map(|end| DVec3::from(scope.shown.place(end.index())));
             for (sum, along) in [to - from, factors * (to - from)].into_iter().map(DVec3::length).enumerate() {
                 lengths[a.index()][sum] += along;
                 lengths[b.index()][sum] += along;
             }
         }
-        let factor = |point: PointId| {
-            let Body { points, chosen, .. } = *bodies.get(*of.get(point.index())? as usize)?;
-            let [now, then] = lengths[point.index()];
-            let area = if scope.shown.dimensions == 2 { factors.x * factors.y } else { factors.x.powi(2) };
-            Some(match fills(point) {
-                _ if chosen < points => return None,
-                Fills::Nothing => return None,
-                Fills::Length => {
-                    if now > 0.0 {
-                        then / now
-                    } else {
-                        factors.x
-                    }
-                }
-                Fills::Area => area,
-                Fills::Volume => factors.element_product(),
-            })
-        };
+        Parts { dimensions: scope.shown.dimensions, factors, of, bodies, is_corner, lengths }
+    }
+
+    /// What a point of a body fills.
+    fn fills(&self, point: PointId, body: &Body) -> Fills {
+        match body.bonds {
+            0 => Fills::Nothing,
+            _ if self.is_corner[point.index()] => Fills::Area,
+            bonds if body.covers || bonds <= body.points => Fills::Length,
+            _ if self.dimensions == 2 => Fills::Area,
+            _ => Fills::Volume,
+        }
+    }
+
+    /// By how much a point weighs more `[1]`; `None` of one that has no size, or is of a body that is not scaled as a whole.
+    fn factor(&self, point: PointId) -> Option<f64> {
+        let body = self.bodies.get(*self.of.get(point.index())? as usize)?;
+        if body.chosen < body.points {
+            return None;
+        }
+        let [now, then] = self.lengths[point.index()];
+        match self.fills(point, body) {
+            Fills::Nothing => None,
+            Fills::Length => Some(if now > 0.0 { then / now } else { self.factors.x }),
+            Fills::Area if self.dimensions == 2 => Some(self.factors.x * self.factors.y),
+            Fills::Area => Some(self.factors.x.powi(2)),
+            Fills::Volume => Some(self.factors.element_product()),
+        }
+    }
+}
+
+impl Growth {
+    /// Of what is selected, scaled by factors along x, y and z. Parts of bodies keep their mass, and so does what is no body.
+    ///
+    /// Model: mass by length, area or volume stays: m' = m s, with s the mean factor along the bonds of what is a line, the product of two factors
+    /// where triangles or a net are filled, of three where bonds fill space. Stiffness and damping of a spring go with the geometric mean of
+    /// the factors of its ends, so frequencies stay.
+    pub(super) fn of(scope: Scope<'_>, chosen: &Chosen, factors: DVec3) -> Self {
+        // What is mirrored is as large as before.
+        let parts = Parts::of(scope, chosen, factors.abs());
+        let scenery = &scope.shown.scenery;
         let masses = chosen.points.iter().filter_map(|&point| {
             let own = scenery.masses.get(point.index())?;
-            let then = own * factor(point)?;
+            let then = own * parts.factor(point)?;
             (then != *own).then_some((point, [*own, then]))
         });
         let springs = scenery.bonds.iter().enumerate().filter_map(|(place, bond)| {
             let BondKind::Spring { stiffness, damping } = bond.kind else { return None };
-            let more = (factor(bond.a)? * factor(bond.b)?).sqrt();
+            let more = (parts.factor(bond.a)? * parts.factor(bond.b)?).sqrt();
             (more != 1.0).then_some((scenery.bond_number(place), [more * stiffness, more * damping]))
         });
         Growth { masses: masses.collect(), springs: springs.collect() }

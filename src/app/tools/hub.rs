@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::pick::Scope;
-use crate::app::matter::{LEAST_BONDS, MOST_LOOSE, sides};
+use crate::app::matter::{Adjacency, is_broad};
 use crate::sim::{Angle, AngleDrive, PointId};
 
 /// A hinge that is there.
@@ -47,48 +47,36 @@ pub(super) fn is_hinged(scope: Scope<'_>, point: PointId) -> bool {
     hubs.all.iter().any(is_of)
 }
 
-/// The hubs of the body that a point belongs to, and which points are bonded to which.
+/// The hubs of the body that a point belongs to.
 pub(super) struct Hubs<'a> {
     scope: Scope<'a>,
-    /// The points that each is bonded to.
-    beside: Vec<Vec<PointId>>,
-    is_covered: Vec<bool>,
+    adjacency: Adjacency,
     pub(super) body: Vec<PointId>,
     pub(super) all: Vec<Hub>,
 }
 
 impl<'a> Hubs<'a> {
     pub(super) fn of(scope: Scope<'a>, point: PointId) -> Self {
-        let count = scope.shown.point_count();
-        let (mut beside, mut is_covered) = (vec![Vec::new(); count], vec![false; count]);
-        for &[a, b] in scope.shown.scenery.bonds.ends() {
-            if a.index().max(b.index()) < count {
-                beside[a.index()].push(b);
-                beside[b.index()].push(a);
-            }
-        }
-        for corner in scope.shown.scenery.triangles.iter().flatten().filter(|corner| corner.index() < count) {
-            is_covered[corner.index()] = true;
-        }
-        let mut hubs = Hubs { scope, beside, is_covered, body: scope.body(point), all: Vec::new() };
-        let is_loose = |point: &&PointId| !hubs.is_covered[point.index()] && hubs.beside[point.index()].len() > 1;
-        let loose: Vec<PointId> = hubs.body.iter().filter(is_loose).copied().take(MOST_LOOSE + 1).collect();
-        if loose.len() <= MOST_LOOSE {
-            hubs.all = loose.into_iter().filter_map(|point| hubs.hub(point)).collect();
-        }
+        let scenery = &scope.shown.scenery;
+        let bonds = scenery.bonds.ends().iter().copied();
+        let adjacency = Adjacency::of(scope.shown.point_count(), bonds, &scenery.triangles);
+        let mut hubs = Hubs { scope, adjacency, body: scope.body(point), all: Vec::new() };
+        // A pin may hold what hangs on it by two bonds.
+        let loose = hubs.adjacency.loose(hubs.body.iter().copied(), 2);
+        hubs.all = loose.into_iter().filter_map(|point| hubs.hub(point)).collect();
         hubs
     }
 
     /// What a point is the hub of: pieces that no short way joins but through it, or what a pin beside a body holds.
     fn hub(&self, point: PointId) -> Option<Hub> {
-        let mut sides = sides(&self.beside, point);
+        let mut sides = self.adjacency.sides(point);
         sides.sort_by_key(|side| std::cmp::Reverse(side.len()));
         let is_motor =
             |angle: &&Angle| angle.points[1] == point && matches!(angle.drive, Some(AngleDrive::Motor { .. }));
         let motors: Vec<Angle> = self.scope.shown.scenery.angles.iter().filter(is_motor).copied().collect();
         let is_pinned = self.scope.is_pinned(point);
-        let is_beside_a_body = self.beside[point.index()].iter().all(|end| self.is_covered[end.index()]);
-        let broad = sides.iter().filter(|side| side.len() >= LEAST_BONDS).count();
+        let is_beside_a_body = self.adjacency.neighbours(point).iter().all(|end| self.adjacency.is_covered(*end));
+        let broad = sides.iter().filter(|side| is_broad(side)).count();
         let is_hub = broad > 1 || !motors.is_empty() || (is_pinned && broad > 0 && is_beside_a_body);
         is_hub.then_some(Hub { point, sides, is_pinned, motors })
     }
@@ -108,21 +96,21 @@ impl<'a> Hubs<'a> {
     /// The hub about which two pieces turn already, each ascending.
     pub(super) fn between(&self, one: &[PointId], other: &[PointId]) -> Option<&Hub> {
         let holds = |hub: &&Hub, piece: &[PointId]| {
-            hub.sides.iter().any(|side| side.len() >= LEAST_BONDS && piece.binary_search(&side[0]).is_ok())
+            hub.sides.iter().any(|side| is_broad(side) && piece.binary_search(&side[0]).is_ok())
         };
         self.all.iter().find(|hub| holds(hub, one) && holds(hub, other))
     }
 
     /// The points that hang together with one without going through hubs, ascending: what turns as a whole.
     pub(super) fn piece(&self, point: PointId) -> Vec<PointId> {
-        let mut is_seen = vec![false; self.beside.len()];
+        let mut is_seen = vec![false; self.scope.shown.point_count()];
         let mut piece = vec![point];
         is_seen[point.index()] = true;
         self.all.iter().for_each(|hub| is_seen[hub.point.index()] = true);
         let mut next = 0;
         while let Some(from) = piece.get(next).copied() {
             next += 1;
-            for &to in &self.beside[from.index()] {
+            for &to in self.adjacency.neighbours(from) {
                 if !std::mem::replace(&mut is_seen[to.index()], true) {
                     piece.push(to);
                 }

@@ -6,8 +6,9 @@ use glam::DVec2;
 use super::Deed;
 use super::areas::is_in;
 use super::marks::{Mark, Role};
-use super::pick::{Scope, distance_to_segment};
+use super::pick::Scope;
 use super::room::here;
+use super::segments::distance_to_segment;
 use super::skin;
 use crate::history::{DeleteKeys, Do};
 use crate::scene::{AddKeys, BondKeys, KindName, LimitName, Shape};
@@ -104,51 +105,60 @@ pub(super) fn loose_ropes(scope: Scope<'_>) -> Vec<Vec<DVec2>> {
     ends.loose(scope).into_iter().map(rope).collect()
 }
 
-/// The ropes whose loose ends lie in what keys bring, once that is put `way` `[m]` out of obstacles. Of what is drawn as a whole those at its outline
-/// too, and the points that it is drawn from and to, `held`, that a corner of it is near to; `None`: it is drawn click by click, from points that
-/// are there.
-pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, (way, held): (DVec2, Option<&[PointId]>)) -> Vec<Knot> {
-    let first = scope.shown.point_count() as u32;
-    let Some(Shape { places, triangles, .. }) = keys.shape(first) else { return Vec::new() };
-    if triangles.is_empty() {
-        return Vec::new();
+/// A body that comes, as it takes hold of what it is drawn over.
+struct Coming {
+    /// Where its points will be `[m]`.
+    places: Vec<DVec2>,
+    triangles: Vec<[u32; 3]>,
+    sides: Vec<[u32; 2]>,
+    /// The points at its outline, ascending.
+    rim: Vec<u32>,
+}
+
+impl Coming {
+    /// What keys bring, once that is put `way` `[m]` out of obstacles; `None` of what covers nothing.
+    fn of(scope: Scope<'_>, keys: &AddKeys, way: DVec2) -> Option<Self> {
+        let Shape { places, triangles, .. } = keys.shape(scope.shown.point_count() as u32)?;
+        if triangles.is_empty() {
+            return None;
+        }
+        let places = places.into_iter().map(|at| DVec2::from(at) + way).collect();
+        let sides: Vec<[u32; 2]> = outer_sides(triangles.iter().copied()).into_iter().map(|side| side.ends).collect();
+        let mut rim: Vec<u32> = sides.iter().flatten().copied().collect();
+        rim.sort_unstable();
+        rim.dedup();
+        Some(Coming { places, triangles, sides, rim })
     }
-    let places: Vec<DVec2> = places.into_iter().map(|at| DVec2::from(at) + way).collect();
-    let at = |point: u32| places.get(point as usize).copied().unwrap_or(DVec2::NAN);
-    let covers = |place: DVec2| triangles.iter().any(|corners| is_in(corners.map(at), place));
-    let sides = outer_sides(triangles.iter().copied()).into_iter();
-    let sides: Vec<[u32; 2]> = sides.map(|side| side.ends).collect();
-    let mut rim: Vec<u32> = sides.iter().flatten().copied().collect();
-    rim.sort_unstable();
-    rim.dedup();
-    let near = NEAR * scope.scale / scope.camera.pixels_per_metre();
-    let is_at = |place: DVec2| {
-        let far = |side: &[u32; 2]| distance_to_segment(place, at(side[0]), at(side[1]));
-        covers(place) || held.is_some() && sides.iter().any(|side| far(side) <= near)
-    };
-    let ends = Ends::of(scope);
-    let loose: Vec<PointId> = ends.loose(scope).into_iter().filter(|&end| is_at(here(scope, end))).collect();
-    let held = held.unwrap_or_default().iter().filter(|point| !loose.contains(point));
-    let mut held: Vec<PointId> = held.copied().collect();
-    held.dedup();
-    let stays = held.into_iter().filter_map(|point| {
+
+    fn at(&self, point: u32) -> DVec2 {
+        self.places.get(point as usize).copied().unwrap_or(DVec2::NAN)
+    }
+
+    fn covers(&self, place: DVec2) -> bool {
+        self.triangles.iter().any(|corners| is_in(corners.map(|corner| self.at(corner)), place))
+    }
+
+    /// Whether its outline is so near to a place `[m]`.
+    fn is_beside(&self, place: DVec2, near: f64) -> bool {
+        self.sides.iter().any(|&[a, b]| distance_to_segment(place, self.at(a), self.at(b)) <= near)
+    }
+
+    /// A point that stays where it is, tied to the corner that is nearest to it, if one is so near `[m]`.
+    fn held(&self, scope: Scope<'_>, point: PointId, near: f64) -> Option<Knot> {
         let place = here(scope, point);
-        let far = |corner: u32| at(corner).distance(place);
-        let to = rim.iter().copied().min_by(|&a, &b| far(a).total_cmp(&far(b))).filter(|&to| far(to) <= near)?;
+        let far = |corner: u32| self.at(corner).distance(place);
+        let to = self.rim.iter().copied().min_by(|&a, &b| far(a).total_cmp(&far(b))).filter(|&to| far(to) <= near)?;
         let bond = Bond { kind: BondKind::Rigid, ..Bond::new(point, point, far(to)) };
-        Some(Knot { gone: Vec::new(), from: point, bond, to: (to, at(to)) })
-    });
-    let mut stays: Vec<Knot> = stays.collect();
-    if loose.is_empty() {
-        return stays;
+        Some(Knot { gone: Vec::new(), from: point, bond, to: (to, self.at(to)) })
     }
-    let bonds: Vec<Bond> = scope.shown.scenery.bonds.iter().collect();
-    let knot = |end: PointId| {
+
+    /// The rope of a loose end, tied to the skin where it comes out; `None` where it branches, is held or ends within the body.
+    fn tied(&self, scope: Scope<'_>, (ends, bonds): (&Ends, &[Bond]), end: PointId) -> Option<Knot> {
         let mut gone = Vec::new();
         let mut point = end;
         loop {
             // The end itself goes where it is at the outline only, too.
-            if point != end && !covers(here(scope, point)) {
+            if point != end && !self.covers(here(scope, point)) {
                 break;
             }
             // What branches, or is held, within the body is no end of a rope.
@@ -168,14 +178,33 @@ pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, (way, held): (DVec2, Optio
         let bond = *bonds.iter().find(is_it)?;
         // Where the rope meets the skin.
         let (from, into) = (here(scope, point), here(scope, last));
-        let far = |corner: u32| distance_to_segment(at(corner), from, into);
+        let far = |corner: u32| distance_to_segment(self.at(corner), from, into);
         // A bond has a length.
-        let to = rim.iter().copied().filter(|&corner| at(corner).distance(from) > 1e-9);
+        let to = self.rim.iter().copied().filter(|&corner| self.at(corner).distance(from) > 1e-9);
         let to = to.min_by(|&a, &b| far(a).total_cmp(&far(b)))?;
-        Some(Knot { gone, from: point, bond, to: (to, at(to)) })
-    };
-    stays.extend(loose.into_iter().filter_map(knot));
-    stays
+        Some(Knot { gone, from: point, bond, to: (to, self.at(to)) })
+    }
+}
+
+/// The ropes whose loose ends lie in what keys bring, once that is put `way` `[m]` out of obstacles. Of what is drawn as a whole those at its outline
+/// too, and the points that it is drawn from and to, `held`, that a corner of it is near to; `None`: it is drawn click by click, from points that
+/// are there.
+pub(super) fn knots(scope: Scope<'_>, keys: &AddKeys, (way, held): (DVec2, Option<&[PointId]>)) -> Vec<Knot> {
+    let Some(body) = Coming::of(scope, keys, way) else { return Vec::new() };
+    let near = NEAR * scope.scale / scope.camera.pixels_per_metre();
+    let is_at = |place: DVec2| body.covers(place) || held.is_some() && body.is_beside(place, near);
+    let ends = Ends::of(scope);
+    let loose: Vec<PointId> = ends.loose(scope).into_iter().filter(|&end| is_at(here(scope, end))).collect();
+    let held = held.unwrap_or_default().iter().filter(|point| !loose.contains(point));
+    let mut held: Vec<PointId> = held.copied().collect();
+    held.dedup();
+    let mut knots: Vec<Knot> = held.into_iter().filter_map(|point| body.held(scope, point, near)).collect();
+    if loose.is_empty() {
+        return knots;
+    }
+    let bonds: Vec<Bond> = scope.shown.scenery.bonds.iter().collect();
+    knots.extend(loose.into_iter().filter_map(|end| body.tied(scope, (&ends, &bonds), end)));
+    knots
 }
 
 /// A bond as another one is, as long as it is when it comes.

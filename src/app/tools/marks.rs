@@ -4,7 +4,8 @@ use glam::{DVec2, DVec3};
 
 use super::build::Maker;
 use super::chosen::Chosen;
-use super::pick::{self, Scope};
+use super::pick::Scope;
+use super::segments;
 use super::selecting::{dragged, pins};
 use super::{Doing, boxes, erase, hub, knot, skin};
 use crate::app::action::Tool;
@@ -323,5 +324,5 @@ pub(super) fn obstacle(role: Role, scope: Scope<'_>, number: u32) -> Vec<Mark> {
     let side = |[from, to]: [DVec2; 2]| {
         Some(Mark::Line(role, scope.on_screen(from)?, scope.on_screen(to)?, 2.0 * scope.scale))
     };
-    pick::sides(&polygon.loops).filter_map(side).take(MOST).collect()
+    segments::sides(&polygon.loops).filter_map(side).take(MOST).collect()
 }

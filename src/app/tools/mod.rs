@@ -10,6 +10,8 @@ mod brush_tests;
 mod build;
 mod choices;
 mod chosen;
+#[cfg(test)]
+mod copy_tests;
 mod cutting;
 mod deed;
 mod drawing;
@@ -29,6 +31,8 @@ mod grab_tests;
 mod ground;
 mod grown;
 mod handles;
+#[cfg(test)]
+mod handles_tests;
 mod haul;
 #[cfg(test)]
 mod haul_tests;
@@ -64,8 +68,11 @@ mod push;
 mod push_tests;
 mod region;
 mod release;
+#[cfg(test)]
+mod ring_tests;
 mod rings;
 mod room;
+mod segments;
 #[cfg(test)]
 mod select_tests;
 mod selecting;
@@ -126,6 +133,7 @@ use region::Region;
 pub(super) use rings::Ring;
 use rings::RingGrip;
 pub(super) use room::{Walls, over};
+pub(super) use segments::distance_to_segment;
 use selection::Selection;
 pub(super) use stall::Stalls;
 pub(super) use standing::Kept;

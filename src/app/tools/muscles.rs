@@ -10,7 +10,8 @@ use super::Deed;
 use super::build::short;
 use super::drives::beside;
 use super::marks::{Mark, Role};
-use super::pick::{self, Scope, distance_to_segment};
+use super::pick::Scope;
+use super::segments::{self, distance_to_segment};
 use super::selecting::is_drag;
 use crate::app::count::counted;
 use crate::history::{Do, DriveOrNone, OneOrEach, SetKeys};
@@ -133,7 +134,7 @@ fn met(scope: Scope<'_>, [from, to]: [DVec2; 2]) -> impl Iterator<Item = (u32, f
             return false;
         }
         let lies = || [from, to].into_iter().all(|at| distance_to_segment(at, a, b) <= reach);
-        pick::cross([from, to], [a, b]) || (way.dot((b - a).normalize_or_zero()).abs() >= PARALLEL && lies())
+        segments::cross([from, to], [a, b]) || (way.dot((b - a).normalize_or_zero()).abs() >= PARALLEL && lies())
     };
     let bonds = scenery.bonds.ends().iter().enumerate();
     let along = move |[a, b]: [PointId; 2]| {

@@ -7,7 +7,8 @@ use std::sync::OnceLock;
 use glam::{DVec2, DVec3};
 
 use super::areas::{self, touch};
-use super::pick::{self, Scope, distance_to_sides};
+use super::pick::Scope;
+use super::segments::{distance_to_sides, is_inside};
 use super::skin;
 use crate::picture::Tint;
 use crate::sim::triangles::outer_sides;
@@ -109,7 +110,7 @@ impl Others {
         }
         let covered = self.own.outline(scope);
         let is_deep = |loops: &[Vec<[f64; 2]>], place: [f64; 2]| {
-            pick::is_inside(loops, place) && distance_to_sides(place.into(), loops) > deep
+            is_inside(loops, place) && distance_to_sides(place.into(), loops) > deep
         };
         self.bodies.retain(|body| {
             if !touch(body.around, own) {
@@ -154,7 +155,7 @@ impl Others {
             *corner = place(DVec2::from(*corner).extend(0.0)).truncate().to_array();
         }
         let first = |body: &Body| at(scope, body.patch.triangles[0][0]).to_array();
-        self.bodies.iter().filter(|body| body.is_met).any(|body| pick::is_inside(&covered, first(body)))
+        self.bodies.iter().filter(|body| body.is_met).any(|body| is_inside(&covered, first(body)))
     }
 
     /// The outlines of all that something is near to, obstacles first.

@@ -3,10 +3,11 @@
 use glam::{DVec2, DVec3};
 
 use super::areas::is_in;
+use super::segments::{distance_to_segment, is_inside};
 use crate::app::player::Shown;
 use crate::picture::Tint;
 use crate::render::{Camera, Pose};
-use crate::sim::{Angle, AngleDrive, PointId, RigidPieces, segments_meet};
+use crate::sim::{Angle, AngleDrive, PointId, RigidPieces};
 
 /// What is taken by a press: how near its points are to the pixel at least `[logical px]`.
 const GRIP: f64 = 14.0;
@@ -351,42 +352,4 @@ impl Scope<'_> {
     pub(in crate::app) fn is_pinned(&self, point: PointId) -> bool {
         self.shown.scenery.pinned.binary_search(&point).is_ok()
     }
-}
-
-/// How far a pixel is from a stretch `[px]`.
-pub(super) fn distance_to_segment(at: DVec2, from: DVec2, to: DVec2) -> f64 {
-    let along = to - from;
-    let share = ((at - from).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
-    at.distance(from + share * along)
-}
-
-/// Whether two stretches cross, or touch: as the cut sees it.
-pub(super) fn cross(first: [DVec2; 2], second: [DVec2; 2]) -> bool {
-    segments_meet(first.map(|end| end.to_array()), second.map(|end| end.to_array()))
-}
-
-/// The sides of loops, from end to end `[m]`.
-pub(super) fn sides(loops: &[Vec<[f64; 2]>]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
-    loops.iter().flat_map(|corners| {
-        (0..corners.len()).map(move |k| [corners[k], corners[(k + 1) % corners.len()]].map(DVec2::from))
-    })
-}
-
-/// How far a place is from the nearest of such sides `[m]`; infinite of none.
-pub(super) fn distance_to_sides(at: DVec2, loops: &[Vec<[f64; 2]>]) -> f64 {
-    sides(loops).map(|[from, to]| distance_to_segment(at, from, to)).fold(f64::INFINITY, f64::min)
-}
-
-/// Whether a place lies within loops by the even-odd rule.
-pub(super) fn is_inside(loops: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> bool {
-    let mut inside = false;
-    for corners in loops {
-        for (k, &[x1, y1]) in corners.iter().enumerate() {
-            let [x0, y0] = corners[(k + corners.len() - 1) % corners.len()];
-            if (y0 > y) != (y1 > y) && x < x0 + (y - y0) / (y1 - y0) * (x1 - x0) {
-                inside = !inside;
-            }
-        }
-    }
-    inside
 }

@@ -3,7 +3,8 @@
 use glam::DVec2;
 
 use super::marks::{Mark, Role};
-use super::pick::{Scope, is_inside};
+use super::pick::Scope;
+use super::segments::is_inside;
 
 /// A stroke gets a corner so far from its last one `[logical px]`.
 const STEP: f64 = 3.0;

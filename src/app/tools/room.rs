@@ -5,7 +5,8 @@ use glam::{DVec2, DVec3};
 
 use super::enclosed::Cover;
 use super::marks::{self, Mark, Role};
-use super::pick::{Scope, is_inside};
+use super::pick::Scope;
+use super::segments::is_inside;
 use crate::app::player::Shown;
 use crate::scene::{AddKeys, Vector};
 use crate::sim::contact::obstacles::Obstacles;

@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec2;
 
 use super::marks::{Mark, Role};
-use super::pick::{Scope, distance_to_segment};
+use super::pick::Scope;
+use super::segments::distance_to_segment;
 use super::selecting::is_drag;
 use super::stops::{ACROSS, Dial, MOST, all, joints, within};
 use super::{Deed, Doing, Hand};

@@ -3,7 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::hinge::place;
-use super::pick::{Scope, distance_to_sides};
+use super::pick::Scope;
+use super::segments::distance_to_sides;
 use crate::app::player::Scenery;
 use crate::sim::PointId;
 

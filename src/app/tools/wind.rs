@@ -4,8 +4,9 @@ use glam::{DVec2, DVec3};
 
 use super::Deed;
 use super::marks::{Mark, Role};
-use super::pick::{Scope, distance_to_segment};
+use super::pick::Scope;
 use super::push::head;
+use super::segments::distance_to_segment;
 use super::selecting::is_drag;
 use crate::history::{Do, SetKeys, Weather};
 use crate::scene::{Vector, WindKeys};

@@ -10,6 +10,7 @@
 use super::areas;
 use super::bonds;
 use super::cluster::{Cluster, Common};
+use super::contact::{pressed, rubbed};
 use super::pair::{Beside, Pair, left};
 use super::props::{Met, Props};
 use super::rigid::{Change, Frame};
@@ -96,7 +97,7 @@ impl<S: Real> Cluster<S> {
 
 /// What presses each other, and how it lies.
 fn met<S: Real>(state: &Cluster<S>) -> Vec<Met<S>> {
-    let pressed = state.active.iter().filter(|&&number| state.pairs[number as usize].pressed > S::ZERO);
+    let pressed = state.active.iter().filter(|&&number| state.pairs[number as usize].contact.pressed > S::ZERO);
     pressed.filter_map(|&pair| Some(Met { pair, found: state.pairs[pair as usize].found(state)? })).collect()
 }
 
@@ -161,17 +162,18 @@ impl<S: Real> Touch<S> {
         let pair = &pairs[self.pair as usize];
         let [p, a, b] = pair.places();
         let Some(Beside { at, normal, gap }) = pair.found(state) else { return };
-        let lacking = pair.distance - pair.old - gap;
+        let lacking = pair.distance - pair.contact.old - gap;
         let of_edge = add(scale(state.way[a], S::ONE - at), scale(state.way[b], at));
         let own = if self.is_of_point { state.way[p] } else { scale(of_edge, -S::ONE) };
         let comes = (-dot(own, normal)).max(S::ZERO);
         let was = *pushed;
-        pushed[0] = (was[0] + lacking.min(comes) / self.weight(state, pair, (at, normal))).max(S::ZERO);
+        pushed[0] = pressed(was[0], lacking.min(comes), self.weight(state, pair, (at, normal)));
         let along = left(normal);
         // What rubs it already counts; no more than holds the light one.
-        let most = (pair.friction.min(grip) * (pair.pressed + pushed[0]) - pair.rubbed.abs()).max(S::ZERO);
+        let most =
+            (pair.friction.min(grip) * (pair.contact.pressed + pushed[0]) - pair.contact.rubbed.abs()).max(S::ZERO);
         let slides = dot(sub(state.way[p], of_edge), along);
-        pushed[1] = (was[1] - slides / self.weight(state, pair, (at, along))).max(-most).min(most);
+        pushed[1] = rubbed(was[1], slides, (self.weight(state, pair, (at, along)), most));
         self.push(state, (pair, at), [scale(normal, pushed[0] - was[0]), scale(along, pushed[1] - was[1])]);
     }
 }

@@ -214,16 +214,16 @@ pub(super) fn press_again<S: Real>(
     }
     let mut near: Vec<usize> = active.iter().map(|&number| number as usize).collect();
     near.retain(|&number| pairs[number].is_round);
-    if near.iter().all(|&number| pairs[number].pressed == S::ZERO) {
+    if near.iter().all(|&number| pairs[number].contact.pressed == S::ZERO) {
         return;
     }
-    let pressed = |pairs: &[Pair<S>]| near.iter().fold(S::ZERO, |sum, &number| sum + pairs[number].pressed);
+    let pressed = |pairs: &[Pair<S>]| near.iter().fold(S::ZERO, |sum, &number| sum + pairs[number].contact.pressed);
     for _ in 0..SWEEPS {
         let mut changed = S::ZERO;
         for &number in &near {
-            let before = pairs[number].pressed;
+            let before = pairs[number].contact.pressed;
             pairs[number].press(state, S::ZERO);
-            changed += (pairs[number].pressed - before).abs();
+            changed += (pairs[number].contact.pressed - before).abs();
         }
         for on in on_planes.iter_mut().filter(|on| common.circle_of(on).is_some()) {
             on.press(state, common);

@@ -262,16 +262,16 @@ impl<S: Real> Cluster<S> {
     /// Whether something presses in this substep.
     pub(super) fn is_pressed(&self) -> bool {
         let mut pairs = self.active.iter().map(|&number| &self.pairs[number as usize]);
-        pairs.any(|pair| pair.pressed > S::ZERO)
-            || self.on_planes.iter().any(|on| on.pressed > S::ZERO)
+        pairs.any(|pair| pair.contact.pressed > S::ZERO)
+            || self.on_planes.iter().any(|on| on.contact.pressed > S::ZERO)
             || self.touches.press()
     }
 
     /// Whether obstacles press it in this substep.
     pub(super) fn leans(&self) -> bool {
         let is_obstacle = |pair: &Pair<S>| pair.p.max(pair.a) as usize >= self.own();
-        self.on_planes.iter().any(|on| on.pressed > S::ZERO)
-            || self.pairs.iter().any(|pair| pair.pressed > S::ZERO && is_obstacle(pair))
+        self.on_planes.iter().any(|on| on.contact.pressed > S::ZERO)
+            || self.pairs.iter().any(|pair| pair.contact.pressed > S::ZERO && is_obstacle(pair))
     }
 
     /// Whether its points are among the finite numbers, their squares included.

@@ -7,6 +7,7 @@ use super::build::Bodies;
 use super::cells::grid;
 use super::circle;
 use super::cluster::{Cluster, Common, OBSTACLE, Side};
+use super::contact::Contact;
 use super::cross;
 use super::pair::{OnPlane, Pair, Sides, wedge};
 use super::part;
@@ -331,13 +332,7 @@ pub(super) fn pair<S: Real>(
         room: S::ZERO,
         friction,
         restitution,
-        pressed: S::ZERO,
-        rubbed: S::ZERO,
-        old: S::ZERO,
-        approach: S::ZERO,
-        bounced: S::ZERO,
-        is_met: false,
-        load: [S::ZERO; 2],
+        contact: Contact::new(),
         seen: state.counts.substeps as u32,
     }
 }

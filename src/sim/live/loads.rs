@@ -41,11 +41,8 @@ impl<S: Real> Cluster<S> {
             return Vec::new();
         }
         let last = (self.load_of_a_push(), self.least_bounce);
-        let force = |pushes: [S; 2], approach: S, kept: Load<S>| {
-            if pushes[0] > S::ZERO { load(pushes, approach, last) } else { kept }
-        };
-        let of_pair = |pair: &Pair<S>| (pair.key, force([pair.pressed, pair.rubbed], pair.approach, pair.load));
-        let of_plane = |on: &OnPlane<S>| (self.key(bodies, on), force([on.pressed, on.rubbed], on.approach, on.load));
+        let of_pair = |pair: &Pair<S>| (pair.key, pair.contact.load_after(last));
+        let of_plane = |on: &OnPlane<S>| (self.key(bodies, on), on.contact.load_after(last));
         let pairs = self.pairs.iter().filter(|pair| self.is_between_firm(pair)).map(of_pair);
         let planes = self.on_planes.iter().filter(|on| self.is_firm(on.p as usize)).map(of_plane);
         let mut list: Loads<S> = pairs.chain(planes).filter(|load| load.1[0] > S::ZERO).collect();
@@ -63,10 +60,10 @@ impl<S: Real> Cluster<S> {
             let found = loads.binary_search_by_key(&key, |load| load.0).ok();
             found.map_or([S::ZERO; 2], |found| loads[found].1)
         };
-        self.pairs.iter_mut().for_each(|pair| pair.load = of(pair.key));
+        self.pairs.iter_mut().for_each(|pair| pair.contact.load = of(pair.key));
         let mut on_planes = std::mem::take(&mut self.on_planes);
         for on in &mut on_planes {
-            on.load = of(self.key(common.bodies, on));
+            on.contact.load = of(self.key(common.bodies, on));
         }
         self.on_planes = on_planes;
     }

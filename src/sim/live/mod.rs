@@ -25,6 +25,7 @@ mod calm;
 mod cells;
 mod circle;
 mod cluster;
+mod contact;
 mod cross;
 mod detect;
 mod drives;

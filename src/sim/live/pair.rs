@@ -1,7 +1,7 @@
 //! A point near an edge: on which side it belongs, how hard they press each other, how they rub.
 
 use super::cluster::Cluster;
-use super::loads::{self, Load};
+use super::contact::{Contact, within};
 use super::rigid::Change;
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub};
@@ -13,9 +13,6 @@ const MENDED: f64 = 0.2;
 /// Share of the speed of two bodies at which parts of one body are led out of each other: joints may hold them there, and what leads against joints
 /// creeps over its floor for ever.
 const ITSELF: f64 = 0.1;
-
-/// Share of the speed that came in by which what restitution asks for may be missed.
-pub(super) const BOUNCED: f64 = 1e-3;
 
 /// The side of an edge that a point belongs to: +1 on its left, -1 on its right, by the numbers of both.
 pub(super) type Sides = Vec<(u64, i8)>;
@@ -41,19 +38,7 @@ pub(super) struct Pair<S> {
     pub(super) room: S,
     pub(super) friction: S,
     pub(super) restitution: S,
-    /// What presses them apart in this substep `[kg m]`.
-    pub(super) pressed: S,
-    /// What rubs `[kg m]`.
-    pub(super) rubbed: S,
-    /// Overlap from before the substep, which is not to become speed `[m]`.
-    pub(super) old: S,
-    /// Normal speed at the start of the substep `[m/s]`: what forces give within it is pressed away, and does not bounce.
-    pub(super) approach: S,
-    /// What restitution gave back `[kg m/s]`.
-    pub(super) bounced: S,
-    pub(super) is_met: bool,
-    /// What pressed and rubbed in the substep before (`loads.rs`) `[N]`.
-    pub(super) load: Load<S>,
+    pub(super) contact: Contact<S>,
     /// Before which substep the side was last looked at: where they are too far apart to touch nobody does, and the point may go around.
     pub(super) seen: u32,
 }
@@ -65,16 +50,9 @@ pub(super) struct OnPlane<S> {
     /// Circles are numbered behind the planes.
     pub(super) surface: u32,
     pub(super) normal: [S; 2],
-    pub(super) pressed: S,
-    pub(super) rubbed: S,
-    /// Depth that is left from before the substep, of what began in the surface `[m]`.
-    pub(super) old: S,
+    pub(super) contact: Contact<S>,
     /// It slides on.
     pub(super) slips: bool,
-    pub(super) approach: S,
-    pub(super) bounced: S,
-    pub(super) is_met: bool,
-    pub(super) load: Load<S>,
 }
 
 /// Where a point is beside an edge.
@@ -148,15 +126,6 @@ impl<S: Real> Pair<S> {
         beside([state.now[p], state.now[a], state.now[b]], self.side)
     }
 
-    /// The substep begins anew; of the last one what a push was and the least speed that bounced are known.
-    #[inline(always)]
-    pub(super) fn clear(&mut self, last: (S, S)) {
-        if self.pressed > S::ZERO {
-            self.load = loads::load([self.pressed, self.rubbed], self.approach, last);
-        }
-        (self.pressed, self.rubbed, self.bounced, self.old, self.is_met) = (S::ZERO, S::ZERO, S::ZERO, S::ZERO, false);
-    }
-
     /// Parts point and edge where they are nearer than they may be. Returns whether they are nearer than that and `slack` `[m]`, or
     /// nobody knows.
     #[inline(always)]
@@ -169,7 +138,7 @@ impl<S: Real> Pair<S> {
             }
         }
         let Some(found) = beside([state.now[p], state.now[a], state.now[b]], self.side) else { return true };
-        if found.gap >= self.distance && self.pressed == S::ZERO {
+        if found.gap >= self.distance && self.contact.pressed == S::ZERO {
             let is_free = found.gap - self.distance >= self.soon(state, [p, a, b], &found);
             if is_free {
                 return found.gap < self.distance + slack;
@@ -189,30 +158,26 @@ impl<S: Real> Pair<S> {
             return true;
         }
         let mut gap = gap;
-        if !self.is_met {
+        if !self.contact.is_met {
             let Some(mended) = self.meet(state, &found, w) else { return true };
             gap += mended;
         }
-        let before = self.pressed;
-        self.pressed = (before + (self.distance - self.old - gap) / w).max(S::ZERO);
-        let push = self.pressed - before;
+        let push = self.contact.press(self.distance - self.contact.old - gap, w);
         let along = left(normal);
         let d = sub(state.way[p], add(scale(state.way[a], rest), scale(state.way[b], at)));
-        let most = self.friction * self.pressed;
-        let was = self.rubbed;
-        self.rubbed = (was - dot(d, along) / state.weight(points, at, along)).max(-most).min(most);
-        let rub = self.rubbed - was;
+        let most = self.friction * self.contact.pressed;
+        let rub = self.contact.rub(dot(d, along), (state.weight(points, at, along), most));
         let (out, aside) = (scale(normal, push), scale(along, rub));
         state.note_push(points, at, self.restitution, (out, aside));
         let impulse = add(out, aside);
         if impulse != [S::ZERO; 2] {
             state.push(points, at, impulse, Change::Way);
         }
-        if state.may_creep() && self.rubbed.abs() < most {
+        if state.may_creep() && self.contact.rubbed.abs() < most {
             let of_edge = add(scale(state.crept(a), rest), scale(state.crept(b), at));
             let crept = dot(sub(state.crept(p), of_edge), along) / state.weight(points, at, along);
             if crept != S::ZERO {
-                state.push(points, at, scale(along, -crept.max(-most).min(most)), Change::Place);
+                state.push(points, at, scale(along, -within(crept, most)), Change::Place);
             }
         }
         true
@@ -225,16 +190,16 @@ impl<S: Real> Pair<S> {
         let (points, Beside { at, normal, .. }) = (self.places(), *found);
         let ([p, a, b], rest) = (points, S::ONE - at);
         let before = beside([state.start[p], state.start[a], state.start[b]], self.side)?;
-        self.is_met = true;
+        self.contact.is_met = true;
         let v = sub(state.begun[p], add(scale(state.begun[a], rest), scale(state.begun[b], at)));
-        self.approach = dot(v, normal);
+        self.contact.approach = dot(v, normal);
         let overlap = (self.distance - before.gap).max(S::ZERO);
         if overlap <= S::ZERO {
             return Some(S::ZERO);
         }
         let mended = self.mends(state, (normal, before.gap));
         state.push(points, at, scale(normal, mended / w), Change::Place);
-        self.old = overlap - mended;
+        self.contact.old = overlap - mended;
         Some(mended)
     }
 
@@ -304,9 +269,7 @@ impl<S: Real> Pair<S> {
     /// whether that lacked.
     pub(super) fn bounce(&mut self, state: &mut Cluster<S>, least: S) -> bool {
         let [p, a, b] = self.places();
-        let is_rigid = state.is_of_rigid([p, a]);
-        let has_hit = self.pressed > S::ZERO || (self.is_met && is_rigid);
-        if !has_hit || self.approach > -least || (self.restitution == S::ZERO && !is_rigid) {
+        if !self.contact.bounces((self.restitution, state.is_of_rigid([p, a])), least) {
             return false;
         }
         let Some(Beside { at, normal, .. }) = beside([state.now[p], state.now[a], state.now[b]], self.side) else {
@@ -315,15 +278,11 @@ impl<S: Real> Pair<S> {
         let (points, rest) = ([p, a, b], S::ONE - at);
         let w = state.weight(points, at, normal);
         let v = sub(state.velocity[p], add(scale(state.velocity[a], rest), scale(state.velocity[b], at)));
-        let target = -self.restitution * self.approach;
-        let lacking = target - dot(v, normal);
-        // What others pushed it on since is taken off again.
-        let before = self.bounced;
-        self.bounced = (before + lacking / w).max(S::ZERO);
-        if self.bounced != before {
-            state.push(points, at, scale(normal, self.bounced - before), Change::Velocity);
+        let (push, lacked) = self.contact.give_back(self.restitution, dot(v, normal), w);
+        if push != S::ZERO {
+            state.push(points, at, scale(normal, push), Change::Velocity);
         }
-        (self.bounced - before).abs() * w > -self.approach * S::from_f64(BOUNCED)
+        lacked
     }
 }
 

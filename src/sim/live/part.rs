@@ -88,9 +88,11 @@ fn shares<S: Real>([a, b]: [S; 2]) -> Option<[S; 2]> {
 /// Which bodies obstacles press, and which way: they do not go against that.
 fn barriers<S: Real>(state: &Cluster<S>) -> Vec<(u32, [S; 2])> {
     let own = state.own();
-    let on_planes = state.on_planes.iter().filter(|on| on.pressed > S::ZERO);
+    let on_planes = state.on_planes.iter().filter(|on| on.contact.pressed > S::ZERO);
     let mut found: Vec<(u32, [S; 2])> = on_planes.map(|on| (state.body_of[on.p as usize], on.normal)).collect();
-    for pair in state.chosen.iter().map(|&number| &state.pairs[number as usize]).filter(|pair| pair.pressed > S::ZERO) {
+    for pair in
+        state.chosen.iter().map(|&number| &state.pairs[number as usize]).filter(|pair| pair.contact.pressed > S::ZERO)
+    {
         let [p, a, b] = pair.places();
         if (p < own) != (a < own)
             && let Some(found_at) = beside([p, a, b].map(|i| state.now[i]), pair.side)

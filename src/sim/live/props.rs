@@ -46,7 +46,7 @@ impl<S: Real> Props<S> {
     pub(super) fn of(state: &Cluster<S>, common: &Common<S>, met: &[Met<S>]) -> Self {
         let count = state.bodies.len();
         let mut props = Props { ways: vec![0; count], grips: vec![S::ZERO; count] };
-        for on in state.on_planes.iter().filter(|on| on.pressed > S::ZERO) {
+        for on in state.on_planes.iter().filter(|on| on.contact.pressed > S::ZERO) {
             let [friction, _] = on.surface(common);
             props.add(state.body_of[on.p as usize], on.normal, friction);
         }

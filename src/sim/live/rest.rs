@@ -134,12 +134,12 @@ impl<S: Real> Live<S> {
                 touches[usize::from(slips)] += 1;
             }
         };
-        for pair in cluster.pairs.iter().filter(|pair| pair.pressed > S::ZERO) {
-            let slips = pair.rubbed.abs() >= pair.friction * pair.pressed;
+        for pair in cluster.pairs.iter().filter(|pair| pair.contact.pressed > S::ZERO) {
+            let slips = pair.contact.slips(pair.friction);
             note(pair.p, slips);
             note(pair.a, slips);
         }
-        for on in cluster.on_planes.iter().filter(|on| on.pressed > S::ZERO) {
+        for on in cluster.on_planes.iter().filter(|on| on.contact.pressed > S::ZERO) {
             note(on.p, on.slips);
         }
         let lies = grounded(cluster);

@@ -174,9 +174,9 @@ impl<S: Real> Cluster<S> {
         self.predict_rigid(h);
         let last = (self.load_of_a_push(), self.least_bounce);
         for &number in &self.chosen {
-            self.pairs[number as usize].clear(last);
+            self.pairs[number as usize].contact.clear(last);
         }
-        self.on_planes.iter_mut().for_each(|on| on.clear(last));
+        self.on_planes.iter_mut().for_each(|on| on.contact.clear(last));
     }
 
     /// Whether a point may get further within `h` `[s]` than it was looked at.
@@ -293,9 +293,9 @@ impl<S: Real> Cluster<S> {
             }
             gave
         });
-        let pressed = numbers.iter().filter(|&&number| pairs[number as usize].pressed > S::ZERO).count();
+        let pressed = numbers.iter().filter(|&&number| pairs[number as usize].contact.pressed > S::ZERO).count();
         self.counts.contacts += pressed as u64;
-        let lies = on_planes.iter().any(|on| on.pressed > S::ZERO);
+        let lies = on_planes.iter().any(|on| on.contact.pressed > S::ZERO);
         self.has_pressed |= pressed > 0 || lies;
         self.counts.work += 45 * numbers.len() as u64 + 4 * pairs.len() as u64;
         self.counts.work += 20 * on_planes.len() as u64 + OF_A_POINT * self.busy() as u64;

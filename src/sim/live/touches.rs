@@ -5,6 +5,7 @@
 //! Source: E. Catto, Iterative Dynamics with Temporal Coherence, 2005.
 
 use super::cluster::{Cluster, Common};
+use super::contact::Contact;
 use super::pair::{Beside, OnPlane, Pair, beside, left};
 use super::rigid::{AT_ONCE, Frame, Shift};
 use crate::sim::real::Real;
@@ -161,7 +162,15 @@ impl Touch {
         (moves[p].way, moves[e].way) = (one, other);
     }
 
-    /// Parts the two where they are nearer than they may be, and rubs them. Returns by how much more or less than before `[m]`.
+    /// The contact that it stands for knows what pressed it.
+    fn tell<S: Real>(&self, contact: &mut Contact<S>) {
+        [contact.pressed, contact.rubbed, contact.approach, contact.old] =
+            [self.pressed, self.rubbed, self.approach, self.old].map(S::from_f64);
+        contact.is_met = self.is_met;
+    }
+
+    /// Parts the two where they are nearer than they may be, and rubs them: the law of `contact.rs` by masses that are known. Returns by how
+    /// much more or less than before `[m]`.
     #[inline(always)]
     fn press(&mut self, moves: &mut [Moves]) -> f64 {
         let [p, e] = self.bodies();
@@ -232,7 +241,7 @@ impl<S: Real> Cluster<S> {
             if !self.is_between_firm(pair) {
                 return true;
             }
-            let load = std::mem::take(&mut pair.load).map(|part| part.to_f64() * square);
+            let load = std::mem::take(&mut pair.contact.load).map(|part| part.to_f64() * square);
             let was_followed = pair.seen == self.counts.substeps as u32;
             if let Some(mut touch) = self.touch_of(pair, number, slack) {
                 if load[0] > 0.0 && was_followed {
@@ -250,7 +259,7 @@ impl<S: Real> Cluster<S> {
         touches.planes.extend(planes.extract_if(.., is_taken));
         self.on_planes = planes;
         for (on, place) in touches.planes.iter_mut().zip(0..) {
-            let load = std::mem::take(&mut on.load).map(|part| part.to_f64() * square);
+            let load = std::mem::take(&mut on.contact.load).map(|part| part.to_f64() * square);
             let Some(mut touch) = self.touch_on(common, on, place) else { continue };
             if load[0] > 0.0 {
                 touch.bear(&mut touches.moves, load);
@@ -370,21 +379,18 @@ impl<S: Real> Cluster<S> {
         }
         let mut pairs = std::mem::take(&mut self.pairs);
         for touch in &touches.list {
-            let pressed = [touch.pressed, touch.rubbed, touch.approach, touch.old].map(S::from_f64);
             let push = [0, 1].map(|k| scale(touch.axes[k], [touch.pressed, touch.rubbed][k]));
             let [out, aside] = push.map(convert);
             match touch.of {
                 Of::Pair(number, at) => {
                     let pair = &mut pairs[number as usize];
-                    [pair.pressed, pair.rubbed, pair.approach, pair.old] = pressed;
-                    pair.is_met = touch.is_met;
+                    touch.tell(&mut pair.contact);
                     self.note_push(pair.places(), S::from_f64(at), pair.restitution, (out, aside));
                     self.active.push(number);
                 }
                 Of::Plane(place) => {
                     let on = &mut touches.planes[place as usize];
-                    [on.pressed, on.rubbed, on.approach, on.old] = pressed;
-                    on.is_met = touch.is_met;
+                    touch.tell(&mut on.contact);
                     on.slips = touch.rubbed.abs() >= touch.friction * touch.pressed;
                     let [_, restitution] = on.surface(common);
                     self.note_push_of_one(on.p as usize, restitution, (out, aside));

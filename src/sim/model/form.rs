@@ -1,6 +1,7 @@
 //! Angles and areas of a model: whether they are in order, and what is not said of them.
 
-use super::{Model, ModelError, require};
+use super::check::require;
+use super::{Model, ModelError};
 use crate::sim::bond::{Lengths, PointId};
 use crate::sim::force::angle::{Angle, Angles, measured};
 use crate::sim::force::area::{self, Areas};

@@ -2,6 +2,8 @@
 
 use glam::DVec2;
 
+use crate::app::tools::segments::distance_to_segment;
+
 /// Whether two stretches have a place in common.
 fn meet([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
     let side = |from: DVec2, to: DVec2, at: DVec2| (to - from).perp_dot(at - from);
@@ -41,7 +43,7 @@ pub(super) fn simplified(stroke: &[DVec2], tolerance: f64) -> Vec<DVec2> {
     (stays[0], stays[last]) = (true, true);
     let mut spans = vec![[0, last]];
     while let Some([first, last]) = spans.pop() {
-        let off = |k: &usize| distance(stroke[*k], stroke[first], stroke[last]);
+        let off = |k: &usize| distance_to_segment(stroke[*k], stroke[first], stroke[last]);
         let Some(far) = (first + 1..last).max_by(|a, b| off(a).total_cmp(&off(b))) else { continue };
         if off(&far) > tolerance {
             stays[far] = true;
@@ -49,10 +51,6 @@ pub(super) fn simplified(stroke: &[DVec2], tolerance: f64) -> Vec<DVec2> {
         }
     }
     stroke.iter().zip(stays).filter(|(_, stays)| *stays).map(|(at, _)| *at).collect()
-}
-
-fn distance(at: DVec2, from: DVec2, to: DVec2) -> f64 {
-    super::super::pick::distance_to_segment(at, from, to)
 }
 
 #[cfg(test)]

@@ -8,7 +8,8 @@ use super::form::{Form, Round};
 use super::grid::Grid;
 use crate::app::tools::enclosed::Cover;
 use crate::app::tools::knot::{NEAR, loose_ropes};
-use crate::app::tools::pick::{Scope, distance_to_segment};
+use crate::app::tools::pick::Scope;
+use crate::app::tools::segments::distance_to_segment;
 use crate::sim::triangles::outer_sides;
 
 /// So near to the middle of a side, in that side, a rope means it `[1]`; and so near in any case `[logical px]`.

@@ -13,15 +13,21 @@ mod grain;
 mod grain_tests;
 mod grid;
 mod hung;
+#[cfg(test)]
+mod hung_tests;
 mod laid;
 mod links;
 mod matter;
 #[cfg(test)]
 mod matter_tests;
 mod outline;
+#[cfg(test)]
+mod outline_tests;
 mod path;
 mod plumb;
 mod polygon;
+#[cfg(test)]
+mod rope_tests;
 mod space;
 #[cfg(test)]
 mod tests;

@@ -7,8 +7,9 @@ use super::form::{End, Form, Hold, Round, chain};
 use super::matter::INNER;
 use crate::app::tools::knot;
 use crate::app::tools::marks::{Mark, Role};
-use crate::app::tools::pick::{self, Scope};
+use crate::app::tools::pick::Scope;
 use crate::app::tools::room::coming;
+use crate::app::tools::segments;
 use crate::sim::PointId;
 
 /// Width of outlines `[logical px]`.
@@ -84,7 +85,7 @@ fn lies_across(mark: &Mark, [low, high]: [DVec2; 2]) -> bool {
     match *mark {
         Mark::Line(_, from, to, _) => {
             let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
-            let crosses = |k: usize| pick::cross([from, to], [corners[k], corners[(k + 1) % 4]]);
+            let crosses = |k: usize| segments::cross([from, to], [corners[k], corners[(k + 1) % 4]]);
             is_in(from) || is_in(to) || (0..4).any(crosses)
         }
         Mark::Ring(_, middle, radius) => {

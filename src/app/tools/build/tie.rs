@@ -5,6 +5,7 @@ use glam::DVec2;
 
 use super::SNAP;
 use crate::app::tools::pick::Scope;
+use crate::app::tools::segments::{self, nearest_on_segment};
 use crate::app::tools::skin;
 use crate::sim::PointId;
 
@@ -34,13 +35,8 @@ pub(super) fn surface_at(scope: Scope<'_>, at: DVec2) -> Option<DVec2> {
         let normal = normal.normalize_or_zero();
         place - (place - point).dot(normal) * normal
     });
-    let loops = scenery.polygons.iter().flat_map(|polygon| &polygon.loops);
-    let sides = loops.flat_map(|corners| (0..corners.len()).map(|k| [corners[k], corners[(k + 1) % corners.len()]]));
-    let sides = sides.map(|side| {
-        let [from, to] = side.map(DVec2::from);
-        let along = to - from;
-        from + ((place - from).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0) * along
-    });
+    let sides = scenery.polygons.iter().flat_map(|polygon| segments::sides(&polygon.loops));
+    let sides = sides.map(|[from, to]| nearest_on_segment(place, from, to));
     let nearest = walls.chain(planes).chain(sides).min_by(|a, b| a.distance(place).total_cmp(&b.distance(place)))?;
     let is_near = nearest.distance(place) * scope.camera.pixels_per_metre() <= SNAP * scope.scale;
     (is_near || scope.solid(at).is_some() || is_walled_off(scope, place)).then_some(nearest)

@@ -3,6 +3,7 @@
 use super::cluster::Cluster;
 use super::geometry::{Beside, Passage, beside, nearest, passage, volume};
 use super::touch::{MENDED, rub};
+use crate::sim::live::contact::{lacking, pressed};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, scale, sub, zero};
 
@@ -77,7 +78,7 @@ impl<S: Real> Pair<S> {
             }
         }
         let before = self.pressed;
-        self.pressed = (before + (self.distance - self.old - gap) / w).max(S::ZERO);
+        self.pressed = pressed(before, self.distance - self.old - gap, w);
         let d = mean(self.of(&state.way), shares);
         let (rubbed, slips) = rub(self.rubbed, (d, normal), (w, self.friction * self.pressed));
         let impulse = add(scale(normal, self.pressed - before), sub(rubbed, self.rubbed));
@@ -114,7 +115,8 @@ impl<S: Real> Pair<S> {
         let Some(Beside { shares, normal, .. }) = beside(self.of(&state.now), self.side) else { return };
         let (shares, own) = (signed(shares), self.of(&state.w));
         let w = (0..4).fold(S::ZERO, |sum, k| sum + shares[k] * shares[k] * own[k]);
-        let lacking = -self.restitution * self.approach - dot(mean(self.of(&state.velocity), shares), normal);
+        let speed = dot(mean(self.of(&state.velocity), shares), normal);
+        let lacking = lacking(self.restitution, self.approach, speed);
         if lacking > S::ZERO && w > S::ZERO {
             for (k, i) in self.points.into_iter().enumerate() {
                 let gain = scale(normal, lacking / w * shares[k] * own[k]);

@@ -4,6 +4,7 @@ use super::cluster::{Cluster, Common};
 use super::detect::three;
 use super::obstacle::Off;
 use crate::sim::contact::convex::BOX_EDGES;
+use crate::sim::live::contact::{lacking, pressed};
 use crate::sim::real::Real;
 use crate::sim::vector::{add, dot, length, scale, sub, zero};
 
@@ -143,7 +144,7 @@ impl<S: Real> Touch<S> {
             }
         }
         let before = self.pressed;
-        self.pressed = (before - (self.old + gap) / w).max(S::ZERO);
+        self.pressed = pressed(before, -(self.old + gap), w);
         let d = (0..3).map(each).fold(zero(), |sum, (i, share)| add(sum, scale(state.way[i], share)));
         let rubbed = rub(self.rubbed, (d, normal), (w, self.friction * self.pressed));
         self.slips = rubbed.1;
@@ -163,7 +164,7 @@ impl<S: Real> Touch<S> {
         let each = |k: usize| (self.points[k] as usize, shares[k]);
         let w = (0..3).map(each).fold(S::ZERO, |sum, (i, share)| sum + share * share * state.w[i]);
         let v = (0..3).map(each).fold(zero(), |sum, (i, share)| add(sum, scale(state.velocity[i], share)));
-        let lacking = -self.restitution * self.approach - dot(v, normal);
+        let lacking = lacking(self.restitution, self.approach, dot(v, normal));
         if lacking > S::ZERO && w > S::ZERO {
             for (i, share) in (0..3).map(each) {
                 state.velocity[i] = add(state.velocity[i], scale(normal, lacking / w * share * state.w[i]));
