@@ -58,7 +58,7 @@ const FRAME: f32 = 10.0;
 const TO_TOOLTIP: f32 = 6.0;
 
 /// Height of all that may stand below them: what drawn bonds are, the matters, and how fine they are `[points]`.
-const BELOW: f32 = 360.0;
+const BELOW: f32 = 310.0;
 
 /// How many stand in a row, where there is so much height for all `[points]`.
 fn columns(height: f32) -> usize {
@@ -115,14 +115,17 @@ fn choices(ui: &mut Ui, (columns, edge): (usize, f32), facts: &Facts, wishes: &m
 fn links(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
     let mut links = facts.links;
     ui.separator();
-    for link in Link::ALL {
-        let words = match link {
-            Link::Rod => "keeps its length",
-            Link::Spring => "as soft as a soft box",
-            Link::String => "gets no longer, and goes slack",
-        };
-        say(&ticks::one_of(ui, &mut links.link, link, link.name()), edge, words);
-    }
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        for link in Link::ALL {
+            let words = match link {
+                Link::Rod => "keeps its length",
+                Link::Spring => "as soft as a soft box",
+                Link::String => "gets no longer, and goes slack",
+            };
+            say(&ticks::one_of(ui, &mut links.link, link, link.name()), edge, words);
+        }
+    });
     let said =
         "a loop that is closed becomes a body between its sides (Shift does the same); off, it has its sides alone";
     say(&ticks::check(ui, &mut links.fills, "fill loops"), edge, said);
@@ -318,7 +321,7 @@ mod tests {
     use egui_kittest::kittest::Queryable as _;
 
     use super::*;
-    use crate::app::tools::BuiltOf;
+    use crate::app::tools::{BuiltOf, Links};
 
     /// What is said of each covers neither the others nor the panel that they stand in.
     #[test]
@@ -348,6 +351,26 @@ mod tests {
         let mut harness = Harness::builder().with_size(room.size()).build_ui_state(shown, Vec::new());
         harness.run_steps(6);
         harness
+    }
+
+    #[test]
+    fn points_are_connected_to_neighbours_by_a_switch_that_stands_with_the_bonds_alone() {
+        let mut panel = panel(Primitive::Bonds, 2);
+        panel.get_by_label("connect to neighbours").click();
+        panel.run_steps(3);
+        assert_eq!(*panel.state(), [Wish::Links(Links { connects: true, ..Links::default() })]);
+        assert!(self::panel(Primitive::Box, 2).query_by_label("connect to neighbours").is_none());
+    }
+
+    #[test]
+    fn a_frame_is_of_a_matter_and_has_no_fineness() {
+        let mut panel = panel(Primitive::Frame, 2);
+        panel.get_by_label("Steel").click();
+        panel.run_steps(3);
+        assert_eq!(*panel.state(), [Wish::BuildOf(BuiltOf { filled: Preset::Steel, ..BuiltOf::default() })]);
+        panel.get_by_value("medium").click();
+        panel.run_steps(3);
+        assert!(panel.query_by_label("very fine").is_none(), "it has four corners");
     }
 
     #[test]
