@@ -58,31 +58,37 @@ pub enum Primitive {
     Rim,
     /// A figure of rigid pieces in joints.
     Figure,
+    /// A box of four corners with both diagonals.
+    Frame,
     /// Points and bonds, one after the other.
     Bonds,
     /// A box that nothing enters.
     SolidBox,
     /// A circle that nothing enters.
     SolidCircle,
-    /// A plane, solid on one side.
+    /// A plank that nothing enters.
     Slope,
+    /// A plane without an end, solid on one side.
+    Plane,
     /// An outline that nothing enters, drawn corner by corner or with a free stroke.
     Polygon,
 }
 
 impl Primitive {
     /// All of them, in the order of the palette: bodies, then obstacles.
-    pub const ALL: [Primitive; 11] = [
+    pub const ALL: [Primitive; 13] = [
         Primitive::Box,
         Primitive::Disc,
         Primitive::Rope,
         Primitive::Cloth,
         Primitive::Rim,
         Primitive::Figure,
+        Primitive::Frame,
         Primitive::Bonds,
         Primitive::SolidBox,
         Primitive::SolidCircle,
         Primitive::Slope,
+        Primitive::Plane,
         Primitive::Polygon,
     ];
 
@@ -95,10 +101,12 @@ impl Primitive {
             Primitive::Cloth => "Cloth",
             Primitive::Rim => "Rim",
             Primitive::Figure => "Figure",
+            Primitive::Frame => "Frame",
             Primitive::Bonds => "Bonds",
             Primitive::SolidBox => "Solid box",
             Primitive::SolidCircle => "Solid circle",
             Primitive::Slope => "Slope",
+            Primitive::Plane => "Plane",
             Primitive::Polygon => "Polygon",
         }
     }

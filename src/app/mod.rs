@@ -40,6 +40,7 @@ mod starting;
 mod thumbnails;
 mod tools;
 mod trailing;
+mod walled;
 mod warnings;
 mod whereabouts;
 pub mod words;

@@ -39,6 +39,7 @@ mod start;
 mod support;
 mod tint;
 mod write;
+mod young;
 
 pub(crate) use addition::{Known, Made, Shape};
 pub use anew::Cut;
@@ -67,3 +68,4 @@ pub(crate) use pictures::picture_as_text;
 pub(crate) use read::translate;
 pub use schema::schema;
 pub(crate) use support::LATER;
+pub(crate) use young::{stiffness_of_young, young_of_stiffness};

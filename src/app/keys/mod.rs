@@ -141,8 +141,8 @@ mod tests {
     #[test]
     fn what_is_built_comes_round() {
         let all: Vec<Primitive> =
-            std::iter::successors(Some(Primitive::default()), |one| Some(one.next())).take(12).collect();
-        assert_eq!((&all[..11], all[11]), (&Primitive::ALL[..], Primitive::default()));
+            std::iter::successors(Some(Primitive::default()), |one| Some(one.next())).take(14).collect();
+        assert_eq!((&all[..13], all[13]), (&Primitive::ALL[..], Primitive::default()));
     }
 
     #[test]

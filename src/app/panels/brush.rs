@@ -3,7 +3,7 @@
 use egui::{Area, DragValue, Id, Rect, RichText, Slider, Ui};
 
 use super::folded::{part, titled};
-use super::material::{WIDTH, gives_way, presets, sagging, short};
+use super::material::{WIDTH, gives_way, modulus, presets, sagging, short};
 use super::theme::{as_high_as_buttons, colors, floating};
 use super::{Facts, Wish, low, ranged, ticks};
 use crate::app::matter::{Painted, Switched};
@@ -74,7 +74,7 @@ fn all(ui: &mut Ui, brush: &mut Brush, (facts, can_fold): (&Facts, bool), wishes
 fn numbers(ui: &mut Ui, of: &mut Painted) {
     let Painted { density, stiffness, damping, breaks, bending, friction, restitution, color, width, visible } = of;
     number(ui, ("mass", " kg/m²"), density, 1e-3..=1e6);
-    number(ui, ("stiffness", " N/m"), stiffness, 0.0..=1e9);
+    of_stiffness(ui, stiffness);
     number(ui, ("damping", " N s/m"), damping, 0.0..=1e9);
     let mut percent = Switched { is_on: breaks.is_on, value: 100.0 * breaks.value };
     number(ui, ("tears at", " %"), &mut percent, 0.1..=1000.0);
@@ -95,6 +95,21 @@ fn numbers(ui: &mut Ui, of: &mut Painted) {
     });
     number(ui, ("width", " m"), width, 0.0..=1e3);
     shown(ui, visible);
+}
+
+/// How stiff springs are, by the stiffness of each or by Young's modulus.
+fn of_stiffness(ui: &mut Ui, of: &mut Switched<f64>) {
+    let before = modulus::shown(ui, of.value);
+    let mut shown = Switched { is_on: of.is_on, value: before };
+    ui.horizontal(|ui| {
+        let name = modulus::name(ui);
+        number(ui, (name, modulus::UNIT), &mut shown, 0.0..=1e9);
+        if shown.value != before {
+            of.value = modulus::meant(ui, shown.value);
+        }
+        of.is_on = shown.is_on;
+        modulus::switch(ui);
+    });
 }
 
 /// Whether it is drawn from then on, which a click on either switches on.

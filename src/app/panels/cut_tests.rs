@@ -62,6 +62,7 @@ fn facts(name: &str, tool: Tool, is_selected: bool) -> Facts {
         dimensions: scene.dimensions(),
         settings,
         seen: [[-3.0, -2.0], [3.0, 2.0]],
+        new_walls: [[-3.0, -2.0, 0.0], [3.0, 2.0, 0.0]],
         ..Facts::default()
     }
 }

@@ -59,16 +59,38 @@ pub(super) fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, is_on: boo
     let is_enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, name));
     let visuals = ui.style().interact(&response);
-    let fill = match (is_on, response.hovered()) {
-        (true, true) => colors(ui).accent.gamma_multiply(0.85),
-        (true, false) => colors(ui).accent,
-        _ => visuals.weak_bg_fill,
-    };
+    let fill = lit(ui, &response, is_on).unwrap_or(visuals.weak_bg_fill);
     let color = if is_on { colors(ui).on_accent } else { visuals.fg_stroke.color };
     ui.painter().rect_filled(rect, visuals.corner_radius, fill);
     paint(ui.painter(), icon, rect, color);
     response
 }
+
+/// The same with a short word below the sign, within the size of the button.
+pub(super) fn captioned(ui: &mut Ui, icon: Icon, (name, word): (&str, &str), size: Vec2, is_on: bool) -> Response {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let is_enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, name));
+    let visuals = ui.style().interact(&response);
+    let fill = lit(ui, &response, is_on).unwrap_or(visuals.weak_bg_fill);
+    let color = if is_on { colors(ui).on_accent } else { visuals.fg_stroke.color };
+    ui.painter().rect_filled(rect, visuals.corner_radius, fill);
+    let sign = Rect::from_min_size(rect.min, vec2(size.x, size.y - CAPTION));
+    paint(ui.painter(), icon, sign, color);
+    let foot = pos2(rect.center().x, rect.bottom() - 2.0);
+    ui.painter().text(foot, Align2::CENTER_BOTTOM, word, FontId::proportional(LETTERS), color);
+    response
+}
+
+/// The ground of a button that is lit.
+fn lit(ui: &Ui, response: &Response, is_on: bool) -> Option<Color32> {
+    let strength = if response.hovered() { 0.85 } else { 1.0 };
+    is_on.then(|| colors(ui).accent.gamma_multiply(strength))
+}
+
+/// Height of the word below a sign, and of its letters `[points]`.
+pub(super) const CAPTION: f32 = 12.0;
+const LETTERS: f32 = 10.0;
 
 /// A button with a sign and, where there is room for it, the word that it is called by. `is_on`: it is what is chosen of several.
 pub(super) fn worded(ui: &mut Ui, icon: Icon, word: &str, (has_word, is_on): (bool, bool)) -> Response {

@@ -71,6 +71,8 @@ mod top;
 mod transport;
 mod typed;
 mod waiting;
+#[cfg(test)]
+mod walls_tests;
 mod wave;
 mod ways;
 
@@ -387,6 +389,8 @@ pub(super) struct Facts {
     pub(super) dimensions: usize,
     /// Corners of what of the plane is seen `[m]`.
     pub(super) seen: [[f64; 2]; 2],
+    /// Corners of the walls that would be put up `[m]`.
+    pub(super) new_walls: [[f64; 3]; 2],
     /// Where points are seen, some of many, while the plots have no place yet `[points]`.
     pub(super) points: Vec<egui::Pos2>,
     /// The worlds that are side by side; none where there is but one.

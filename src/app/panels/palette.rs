@@ -16,6 +16,9 @@ const HEIGHT: f32 = 418.0;
 const BETWEEN: f32 = 3.0;
 const LEAST: f32 = 22.0;
 
+/// Rooms from this height on have them named: all of them take three quarters of it `[points]`.
+const NAMED: f32 = 740.0;
+
 /// From a tool to what is said of it, beyond the edge of the panel `[points]`.
 const TO_TOOLTIP: f32 = 14.0;
 
@@ -38,6 +41,22 @@ fn words(tool: Tool) -> (Icon, &'static str) {
     }
 }
 
+/// What a tool is called below its sign.
+fn short(tool: Tool) -> &'static str {
+    match tool {
+        Tool::Hand => "Hand",
+        Tool::Pin => "Pin",
+        Tool::Cut => "Cut",
+        Tool::Erase => "Erase",
+        Tool::Build => "Build",
+        Tool::Select => "Select",
+        Tool::Muscle => "Muscle",
+        Tool::Motor => "Motor",
+        Tool::Paint => "Brush",
+        Tool::Push => "Force",
+    }
+}
+
 /// The last of them: the tool for forces, set to wind.
 const WIND: &str = "wind: drag an arrow through the air";
 
@@ -45,19 +64,27 @@ const WIND: &str = "wind: drag an arrow through the air";
 fn size(high: f32) -> Vec2 {
     let count = Tool::ALL.len() as f32 + 1.0;
     let each = ((high - low::FRAME + BETWEEN) / count - BETWEEN).floor();
-    vec2(icons::TOOL.x, each.clamp(LEAST, icons::TOOL.y))
+    vec2(icons::TOOL.x, if has_names(high) { icons::TOOL.y + icons::CAPTION } else { each.clamp(LEAST, icons::TOOL.y) })
+}
+
+/// Whether they are named below their signs in a room that is so high: lower ones are for bodies.
+fn has_names(high: f32) -> bool {
+    high >= NAMED
 }
 
 /// A button with what is said of it beside it: below it lies the next one. What the scene lacks for it is said in place of that.
 fn choice(
     ui: &mut egui::Ui,
-    (sign, name): (Icon, &str),
+    (sign, name, short): (Icon, &str, Option<&str>),
     action: Action,
     (lack, is_on, size): (Option<&str>, bool, Vec2),
     wishes: &mut Vec<Wish>,
 ) {
     let said = described(name, action);
-    let add = |ui: &mut egui::Ui| icons::button(ui, sign, name, size, is_on);
+    let add = |ui: &mut egui::Ui| match short {
+        Some(short) => icons::captioned(ui, sign, (name, short), size, is_on),
+        None => icons::button(ui, sign, name, size, is_on),
+    };
     let button = ui.add_enabled_ui(lack.is_none(), add).inner;
     let why = lack.unwrap_or_default();
     for (mut tooltip, words) in [(Tooltip::for_enabled(&button), &*said), (Tooltip::for_disabled(&button), why)] {
@@ -119,7 +146,7 @@ pub(super) fn show(
         floating(ui).show(ui, |ui| {
             low::within(ui, part, |ui| {
                 ui.spacing_mut().item_spacing.y = BETWEEN;
-                let size = size(part.height());
+                let (size, has_names) = (size(part.height()), has_names(part.height()));
                 let blows = facts.tool == Tool::Push && facts.push == PushWay::Wind;
                 for tool in Tool::ALL {
                     let (sign, name) = words(tool);
@@ -129,9 +156,11 @@ pub(super) fn show(
                         _ => None,
                     };
                     let is_on = tool == facts.tool && !blows;
-                    choice(ui, (sign, name), Action::Take(tool), (lack, is_on, size), wishes);
+                    let short = has_names.then(|| short(tool));
+                    choice(ui, (sign, name, short), Action::Take(tool), (lack, is_on, size), wishes);
                 }
-                choice(ui, (Icon::Wind, WIND), Action::Wind, (None, blows, size), wishes);
+                let short = has_names.then_some("Wind");
+                choice(ui, (Icon::Wind, WIND, short), Action::Wind, (None, blows, size), wishes);
             })
         });
     });
@@ -163,4 +192,42 @@ pub(super) fn show(
         _ => {}
     }
     None
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+mod tests {
+    use egui_kittest::Harness;
+    use egui_kittest::kittest::Queryable as _;
+
+    use super::*;
+
+    /// What is written on the tools in a window so high, and how high all of them are.
+    fn tools(high: f32) -> (Vec<String>, f32) {
+        let room = Rect::from_min_size(egui::Pos2::ZERO, vec2(1280.0, high));
+        let rooms = ToolRooms { left: room, tools: room, right: room, lowest: high, half: None };
+        let mut harness = Harness::builder().with_size(room.size()).build_ui(move |ui| {
+            let facts = Facts { dimensions: 2, ..Facts::default() };
+            show(ui.ctx(), &rooms, (&mut PanelState::default(), false), &facts, &mut Vec::new());
+        });
+        harness.run_steps(4);
+        assert_eq!(harness.get_all_by_role(egui::Role::Button).count(), 11);
+        let texts = harness.output().shapes.iter().filter_map(|clipped| match &clipped.shape {
+            egui::Shape::Text(text) => Some(text.galley.text().to_owned()),
+            _ => None,
+        });
+        let texts = texts.collect();
+        let high = harness.ctx.memory(|memory| memory.area_rect(Id::unique("tools"))).unwrap().height();
+        (texts, high)
+    }
+
+    #[test]
+    fn tools_are_named_where_the_window_is_high_and_smaller_ones_keep_their_room() {
+        let (named, high) = tools(1000.0);
+        let all = ["Hand", "Pin", "Cut", "Erase", "Build", "Select", "Muscle", "Motor", "Brush", "Force", "Wind"];
+        assert_eq!(named, all);
+        assert!(high < 0.76 * NAMED, "{high}");
+        assert!(tools(720.0).0.is_empty() && tools(720.0).1 < 430.0, "{:?}", tools(720.0));
+        assert!(tools(360.0).0.is_empty() && tools(360.0).1 <= 360.0);
+    }
 }

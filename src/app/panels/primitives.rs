@@ -1,17 +1,19 @@
 //! What the tool for building makes, beside the tools.
 
 use egui::epaint::PathShape;
-use egui::{Area, ComboBox, Id, Painter, Pos2, Rect, RectAlign, Response, RichText, Shape, Stroke, Tooltip, Ui};
+use egui::{
+    Area, ComboBox, DragValue, Id, Painter, Pos2, Rect, RectAlign, Response, RichText, Shape, Stroke, Tooltip, Ui,
+};
 
 use super::choosing;
 use super::folded::untitled;
 use super::icons::{self, Icon};
 use super::material::swatch;
 use super::theme::{colors, floating};
-use super::{Facts, Wish, low, ticks};
+use super::{Facts, Wish, low, ranged, ticks};
 use crate::app::action::Primitive;
 use crate::app::matter::Preset;
-use crate::app::tools::{Fibre, Grain, Link, is_of_space};
+use crate::app::tools::{Fibre, Grain, Link, REACHES, is_of_space};
 use crate::render::Look;
 
 /// What each makes, and how.
@@ -27,6 +29,9 @@ fn words(primitive: Primitive) -> &'static str {
         }
         Primitive::Rim => "a rim: drag from corner to corner of the square around it (Alt: from its middle)",
         Primitive::Figure => "a figure with joints: drag from its head to its feet, or from its feet up",
+        Primitive::Frame => {
+            "a box of four corners with both diagonals, soft or rigid: drag from corner to corner (Alt: from its middle)"
+        }
         Primitive::Bonds => {
             "points and bonds: click or drag from point to point, also to those that are there; Enter, Esc or a second click \
              ends the chain"
@@ -36,6 +41,9 @@ fn words(primitive: Primitive) -> &'static str {
             "an obstacle, a circle: drag from corner to corner of the square around it (Alt: from its middle)"
         }
         Primitive::Slope => "an obstacle, a plank as floor, slope or wall: drag along its upper side, to the right",
+        Primitive::Plane => {
+            "an obstacle, a plane without an end: drag along its surface; it is solid at the right hand of that"
+        }
         Primitive::Polygon => {
             "an obstacle: click corner by corner; the first one, Enter or a second click closes it. Or draw around it"
         }
@@ -107,17 +115,30 @@ fn choices(ui: &mut Ui, (columns, edge): (usize, f32), facts: &Facts, wishes: &m
 fn links(ui: &mut Ui, edge: f32, facts: &Facts, wishes: &mut Vec<Wish>) {
     let mut links = facts.links;
     ui.separator();
-    for link in Link::ALL {
-        let words = match link {
-            Link::Rod => "keeps its length",
-            Link::Spring => "as soft as a soft box",
-            Link::String => "gets no longer, and goes slack",
-        };
-        say(&ticks::one_of(ui, &mut links.link, link, link.name()), edge, words);
-    }
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        for link in Link::ALL {
+            let words = match link {
+                Link::Rod => "keeps its length",
+                Link::Spring => "as soft as a soft box",
+                Link::String => "gets no longer, and goes slack",
+            };
+            say(&ticks::one_of(ui, &mut links.link, link, link.name()), edge, words);
+        }
+    });
     let said =
         "a loop that is closed becomes a body between its sides (Shift does the same); off, it has its sides alone";
     say(&ticks::check(ui, &mut links.fills, "fill loops"), edge, said);
+    let said = "a new point is bonded to the points within reach too, of the drawing and of others that no body covers: thin lines show it";
+    say(&ticks::check(ui, &mut links.connects, "connect to neighbours"), edge, said);
+    let [least, most] = REACHES;
+    let field = |ui: &mut Ui| {
+        let name = ui.label("reach");
+        let field = DragValue::new(&mut links.reach).speed(1.0).suffix(" px").update_while_editing(false);
+        ranged::field(ui, field, f64::from(least)..=f64::from(most), " px").labelled_by(name.id)
+    };
+    let field = ui.add_enabled_ui(links.connects, |ui| ui.horizontal(field).inner).inner;
+    say(&field, edge, "how far away these may be, as it is seen");
     if links != facts.links {
         wishes.push(Wish::Links(links));
     }
@@ -140,14 +161,14 @@ fn fineness(ui: &mut Ui, (edge, width): (f32, f32), of: Primitive, grain: &mut G
         });
         menu.response.labelled_by(name)
     };
-    let menu = ui.add_enabled_ui(is_filled(of), list).inner;
+    let menu = ui.add_enabled_ui(is_filled(of) && of != Primitive::Frame, list).inner;
     say(&menu, edge, HOW_FINE);
     beside(Tooltip::for_disabled(&menu), (menu.rect, edge), NOT_FINE);
 }
 
 /// Whether it is made of a matter; a loop of bonds is filled with Shift too.
 fn is_filled(of: Primitive) -> bool {
-    matches!(of, Primitive::Box | Primitive::Disc | Primitive::Rim | Primitive::Bonds)
+    matches!(of, Primitive::Box | Primitive::Frame | Primitive::Disc | Primitive::Rim | Primitive::Bonds)
 }
 
 /// Said of matters where what is built is of none of them: of figures, and of all else.
@@ -235,8 +256,18 @@ pub(super) fn paint(painter: &Painter, primitive: Primitive, at: &impl Fn(f32, f
     match primitive {
         Primitive::Box => {
             line(&square);
+            for k in [-0.33, 0.33] {
+                line(&[(k, -1.0), (k, 1.0)]);
+                line(&[(-1.0, k), (1.0, k)]);
+            }
+        }
+        Primitive::Frame => {
+            line(&square);
             line(&[(-1.0, -1.0), (1.0, 1.0)]);
             line(&[(-1.0, 1.0), (1.0, -1.0)]);
+            for (x, y) in &square[..4] {
+                painter.circle_filled(at(*x, *y), 0.27 * unit, stroke.color);
+            }
         }
         Primitive::Disc => {
             painter.circle_stroke(at(0.0, 0.0), 1.05 * unit, stroke);
@@ -275,6 +306,10 @@ pub(super) fn paint(painter: &Painter, primitive: Primitive, at: &impl Fn(f32, f
             painter.circle_filled(at(0.0, 0.0), 1.05 * unit, stroke.color);
         }
         Primitive::Slope => filled(&[(-1.1, 1.0), (1.1, -0.9), (1.1, 1.0)]),
+        Primitive::Plane => {
+            line(&[(-1.2, -0.2), (1.2, -0.2)]);
+            [-0.6, 0.0, 0.6, 1.2].into_iter().for_each(|x| line(&[(x, -0.2), (x - 0.6, 0.7)]));
+        }
         Primitive::Polygon => filled(&[(-1.1, -0.3), (-0.1, -1.1), (1.1, -0.5), (0.75, 1.0), (-0.7, 0.9)]),
     }
 }
@@ -286,7 +321,7 @@ mod tests {
     use egui_kittest::kittest::Queryable as _;
 
     use super::*;
-    use crate::app::tools::BuiltOf;
+    use crate::app::tools::{BuiltOf, Links};
 
     /// What is said of each covers neither the others nor the panel that they stand in.
     #[test]
@@ -316,6 +351,26 @@ mod tests {
         let mut harness = Harness::builder().with_size(room.size()).build_ui_state(shown, Vec::new());
         harness.run_steps(6);
         harness
+    }
+
+    #[test]
+    fn points_are_connected_to_neighbours_by_a_switch_that_stands_with_the_bonds_alone() {
+        let mut panel = panel(Primitive::Bonds, 2);
+        panel.get_by_label("connect to neighbours").click();
+        panel.run_steps(3);
+        assert_eq!(*panel.state(), [Wish::Links(Links { connects: true, ..Links::default() })]);
+        assert!(self::panel(Primitive::Box, 2).query_by_label("connect to neighbours").is_none());
+    }
+
+    #[test]
+    fn a_frame_is_of_a_matter_and_has_no_fineness() {
+        let mut panel = panel(Primitive::Frame, 2);
+        panel.get_by_label("Steel").click();
+        panel.run_steps(3);
+        assert_eq!(*panel.state(), [Wish::BuildOf(BuiltOf { filled: Preset::Steel, ..BuiltOf::default() })]);
+        panel.get_by_value("medium").click();
+        panel.run_steps(3);
+        assert!(panel.query_by_label("very fine").is_none(), "it has four corners");
     }
 
     #[test]

@@ -374,7 +374,7 @@ fn rows_stay_where_they_are_while_what_they_are_of_is_switched_off() {
     let scene = Scene::parse(text, "x.json").unwrap();
     let mut stage = Stage::new(scene.clone().into()).unwrap();
     let mut screen = Screen::new(&mut stage);
-    screen.facts.seen = [[-4.0, -3.0], [4.0, 3.0]];
+    screen.facts.new_walls = [[-4.0, -3.0, 0.0], [4.0, 3.0, 0.0]];
     let look = |screen: &mut Screen, stage: &mut Stage| {
         let now = shown(stage);
         screen.facts.settings.parameters = parameters::all(&scene.named_parameters(), &now, None);

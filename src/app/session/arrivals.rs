@@ -15,6 +15,7 @@ use crate::app::panels::{OpenFrom, Sheet, meant};
 use crate::app::player::Order;
 use crate::app::recent::Used;
 use crate::app::saving::folder;
+use crate::app::walled;
 use crate::history::Start;
 use crate::scene::{Scene, SceneError};
 
@@ -317,6 +318,14 @@ impl Session {
         let corners = [[left, bottom], [right, top]].map(|pixel| self.camera.world_from_screen(pixel).truncate());
         let step = 10_f64.powf((corners[1].y - corners[0].y).abs().max(1e-9).log10().floor() - 1.0);
         corners.map(|corner| ((corner / step).round() * step).to_array())
+    }
+
+    /// Where walls stand that are put up `[m]`: in the plane around what is seen, in space around all that is there.
+    pub(super) fn new_walls(&self) -> [[f64; 3]; 2] {
+        if self.scene.dimensions() == 2 {
+            return self.free_of_plane().map(|[x, y]| [x, y, 0.0]);
+        }
+        walled::about(self.shown(), (self.camera.focus().to_array(), self.camera.height()))
     }
 
     /// The middle of what is seen `[m]`: in the plane of its part beside panels, in space what the camera looks at, to a hundredth of its height.

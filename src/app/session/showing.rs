@@ -212,6 +212,7 @@ impl Session {
             filming: self.filming.as_ref().map(Filming::share),
             dimensions: self.scene.dimensions(),
             seen: if self.panels.has_settings { self.free_of_plane() } else { Default::default() },
+            new_walls: if self.panels.has_settings { self.new_walls() } else { Default::default() },
             points: self.points_seen(),
             neighbors: self.neighbors(),
             trails: (self.trailing.is_on(), self.trailing.settings),

@@ -102,7 +102,7 @@ use crate::sim::PointId;
 pub(super) use areas::touch;
 use brush::Stroke;
 pub(super) use brush::{Brush, RADII};
-pub(super) use build::{BuiltOf, Fibre, Grain, Link, Links, is_of_space};
+pub(super) use build::{BuiltOf, Fibre, Grain, Link, Links, REACHES, is_of_space};
 use build::{Drag, Maker, Path};
 pub(super) use chosen::Chosen;
 use cutting::Slash;

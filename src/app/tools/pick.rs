@@ -116,7 +116,12 @@ impl Scope<'_> {
 
     /// The points in reach of a pixel, the nearest first.
     pub(super) fn reached(&self, at: DVec2) -> Vec<PointId> {
-        let mut near = self.near(at, REACH * self.scale);
+        self.about(at, REACH * self.scale)
+    }
+
+    /// The points within so many pixels of a pixel, the nearest first.
+    pub(super) fn about(&self, at: DVec2, most: f64) -> Vec<PointId> {
+        let mut near = self.near(at, most);
         near.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.point.cmp(&b.point)));
         near.into_iter().map(|hit| hit.point).collect()
     }

@@ -3,6 +3,7 @@
 use super::number::{self, Range};
 use crate::scene::error::{Fault, Within};
 use crate::scene::keys::{BondKeys, BondList, KindName, LimitName, Material};
+use crate::scene::young::stiffness_of_young;
 use crate::sim::BondKind;
 
 /// Errors: the first bond that is at fault.
@@ -51,11 +52,6 @@ fn check_drive(bond: &BondKeys) -> Result<(), Fault> {
     }
     Ok(())
 }
-
-/// Stiffness of the springs of a triangular lattice over its Young's modulus in the plane: sqrt(3)/2, at any spacing.
-///
-/// Source: a lattice of springs k has the Lame constants lambda = mu = sqrt(3)/4 k, and E = 4 mu (lambda + mu)/(lambda + 2 mu).
-const STIFFNESS_OF_YOUNG: f64 = 0.866_025_403_784_438_6;
 
 /// How a bond resists, in the file's keys.
 #[derive(Clone, Copy, Debug)]
@@ -174,7 +170,7 @@ impl Resistance {
             },
             (_, Some(compliance)) if compliance > 0.0 => BondKind::Spring { stiffness: 1.0 / compliance, damping },
             (KindName::Spring, None) => {
-                let of_young = self.young.map(|young| STIFFNESS_OF_YOUNG * young);
+                let of_young = self.young.map(stiffness_of_young);
                 BondKind::Spring {
                     stiffness: self.stiffness.or(of_young).or(self.axial_stiffness).unwrap_or(0.0),
                     damping,

@@ -2,6 +2,7 @@
 
 mod heavy;
 mod look;
+pub(super) mod modulus;
 mod place;
 mod placing;
 mod rows;
@@ -195,7 +196,10 @@ fn of_selection(ui: &mut Ui, matter: &Matter, facts: &Facts, sink: &mut Sink<'_>
         }
         kinds(ui, matter, sink);
     }
-    of_springs(ui, ("stiffness", " N/m"), (matter.stiffness, matter), sink, MatterChange::Stiffness);
+    match matter.stiffness.filter(|_| matter.density().is_some()) {
+        Some(stiffness) => modulus::row(ui, stiffness, sink),
+        None => of_springs(ui, ("stiffness", modulus::UNIT), (matter.stiffness, matter), sink, MatterChange::Stiffness),
+    }
     if facts.overload.as_deref().is_some_and(|overload| gives_way(ui, overload)) {
         sink.wishes.push(Wish::Bear);
     }

@@ -37,6 +37,18 @@ pub(in crate::app::panels) fn number(
     sink: &mut Sink<'_>,
     change: impl Fn(f64) -> Option<MatterChange>,
 ) {
+    number_beside(ui, (name, unit), span, sink, change, |_| ());
+}
+
+/// The same with something at its right.
+pub(super) fn number_beside(
+    ui: &mut Ui,
+    (name, unit): (&str, &str),
+    span: Option<Span>,
+    sink: &mut Sink<'_>,
+    change: impl Fn(f64) -> Option<MatterChange>,
+    beside: impl FnOnce(&mut Ui),
+) {
     let Some(span) = span else { return };
     let mut value = span.same().unwrap_or((span.least.max(FIRST) * span.most.max(FIRST)).sqrt());
     row(ui, name, |ui, label| {
@@ -54,6 +66,7 @@ pub(in crate::app::panels) fn number(
         if let Some(change) = change(value).filter(|_| by.changed()) {
             sink.set(&by, change);
         }
+        beside(ui);
     });
 }
 

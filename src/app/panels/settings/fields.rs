@@ -10,9 +10,7 @@ use super::super::{Facts, Wish, dial, ranged, ticks};
 use super::Sink;
 use crate::app::player::MethodSetting;
 use crate::history::{AreasOrNone, SetKeys, Walls, Weather};
-use crate::scene::{
-    AreaKeys, AreaKindName, BoundsKeys, Meeting, OrderName, PrecisionName, SolverName, Vector, WindKeys,
-};
+use crate::scene::{AreaKeys, AreaKindName, BoundsKeys, Meeting, OrderName, PrecisionName, SolverName, WindKeys};
 use crate::sim::{Areas, BoundsChange, Contact, Method, Order, Solver, Wind};
 
 /// Gravity on the ground `[m/s^2]`.
@@ -122,18 +120,19 @@ pub(super) fn of_air(ui: &mut Ui, mut drag_rate: f64, wind: Option<Wind<3>>, sin
 }
 
 /// Rows of what is switched off stay, so that nothing moves under the pointer.
-pub(super) fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, seen: [[f64; 2]; 2], sink: &mut Sink<'_>) {
-    let [low, high] = seen;
-    let can_stand = sink.dimensions == 2 && low[0] < high[0] && low[1] < high[1];
+pub(super) fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, new: [[f64; 3]; 2], sink: &mut Sink<'_>) {
+    let [min, max] = new;
+    let can_stand = (0..sink.dimensions).all(|axis| min[axis] < max[axis]);
     ui.horizontal(|ui| {
         ui.strong("Walls");
         let mut stand = bounds.is_some();
         let by = ticks::check_if(ui, stand || can_stand, &mut stand, "stand");
-        let by = by.on_hover_text("new ones stand around what is seen");
+        let around = if sink.dimensions == 2 { "what is seen" } else { "all that is there" };
+        let by = by.on_hover_text(format!("new ones stand around {around}"));
         if by.changed() {
             let these = BoundsKeys {
-                min: Vector::Plane(low),
-                max: Vector::Plane(high),
+                min: sink.vector(min),
+                max: sink.vector(max),
                 restitution: Some(NEW_WALLS[0]),
                 friction: Some(NEW_WALLS[1]),
             };
@@ -145,7 +144,6 @@ pub(super) fn of_walls(ui: &mut Ui, bounds: Option<&BoundsChange>, seen: [[f64; 
         return;
     }
     let [restitution, friction] = NEW_WALLS;
-    let [min, max] = seen.map(|[x, y]| [x, y, 0.0]);
     let mut to = bounds.copied().unwrap_or(BoundsChange { min, max, restitution, friction });
     if bounds.is_none() {
         ui.disable();

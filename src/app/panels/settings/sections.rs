@@ -71,7 +71,9 @@ impl Section {
                 &["push", "mouse", "strength", "radius", "reach", "region", "round", "square", "falls off", "smooth"]
             }
             Section::Air => &["air", "drag", "wind", "turbulence", "gusts", "seed"],
-            Section::Walls => &["walls", "floor", "left", "right", "top", "friction", "restitution", "bounce"],
+            Section::Walls => {
+                &["walls", "floor", "left", "right", "top", "back", "front", "friction", "restitution", "bounce"]
+            }
             Section::Method => &[
                 "method",
                 "solver",
@@ -155,7 +157,7 @@ impl Section {
                 }
             }
             Section::Walls => {
-                scene.bounds.iter().for_each(|walls| fields::of_walls(ui, walls.as_ref(), facts.seen, sink));
+                scene.bounds.iter().for_each(|walls| fields::of_walls(ui, walls.as_ref(), facts.new_walls, sink));
             }
             Section::Method => scene.method.iter().for_each(|method| fields::of_method(ui, method, facts, sink)),
             Section::Time => settings.clock.iter().for_each(|clock| time::show(ui, *clock, sink)),

@@ -8,10 +8,12 @@ use super::corners::{area, crossing};
 use super::fill::filled;
 use super::grain::Grain;
 use super::links::Links;
+use super::neighbours::about;
 use super::outline::{label, line, pixel};
 use super::tie::{is_walled_off, nearest_of_skin};
 use super::{CLICK, LEAST, SNAP, Step};
 use crate::app::action::Primitive;
+use crate::app::count::counted;
 use crate::app::matter::Preset;
 use crate::app::tools::marks::{Mark, Role};
 use crate::app::tools::pick::Scope;
@@ -33,6 +35,8 @@ const FLAT: &str = "the loop goes around nothing: it has its sides, and is not f
 const SMALL: &str = "the loop is too small to be filled: it has its sides";
 /// A loop that is less wide than this share of its length goes around nothing `[1]`.
 const THIN: f64 = 1e-3;
+/// Width of the lines to what a point is bonded to beside the chain `[logical px]`.
+const THIN_LINE: f64 = 1.0;
 /// Said where a point of the world that it was drawn to is gone.
 const GONE: &str = "a point that it was drawn to is gone: draw it again";
 /// Said where a point would lie beyond the walls.
@@ -63,8 +67,25 @@ pub(in crate::app::tools) struct Chain {
     /// Its own points `[m]`.
     own: Vec<DVec2>,
     nodes: Vec<Node>,
+    /// What points of its own were bonded to as they came, beside the node before them.
+    ties: Vec<(usize, Node)>,
     /// While the button is down: where it was pressed `[px]`, and whether that is where the chain had come to.
     pressed: Option<(DVec2, bool)>,
+}
+
+/// A line of what a point is bonded to beside the chain.
+fn thin(scope: Scope<'_>, ends: [DVec2; 2]) -> Mark {
+    Mark::Line(Role::Come, ends[0], ends[1], THIN_LINE * scope.scale)
+}
+
+/// What a point is bonded to beside the chain, in words.
+fn bonded(ties: &[Node]) -> String {
+    format!("bonded to {} in reach", counted(ties.len(), "point"))
+}
+
+fn flat(at: &Vector) -> DVec2 {
+    let [x, y, _] = at.embed();
+    DVec2::new(x, y)
 }
 
 /// Whether corners lie on one line, but for less than a hand can draw.
@@ -80,7 +101,7 @@ fn is_flat(corners: &[DVec2]) -> bool {
 
 impl Chain {
     /// The button goes down: the chain goes on to what lies there.
-    pub(in crate::app::tools) fn press(&mut self, scope: Scope<'_>, at: DVec2) -> Step {
+    pub(in crate::app::tools) fn press(&mut self, scope: Scope<'_>, at: DVec2, links: Links) -> Step {
         if self.is_outside(scope, at) {
             self.pressed = None;
             let words = OUTSIDE.to_owned();
@@ -88,7 +109,7 @@ impl Chain {
         }
         let is_last = self.node(scope, at).is_some_and(|node| self.nodes.last() == Some(&node));
         self.pressed = Some((at, is_last));
-        self.reach(scope, at);
+        self.reach(scope, at, links);
         Step::GoesOn(None)
     }
 
@@ -100,7 +121,7 @@ impl Chain {
             return Step::GoesOn(Some(OUTSIDE.to_owned()));
         }
         if !is_click {
-            self.reach(scope, at);
+            self.reach(scope, at, how.links);
         }
         if (is_click && was_last) || self.is_loop() {
             return Step::Done(self.end(scope, how));
@@ -114,8 +135,10 @@ impl Chain {
     }
 
     /// It goes on to what lies at a pixel, which may be where it is.
-    fn reach(&mut self, scope: Scope<'_>, at: DVec2) {
+    fn reach(&mut self, scope: Scope<'_>, at: DVec2, links: Links) {
         let node = self.node(scope, at).unwrap_or_else(|| {
+            let (own, ties) = (self.own.len(), self.neighbours(scope, at, links));
+            self.ties.extend(ties.into_iter().map(|node| (own, node)));
             self.own.push(scope.in_plane(at));
             Node::Own(self.own.len() - 1)
         });
@@ -136,6 +159,23 @@ impl Chain {
         near.or_else(|| nearest_of_skin(scope, at).map(Node::World))
     }
 
+    /// What a point of its own at a pixel would be bonded to, beside the node before it.
+    fn neighbours(&self, scope: Scope<'_>, at: DVec2, links: Links) -> Vec<Node> {
+        if !links.connects {
+            return Vec::new();
+        }
+        let seen = |node: Node| Some((node, pixel(scope, self.place(scope, node)?)?));
+        let mut all: Vec<Node> = Vec::new();
+        for node in (0..self.own.len()).map(Node::Own).chain(self.nodes.iter().copied()) {
+            if !all.contains(&node) {
+                all.push(node);
+            }
+        }
+        let of_chain: Vec<(Node, DVec2)> = all.into_iter().filter_map(seen).collect();
+        let last = self.nodes.last().copied().and_then(seen);
+        about(scope, (at, f64::from(links.reach) * scope.scale), &of_chain, last)
+    }
+
     /// Whether it has come back to where it began.
     fn is_loop(&self) -> bool {
         self.nodes.len() > 3 && self.nodes.first() == self.nodes.last()
@@ -149,13 +189,14 @@ impl Chain {
             && !self.nodes.contains(&Node::Own(k))
         {
             self.own.pop();
+            self.ties.retain(|(own, _)| *own != k);
         }
         !self.nodes.is_empty()
     }
 
     /// Whether there is a bond in it.
     pub(in crate::app::tools) fn has_bonds(&self) -> bool {
-        self.nodes.len() > 1
+        self.nodes.len() > 1 || !self.ties.is_empty()
     }
 
     /// Where a node is `[m]`; `None` of a point that is gone.
@@ -184,7 +225,8 @@ impl Chain {
                 () if crossing(corners, true).contains(&true) => words = Some(CROSSES.to_owned()),
                 () if size < (LEAST * scope.scale).powi(2) => words = Some(SMALL.to_owned()),
                 () => match filled((corners, &self.nodes), of, (scope.shown.point_count() as u32, is_covered)) {
-                    Ok(keys) => {
+                    Ok(mut keys) => {
+                        keys.bonds.extend(self.moorings(scope, &keys, links));
                         let knots = knot::knots(scope, &keys, (DVec2::ZERO, None));
                         let commands = knot::tied(scope, keys, &knots);
                         return Deed { commands, words: knot::words(scope, &knots), ..give(AddKeys::default()) };
@@ -199,6 +241,24 @@ impl Chain {
         }
     }
 
+    /// What of its points is bonded to points of the world, where a body fills it whose corners they are: bonds within it are of no use there.
+    fn moorings(&self, scope: Scope<'_>, body: &AddKeys, links: Links) -> Vec<BondKeys> {
+        let next = scope.shown.point_count() as u32;
+        let places: Vec<DVec2> = body.points.iter().flat_map(|points| &points.position).map(flat).collect();
+        let corner = |own: DVec2| {
+            let far = |place: &DVec2| place.distance_squared(own);
+            let nearest = places.iter().zip(next..).min_by(|a, b| far(a.0).total_cmp(&far(b.0)));
+            nearest.map(|(_, number)| number)
+        };
+        let outside =
+            self.ties.iter().filter(|(_, node)| !self.nodes.contains(node) && self.place(scope, *node).is_some());
+        let bonds = outside.filter_map(|&(own, node)| match node {
+            Node::World(point) => Some(links.bond(BondKeys::new(point.0, corner(self.own[own])?), self.own.len())),
+            Node::Own(_) => None,
+        });
+        bonds.collect()
+    }
+
     /// Its points and its bonds, each once.
     fn sides(&self, scope: Scope<'_>, links: Links) -> Result<AddKeys, &'static str> {
         let next = scope.shown.point_count() as u32;
@@ -207,7 +267,9 @@ impl Chain {
             Node::World(point) => point.0,
         };
         let own_pairs = self.nodes.windows(2).map(|pair| lower_first([number(&pair[0]), number(&pair[1])]));
-        let mut pairs: BTreeSet<[u32; 2]> = own_pairs.collect();
+        let ties = self.ties.iter().filter(|(_, node)| self.place(scope, *node).is_some());
+        let ties = ties.map(|(own, node)| lower_first([number(&Node::Own(*own)), number(node)]));
+        let mut pairs: BTreeSet<[u32; 2]> = own_pairs.chain(ties).collect();
         let is_drawn = !pairs.is_empty();
         scope.shown.scenery.bonds.ends().iter().for_each(|[a, b]| {
             pairs.remove(&lower_first([a.0, b.0]));
@@ -242,6 +304,8 @@ impl Chain {
         let seen = |node: Node| self.place(scope, node).and_then(|place| pixel(scope, place));
         let ends = self.nodes.windows(2).filter_map(|pair| Some([seen(pair[0])?, seen(pair[1])?]));
         let mut marks: Vec<Mark> = ends.map(|ends| line(scope, Role::Come, ends)).collect();
+        let tied = self.ties.iter().filter_map(|(own, node)| Some([seen(Node::Own(*own))?, seen(*node)?]));
+        marks.extend(tied.map(|ends| thin(scope, ends)));
         let knobs = self.own.iter().filter_map(|place| pixel(scope, *place));
         marks.extend(knobs.map(|at| Mark::Knob(Role::Come, at, 4.0 * scope.scale)));
         let Some(at) = at else { return marks };
@@ -251,6 +315,10 @@ impl Chain {
         if let Some(from) = last.and_then(seen) {
             marks.push(line(scope, Role::Come, [from, there]));
         }
+        let is_outside = node.is_none() && is_walled_off(scope, scope.in_plane(at));
+        let is_new = node.is_none() && !is_outside;
+        let ties = if is_new { self.neighbours(scope, at, links) } else { Vec::new() };
+        marks.extend(ties.iter().filter_map(|tie| seen(*tie)).map(|tie| thin(scope, [there, tie])));
         match node {
             Some(_) => marks.push(Mark::Ring(Role::Hold, there, 9.0 * scope.scale)),
             None => marks.push(Mark::Knob(Role::Come, there, 4.0 * scope.scale)),
@@ -261,7 +329,6 @@ impl Chain {
         });
         let closes = self.nodes.len() > 2 && node == self.nodes.first().copied();
         let corners: Option<Vec<DVec2>> = self.nodes.iter().map(|node| self.place(scope, *node)).collect();
-        let is_outside = node.is_none() && is_walled_off(scope, scope.in_plane(at));
         let why_not = corners.filter(|_| closes && fills.is_some()).and_then(|corners| match () {
             () if is_flat(&corners) => Some(FLAT),
             () if crossing(&corners, true).contains(&true) => Some(CROSSES),
@@ -281,7 +348,9 @@ impl Chain {
             _ if is_outside => OUTSIDE.to_owned(),
             _ if is_firm => FIRM.to_owned(),
             _ if why_not.is_some() => why_not.unwrap_or_default().to_owned(),
-            None if last.is_none() => "a point: click on, or drag to the next one".to_owned(),
+            None if last.is_none() && ties.is_empty() => "a point: click on, or drag to the next one".to_owned(),
+            None if last.is_none() => format!("a point, {}", bonded(&ties)),
+            None if !ties.is_empty() => format!("{}, {long:.2} m, {}", links.name(), bonded(&ties)),
             Some(_) if last.is_none() => "from this point".to_owned(),
             _ if closes => match fills {
                 Some((of, _)) => format!("closes the loop and fills it: {}", of.name().to_lowercase()),

@@ -113,7 +113,7 @@ fn a_chain_goes_from_point_to_point_and_comes_as_one_step() {
     let seen = pair();
     for link in Link::ALL {
         let mut hand = hand(Primitive::Bonds);
-        hand.set_links(Links { link, fills: false });
+        hand.set_links(Links { link, ..Links::default() });
         // A click on a point of the world, a drag that begins there, a click on the other one, a second click.
         clicks(&seen, &mut hand, [[-1.05, 1.05]]);
         assert_eq!(stroke(&seen, &mut hand, &[[-1.0, 1.0], [0.0, 2.0]]), Deed::default());
@@ -205,7 +205,7 @@ fn what_a_loop_cannot_be_filled_for_and_bonds_that_do_nothing_are_said_before_an
     ];
     for (corners, words, bonds) in loops {
         let mut hand = hand(Primitive::Bonds);
-        hand.set_links(Links { link: Link::Rod, fills: true });
+        hand.set_links(Links { fills: true, ..Links::default() });
         for corner in corners {
             clicks(&seen, &mut hand, [*corner]);
         }

@@ -30,9 +30,13 @@ pub(super) enum Form {
     },
     Rim(Round),
     Figure(Figure),
+    /// Its lower and its upper corner `[m]`.
+    Frame([DVec2; 2]),
     SolidBox([DVec2; 2]),
     SolidCircle(Round),
     Slope(Plank),
+    /// A place of it, and which way it was drawn `[m]`: it is solid at the right hand of that.
+    Plane([DVec2; 2]),
 }
 
 /// A solid plank.
@@ -104,9 +108,11 @@ impl Form {
             Primitive::Cloth => Form::Cloth { grid: Grid::fit(from, to, &CLOTH), hangs: !maker.is_free },
             Primitive::Rim => Form::Rim(round),
             Primitive::Figure => Form::Figure(Figure::between(from, to)),
+            Primitive::Frame => Form::Frame([from.min(to), from.max(to)]),
             Primitive::SolidBox => Form::SolidBox([from.min(to), from.max(to)]),
             Primitive::SolidCircle => Form::SolidCircle(round),
             Primitive::Slope => Form::Slope(Plank { from, along: to - from, thick: THICK * usual }),
+            Primitive::Plane => Form::Plane([from, to - from]),
         })
     }
 
@@ -115,14 +121,14 @@ impl Form {
         let about = |half: DVec2| [at.at + half * DVec2::new(-1.0, 1.0), at.at + half * DVec2::new(1.0, -1.0)];
         let beside = |by: DVec2| [at.at, at.at + by];
         let [from, to] = match maker.primitive {
-            Primitive::Box => about(DVec2::splat(0.5 * usual)),
+            Primitive::Box | Primitive::Frame => about(DVec2::splat(0.5 * usual)),
             Primitive::SolidBox => about(DVec2::new(usual, 0.25 * usual)),
             Primitive::Cloth => about(DVec2::new(usual, 0.75 * usual)),
             Primitive::Disc | Primitive::SolidCircle => beside(DVec2::new(0.5 * usual, 0.0)),
             Primitive::Rim => beside(DVec2::new(0.75 * usual, 0.0)),
             Primitive::Rope => beside(down(usual)),
             Primitive::Figure => about(DVec2::new(0.0, 0.5 * TALL * usual)),
-            Primitive::Slope => beside(DVec2::new(usual, 0.0)),
+            Primitive::Slope | Primitive::Plane => beside(DVec2::new(usual, 0.0)),
             Primitive::Bonds | Primitive::Polygon => return None,
         };
         let end = |at: DVec2, hold: Hold| End { at, hold };
@@ -142,7 +148,7 @@ impl Form {
     pub(super) fn said(&self, keys: &AddKeys) -> String {
         let size = self.words();
         match self {
-            Form::Box(_) | Form::Disc(_) | Form::Rim(_) => {
+            Form::Box(_) | Form::Frame(_) | Form::Disc(_) | Form::Rim(_) => {
                 format!("{size}, {}", counted(keys.point_count(&Scene::default()), "point"))
             }
             _ => size,
@@ -161,7 +167,7 @@ impl Form {
         let sides = |size: DVec2| format!("{} × {} m", short(size.x), short(size.y));
         match self {
             Form::Box(grid) | Form::Cloth { grid, .. } => sides(grid.size()),
-            Form::SolidBox([low, high]) => sides(*high - *low),
+            Form::SolidBox([low, high]) | Form::Frame([low, high]) => sides(*high - *low),
             Form::Disc(round) | Form::Rim(round) | Form::SolidCircle(round) => {
                 format!("radius {} m", short(round.radius))
             }
@@ -177,6 +183,9 @@ impl Form {
             Form::Figure(figure) => format!("{} m tall", short(figure.tall)),
             Form::Slope(Plank { along, .. }) => {
                 format!("{} m, {:.0}°", short(along.length()), along.to_angle().to_degrees() + 0.0)
+            }
+            Form::Plane([_, along]) => {
+                format!("{:.0}°, without an end, solid where it is hatched", along.to_angle().to_degrees() + 0.0)
             }
         }
     }

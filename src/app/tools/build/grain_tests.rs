@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use super::fibre::BuiltOf;
 use super::grain::Grain;
-use super::links::{Link, Links};
+use super::links::Links;
 use super::tests::{Seen, added, at, hand};
 use crate::app::action::Primitive;
 use crate::app::player::{Order, Stage};
@@ -65,7 +65,7 @@ fn a_loop_is_filled_as_finely() {
     let seen = room();
     let counts = Grain::ALL.map(|grain| {
         let mut hand = of(Primitive::Bonds, grain);
-        hand.set_links(Links { link: Link::Rod, fills: true });
+        hand.set_links(Links { fills: true, ..Links::default() });
         let corners = [[-1.0, 0.0], [1.0, 0.0], [0.0, 1.5], [-1.0, 0.0]];
         let deeds = corners.map(|corner| drag(&seen, &mut hand, [corner; 2]));
         added(deeds.last().unwrap()).triangles.len()

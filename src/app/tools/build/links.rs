@@ -1,5 +1,6 @@
 //! What drawn bonds are made of.
 
+use super::neighbours::REACH;
 use crate::app::matter::Preset;
 use crate::scene::{BondKeys, LimitName, Material};
 
@@ -16,11 +17,21 @@ pub(in crate::app) enum Link {
 }
 
 /// What the tool for points and bonds makes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::app) struct Links {
     pub(in crate::app) link: Link,
     /// A loop that is closed becomes a body.
     pub(in crate::app) fills: bool,
+    /// A new point is bonded to those about it too.
+    pub(in crate::app) connects: bool,
+    /// How far away these may be `[logical px]`.
+    pub(in crate::app) reach: u32,
+}
+
+impl Default for Links {
+    fn default() -> Self {
+        Links { link: Link::default(), fills: false, connects: false, reach: REACH }
+    }
 }
 
 impl Link {

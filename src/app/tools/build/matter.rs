@@ -12,7 +12,7 @@ use super::grid::Grid;
 use crate::app::matter::Preset;
 use crate::scene::{
     AddKeys, BodyKeys, BondKeys, BoxKeys, BraceName, CircleKeys, DiagonalsName, KindName, MakerName, Material,
-    ObstacleKeys, Vector,
+    ObstacleKeys, PlaneKeys, Vector,
 };
 
 /// Mass of a figure `[kg/m^2]`.
@@ -45,6 +45,7 @@ impl Form {
             Form::Cloth { grid, hangs } => body(cloth(grid, *hangs, of.cloth)),
             Form::Rim(round) => body(rim(round, (of.filled, of.grain))),
             Form::Figure(figure) => body(of_figure(figure)),
+            Form::Frame(corners) => body(frame(*corners, of.filled)),
             Form::SolidBox([low, high]) => {
                 let keys = BoxKeys { min: vector(*low), max: vector(*high), angle: None, rotation: None };
                 obstacle(ObstacleKeys { r#box: Some(keys), ..ObstacleKeys::default() })
@@ -52,6 +53,11 @@ impl Form {
             Form::SolidCircle(Round { center, radius }) => {
                 let keys = CircleKeys { center: vector(*center), radius: *radius };
                 obstacle(ObstacleKeys { circle: Some(keys), ..ObstacleKeys::default() })
+            }
+            Form::Plane([point, along]) => {
+                let normal = vector(along.normalize_or(DVec2::X).perp());
+                let keys = PlaneKeys { point: vector(*point), normal };
+                obstacle(ObstacleKeys { plane: Some(keys), ..ObstacleKeys::default() })
             }
             Form::Slope(plank) => {
                 let corners = plank.corners();
@@ -81,6 +87,20 @@ fn block(grid: &Grid, of: Preset) -> BodyKeys {
         rows: Some(u64::from(grid.cells[1]) + 1),
         spacing: Some(grid.spacing),
         origin: Some(vector(grid.low)),
+        material: Some(of.material(size.x * size.y, 1.0)),
+        ..BodyKeys::default()
+    }
+}
+
+/// Four corners, four sides and both diagonals.
+fn frame([low, high]: [DVec2; 2], of: Preset) -> BodyKeys {
+    let size = high - low;
+    BodyKeys {
+        make: MakerName::Box,
+        width: Some(size.x),
+        height: Some(size.y),
+        supports: Some(2),
+        origin: Some(vector(0.5 * (low + high))),
         material: Some(of.material(size.x * size.y, 1.0)),
         ..BodyKeys::default()
     }

@@ -4,7 +4,7 @@
 use glam::DVec2;
 
 use super::fibre::{BuiltOf, Fibre};
-use super::links::{Link, Links};
+use super::links::Links;
 use super::tests::{Seen, added, at, hand};
 use crate::app::action::Primitive;
 use crate::app::matter::{Among, Preset};
@@ -189,7 +189,7 @@ fn ropes_and_cloths_are_drawn_in_the_colours_of_their_buttons() {
 fn a_loop_is_filled_with_what_was_chosen() {
     let seen = room();
     let mut hand = of(Primitive::Bonds, Preset::Wood);
-    hand.set_links(Links { link: Link::Rod, fills: true });
+    hand.set_links(Links { fills: true, ..Links::default() });
     let corners = [[-1.0, 0.0], [1.0, 0.0], [0.0, 1.5], [-1.0, 0.0]];
     let deeds = corners.map(|corner| drag(&seen, &mut hand, [corner; 2]));
     let deed = deeds.last().unwrap();

@@ -8,10 +8,13 @@ mod fibre;
 mod figure;
 mod fill;
 mod form;
+#[cfg(test)]
+mod form_tests;
 mod grain;
 #[cfg(test)]
 mod grain_tests;
 mod grid;
+mod hatched;
 mod hung;
 #[cfg(test)]
 mod hung_tests;
@@ -20,6 +23,9 @@ mod links;
 mod matter;
 #[cfg(test)]
 mod matter_tests;
+mod neighbours;
+#[cfg(test)]
+mod neighbours_tests;
 mod outline;
 #[cfg(test)]
 mod outline_tests;
@@ -49,6 +55,7 @@ pub(super) use form::short;
 use form::{End, Form, Hold};
 pub(in crate::app) use grain::Grain;
 pub(in crate::app) use links::{Link, Links};
+pub(in crate::app) use neighbours::REACHES;
 pub(super) use path::Path;
 pub(in crate::app) use space::is_of_space;
 
@@ -213,7 +220,7 @@ impl Maker {
             let surface = tie::surface_at(scope, at).filter(|_| self.primitive == Primitive::Rope);
             to = surface.map_or(End { hold: Hold::None, ..to }, |at| End { at, hold: Hold::Pin });
         }
-        if self.primitive == Primitive::Box && !self.is_free {
+        if matches!(self.primitive, Primitive::Box | Primitive::Frame) && !self.is_free {
             // A corner that is drawn from or to a pin is right there.
             let pins = [begun.point, point].map(|point| point.filter(|&point| scope.is_pinned(point)));
             for (end, pin) in [&mut from, &mut to].into_iter().zip(pins) {
@@ -223,7 +230,9 @@ impl Maker {
         }
         [from.at, to.at] = self.spanned([from.at, to.at]);
         let drawn = match self.primitive {
-            Primitive::Box | Primitive::Cloth | Primitive::SolidBox => (to.at - from.at).abs().min_element(),
+            Primitive::Box | Primitive::Frame | Primitive::Cloth | Primitive::SolidBox => {
+                (to.at - from.at).abs().min_element()
+            }
             Primitive::Figure => (to.at - from.at).y.abs(),
             _ => from.at.distance(to.at),
         };
@@ -249,7 +258,7 @@ impl Maker {
     fn spanned(self, [from, to]: [DVec2; 2]) -> [DVec2; 2] {
         let way = to - from;
         match (self.primitive, self.is_from_middle) {
-            (Primitive::Box | Primitive::Cloth | Primitive::SolidBox, true) => [from - way, to],
+            (Primitive::Box | Primitive::Frame | Primitive::Cloth | Primitive::SolidBox, true) => [from - way, to],
             (Primitive::Disc | Primitive::Rim | Primitive::SolidCircle, false) => {
                 let radius = 0.5 * way.abs().max_element();
                 let middle = from + radius * way.signum();

@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::fibre::BuiltOf;
 use super::form::{End, Form, Hold, Round, chain};
+use super::hatched;
 use super::matter::INNER;
 use crate::app::tools::knot;
 use crate::app::tools::marks::{Mark, Role};
@@ -118,8 +119,10 @@ fn lines(form: &Form, scope: Scope<'_>) -> Vec<Mark> {
             rectangle(scope, [grid.low, high]).into_iter().chain(pins).collect()
         }
         Form::SolidBox(corners) => rectangle(scope, *corners),
+        Form::Frame(corners) => frame(scope, *corners),
         Form::SolidCircle(circle) => round(circle),
         Form::Slope(plank) => around(scope, plank.corners()),
+        Form::Plane(plane) => hatched::marks(scope, *plane),
     }
 }
 
@@ -140,6 +143,13 @@ pub(super) fn line(scope: Scope<'_>, role: Role, [from, to]: [DVec2; 2]) -> Mark
 
 fn rectangle(scope: Scope<'_>, [low, high]: [DVec2; 2]) -> Vec<Mark> {
     around(scope, [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)])
+}
+
+/// A rectangle with both diagonals.
+fn frame(scope: Scope<'_>, [low, high]: [DVec2; 2]) -> Vec<Mark> {
+    let diagonals = [[low, high], [DVec2::new(low.x, high.y), DVec2::new(high.x, low.y)]];
+    let seen = |[from, to]: [DVec2; 2]| Some(line(scope, Role::Come, [pixel(scope, from)?, pixel(scope, to)?]));
+    rectangle(scope, [low, high]).into_iter().chain(diagonals.into_iter().filter_map(seen)).collect()
 }
 
 fn around(scope: Scope<'_>, corners: [DVec2; 4]) -> Vec<Mark> {

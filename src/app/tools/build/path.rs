@@ -30,7 +30,7 @@ impl Maker {
 
 impl Path {
     pub(in crate::app::tools) fn press(&mut self, maker: Maker, scope: Scope<'_>, at: DVec2) -> Step {
-        if maker.draws_polygon() { self.outline.press(scope, at) } else { self.chain.press(scope, at) }
+        if maker.draws_polygon() { self.outline.press(scope, at) } else { self.chain.press(scope, at, maker.links) }
     }
 
     /// The pointer moves while the button is down.
