@@ -67,6 +67,7 @@ mod steady;
 mod swings;
 pub(super) mod theme;
 pub(super) mod ticks;
+mod timelines;
 mod top;
 mod transport;
 mod typed;
@@ -185,6 +186,10 @@ pub(super) enum Wish {
     Stay,
     /// Another branch, where it was left.
     ToBranch(usize),
+    /// A branch is called so from now on; of an empty title, by what was done in it.
+    CallBranch(usize, String),
+    /// A branch is not listed any more.
+    DiscardBranch(usize),
     /// Every island is moved by its own method, whatever that costs.
     Exact,
     /// What gave way to the load is taken back.

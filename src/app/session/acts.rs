@@ -177,6 +177,8 @@ impl Session {
             Wish::ToBranch(number) => {
                 self.go(Order::ToBranch(number, self.told));
             }
+            Wish::CallBranch(number, title) => self.player.ask(Order::CallBranch(number, title)),
+            Wish::DiscardBranch(number) => self.player.ask(Order::DiscardBranch(number)),
             Wish::Stay => self.player.stay(),
             Wish::Exact => self.player.ask(Order::Exact),
             Wish::TakeBack => self.player.ask(Order::TakeBack),
