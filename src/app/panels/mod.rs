@@ -99,7 +99,7 @@ pub(super) use held::HeldAt;
 use icons::Icon;
 pub(super) use laying::show;
 pub(super) use lessons::{At, Lessons, Met};
-pub(super) use material::MatterAt;
+use material::MatterAt;
 pub(super) use material::lies as matter_lies;
 pub(super) use material::presets;
 pub(super) use moving::{close as close_lines, is_open as are_lines_open};
@@ -194,11 +194,11 @@ pub(super) enum Wish {
     Exact,
     /// What gave way to the load is taken back.
     TakeBack,
-    /// What is plotted is written to a file, as a table.
+    /// What is plotted is to be written as a table, to a file that is asked for.
     WriteTable,
     /// The plot is, as a figure.
     WriteFigure,
-    /// All that was done, or this moment, is saved to a file.
+    /// What was chosen is saved to a file.
     SaveTo(PathBuf),
     /// A scene that takes long to open is not waited for.
     StopOpening,

@@ -11,7 +11,7 @@ use super::{Facts, Wish, moving};
 use crate::history::{BranchView, History};
 
 /// Width of the list as it is closed, beside a line of time with room and with little `[points]`.
-const WIDTHS: [f32; 2] = [158.0, 92.0];
+const WIDTHS: [f32; 2] = [158.0, 112.0];
 /// Width of the field that a name is written in `[points]`.
 const FIELD: f32 = 220.0;
 /// The size of the buttons beside a name `[points]`.
