@@ -255,6 +255,44 @@ fn what_was_dragged_without_an_edit_is_gone_back_to_on_any_timeline() {
     assert_eq!(hash(&history), dragged);
 }
 
+/// Timelines are called something and discarded; undo takes that back in its order among edits, without going to another time.
+#[test]
+fn a_timeline_that_was_discarded_comes_back_by_undo_in_its_order() {
+    let mut history = history("rim");
+    let called = |history: &History| history.branches().iter().map(|branch| branch.called()).collect::<Vec<_>>();
+    play(&mut history, 30);
+    history.give(vec![strength(90.0)], Some("Stronger")).unwrap();
+    let at = format!("Stronger at {:.1} s", history.world().time());
+    play(&mut history, 30);
+    history.go_to(0.2 * history.world().time());
+    history.give(vec![strength(5.0)], Some("Weaker")).unwrap();
+    play(&mut history, 10);
+    let (present, other) = (history.branch(), history.branches()[0].number);
+    assert_eq!(called(&history)[0], at);
+    history.call_branch(other, "  the strong one ");
+    assert_eq!(called(&history)[0], "the strong one");
+    assert_eq!(history.discard_branch(present), None, "the world is on it");
+    assert_eq!(history.discard_branch(other).as_deref(), Some("the strong one"));
+    assert_eq!(history.branches().len(), 1);
+    let name = "discard the timeline \"the strong one\"".to_owned();
+    assert_eq!(history.undoes().as_deref(), Some(&*name));
+    history.give(vec![strength(6.0)], Some("Again")).unwrap();
+    let late = hash(&history);
+    assert_eq!(history.undo().unwrap().name, "Again", "an edit that was done since is undone first");
+    assert_eq!(history.branches().len(), 1);
+    let there = hash(&history);
+    assert_eq!((history.undo().unwrap().name, called(&history).len()), (name.clone(), 2));
+    assert_eq!(hash(&history), there, "it is no other time");
+    assert_eq!((history.redo().unwrap().name, called(&history).len()), (name.clone(), 1));
+    assert_eq!((history.redo().unwrap().name.as_str(), hash(&history)), ("Again", late));
+    assert_eq!(["Again", &*name, "Weaker"].map(|name| history.undo().unwrap().name == name), [true; 3]);
+    history.redo().unwrap();
+    assert_eq!(called(&history)[0], "the strong one");
+    history.to_branch(other);
+    history.call_branch(other, " ");
+    assert_eq!(called(&history)[0], at, "an empty title is none");
+}
+
 #[test]
 fn a_reset_is_undone_as_one() {
     let mut history = history("rim");

@@ -11,12 +11,28 @@ pub(super) struct Aside {
     thread: Option<JoinHandle<()>>,
 }
 
+/// Calls something as it goes, however the work beside it ended.
+struct Wakes<F: Fn()>(F);
+
+impl<F: Fn()> Drop for Wakes<F> {
+    fn drop(&mut self) {
+        (self.0)();
+    }
+}
+
 impl Aside {
-    /// Begins some work, which is told whether it is still wanted: it asks between two pictures.
-    pub(super) fn new(work: impl FnOnce(&dyn Fn() -> bool) + Send + 'static) -> Self {
+    /// Begins some work, which is told whether it is still wanted: it asks between two pictures. It calls `wake` where it has something to
+    /// tell; once more that is called when all that it held is gone, also where it panicked: whoever waits for it looks then.
+    pub(super) fn new(
+        wake: impl Fn() + Send + 'static,
+        work: impl FnOnce(&dyn Fn() -> bool, &dyn Fn()) + Send + 'static,
+    ) -> Self {
         let is_left = Arc::<AtomicBool>::default();
         let told = Arc::clone(&is_left);
-        let thread = std::thread::spawn(move || work(&|| !told.load(Ordering::Relaxed)));
+        let thread = std::thread::spawn(move || {
+            let wakes = Wakes(wake);
+            work(&|| !told.load(Ordering::Relaxed), &wakes.0);
+        });
         Aside { is_left, thread: Some(thread) }
     }
 }
@@ -32,19 +48,23 @@ impl Drop for Aside {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::mpsc::{TryRecvError, channel};
     use std::time::Duration;
 
     #[test]
     fn what_is_dropped_has_put_away_what_it_was_at() {
         let at_work = Arc::<AtomicBool>::default();
         let its = Arc::clone(&at_work);
-        let aside = Aside::new(move |is_wanted| {
-            while is_wanted() {
-                its.store(true, Ordering::Relaxed);
-                std::thread::sleep(Duration::from_millis(5));
-                its.store(false, Ordering::Relaxed);
-            }
-        });
+        let aside = Aside::new(
+            || {},
+            move |is_wanted, _| {
+                while is_wanted() {
+                    its.store(true, Ordering::Relaxed);
+                    std::thread::sleep(Duration::from_millis(5));
+                    its.store(false, Ordering::Relaxed);
+                }
+            },
+        );
         std::thread::sleep(Duration::from_millis(12));
         drop(aside);
         assert!(!at_work.load(Ordering::Relaxed));
@@ -53,6 +73,28 @@ mod tests {
 
     #[test]
     fn work_that_fails_takes_nothing_with_it() {
-        drop(Aside::new(|_| std::panic::resume_unwind(Box::new("no GPU"))));
+        drop(Aside::new(|| {}, |_, _| std::panic::resume_unwind(Box::new("no GPU"))));
+    }
+
+    #[test]
+    fn whoever_waits_is_woken_when_work_ends_and_when_it_fails() {
+        for fails in [false, true] {
+            let (sender, told) = channel::<u8>();
+            let (woken, ends) = channel();
+            let aside = Aside::new(
+                // What is heard at that moment.
+                move || woken.send(told.try_recv()).unwrap_or_default(),
+                move |_, wake| {
+                    sender.send(1).unwrap_or_default();
+                    wake();
+                    if fails {
+                        std::panic::resume_unwind(Box::new("no GPU"));
+                    }
+                },
+            );
+            let heard: Vec<_> = ends.iter().collect();
+            assert_eq!(heard, [Ok(1), Err(TryRecvError::Disconnected)], "{fails}: it is known that nothing more comes");
+            drop(aside);
+        }
     }
 }

@@ -163,6 +163,9 @@ impl Rehearsal {
             Wish::Solver(solver) => self.obey(Order::Solver(solver)),
             Wish::Method(setting, goes_on) => self.obey(Order::Method(setting, goes_on)),
             Wish::Give(acts, name) => self.obey(Order::Give(acts, Some(name))),
+            Wish::ToBranch(number) => self.obey(Order::ToBranch(number, None)),
+            Wish::CallBranch(number, title) => self.obey(Order::CallBranch(number, title)),
+            Wish::DiscardBranch(number) => self.obey(Order::DiscardBranch(number)),
             Wish::Begin(precision, tolerance) => self.obey(Order::Begin(precision, tolerance)),
             Wish::Bear => {
                 if let Some(Overload { bonds, stiffness, .. }) = self.overload() {

@@ -47,13 +47,13 @@ fn next(left: &mut Vec<&'static Entry>, wanted: &[&str]) -> Option<&'static Entr
 }
 
 impl Thumbnails {
-    /// Draws all of the gallery, one after another, on a thread of its own, which calls `wake` after each: first those that are wanted. Those that
+    /// Draws all of the gallery, one after another, on a thread of its own, which calls `wake` after each and at the end: first those that are wanted. Those that
     /// were drawn at an earlier start are taken from a folder, if there is one.
     pub(super) fn new(gpu: Gpu, palette: Palette, folder: Option<PathBuf>, wake: impl Fn() + Send + 'static) -> Self {
         let (sender, drawn) = channel();
         let wanted: Arc<Mutex<Vec<&'static str>>> = Arc::default();
         let looked_at = Arc::clone(&wanted);
-        let aside = Aside::new(move |is_wanted| {
+        let aside = Aside::new(wake, move |is_wanted, wake| {
             let size = THUMBNAIL.map(|side| (FINE * side) as u32);
             let mut draft = Draft::new(gpu, size, palette);
             let kept = Kept::in_folder(folder, palette, size);
@@ -74,8 +74,6 @@ impl Thumbnails {
                 }
                 wake();
             }
-            drop(sender);
-            wake();
         });
         Thumbnails { drawn, ready: Vec::new(), is_done: false, wanted, _aside: aside }
     }

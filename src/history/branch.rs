@@ -1,24 +1,12 @@
 //! The log: a tree of branches, each with the commands that it has after it left another.
 
+mod views;
+
 use std::cmp::Ordering;
 
 use super::command::{Do, Entry};
 use super::mark::Mark;
-
-/// A branch, to be shown.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BranchView {
-    /// What [`super::History::to_branch`] takes.
-    pub number: usize,
-    /// What the last edit is called where it was left, or else its own; empty where it has none.
-    pub name: String,
-    /// When it left the branch that it comes from, or was left itself, if that was before `[s]`.
-    pub from: f64,
-    /// When it was left `[s]`.
-    pub end: f64,
-    /// Whether the world is on it.
-    pub is_present: bool,
-}
+pub use views::BranchView;
 
 /// A state of a history: on a branch, after so many of its commands, at a time `[s]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,6 +55,10 @@ struct Branch {
     left: Option<Left>,
     /// It was followed until something else was done before the last of what was done on it.
     is_taken_over: bool,
+    /// What somebody calls it.
+    title: Option<String>,
+    /// It is not wanted any more: it is not listed.
+    is_discarded: bool,
 }
 
 /// All branches; the first is the one that a history begins with.
@@ -174,8 +166,8 @@ impl Tree {
     pub(super) fn push(&mut self, branch: usize, entry: Entry) {
         // A file whose times do not ascend is refused.
         debug_assert!(self.ends_by(branch, entry.at), "a command at {} s comes after later ones", entry.at);
-        let Branch { own, edits, marks, left, .. } = &mut self.branches[branch];
-        *left = None;
+        let Branch { own, edits, marks, left, is_discarded, .. } = &mut self.branches[branch];
+        (*left, *is_discarded) = (None, false);
         marks.truncate(marks.partition_point(|mark| mark.at < entry.at));
         edits.extend(entry.edit.map(|_| own.len()));
         own.push(entry);
@@ -298,10 +290,8 @@ impl Tree {
         let is_done = |&place: &usize| {
             let is_own = place >= self.shared(branch);
             self.entry(branch, place).is_some_and(|entry| match entry.act {
-                Do::Key { .. } | Do::Grab(_) | Do::Release => is_own || entry.edit.is_none(),
-                Do::Cursor { .. } | Do::Mouse(_) | Do::Set(_) => is_own && entry.edit.is_some(),
-                // Files need not say which commands are one edit.
-                _ => is_own,
+                Do::Key { .. } | Do::Grab(_) | Do::Release if entry.edit.is_none() => true,
+                _ => is_own && does_something(entry),
             })
         };
         let last = (place..self.len(branch)).rev().find(is_done)?;
@@ -339,49 +329,15 @@ impl Tree {
         edits.last().filter(|own| *own >= taken_along).map(|own| self.shared(branch) + own)
     }
 
-    /// How many commands of each branch are of others as well that have an edit, of the present one, or of what redo brings again: of
-    /// branches with so many of their commands each.
-    fn elsewhere(&self, present: usize, redone: impl Iterator<Item = Shared>) -> Vec<usize> {
-        let mut reached = vec![0; self.branches.len()];
-        for (branch, place) in redone {
-            reached[branch] = reached[branch].max(place);
-        }
-        // What leaves a branch comes after it.
-        for (number, branch) in self.branches.iter().enumerate().rev() {
-            let is_something = number == present || self.last_edit(number).is_some();
-            let all = if is_something { self.len(number) } else { reached[number] };
-            if let Some((parent, shared)) = branch.parent {
-                reached[parent] = reached[parent].max(all.min(shared));
-            }
-        }
-        reached
-    }
-
-    /// The branches that one may want to go back to: those on which something was done that is nowhere else, nor brought again by redo;
-    /// those that were followed until something else was done; and the present one.
-    pub(super) fn views(&self, present: usize, redone: impl Iterator<Item = Shared>) -> Vec<BranchView> {
-        let elsewhere = self.elsewhere(present, redone);
-        let is_shown = |&number: &usize| {
-            let is_own = self.last_edit(number).is_some_and(|last| last >= elsewhere[number]);
-            number == present || is_own || self.branches[number].is_taken_over
-        };
-        (0..self.count()).filter(is_shown).map(|number| self.view(number, present)).collect()
-    }
-
-    fn view(&self, number: usize, present: usize) -> BranchView {
-        let is_present = number == present;
-        let end = Spot { branch: number, place: usize::MAX, time: self.end(number) };
-        let left = if is_present { end } else { self.where_left(number, present) };
-        let last = if left == end { self.last_edit(number) } else { self.edit_before(left.branch, left.place) };
-        let called = |branch: usize, last: Option<usize>| self.entry(branch, last?)?.name.clone();
-        let name = called(left.branch, last).or_else(|| called(number, self.last_edit(number)));
-        let from = self.branches[number].from.min(left.time);
-        BranchView { number, name: name.unwrap_or_default(), from, end: left.time, is_present }
-    }
-
     pub(super) fn count(&self) -> usize {
         self.branches.len()
     }
+}
+
+/// Whether somebody did something by a command: the way of the cursor is nothing done, nor are numbers that nobody asked for.
+fn does_something(entry: &Entry) -> bool {
+    // Files need not say which commands are one edit.
+    !matches!(entry.act, Do::Cursor { .. } | Do::Mouse(_) | Do::Set(_)) || entry.edit.is_some()
 }
 
 /// Places of commands that are part of an edit.

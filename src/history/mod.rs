@@ -14,6 +14,7 @@ mod branch;
 pub mod chunk;
 mod clock;
 mod command;
+mod discard;
 mod dress;
 mod eased;
 mod effort;

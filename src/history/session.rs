@@ -8,6 +8,7 @@ use super::beside::Companion;
 use super::branch::{BranchView, Spot, Tree};
 use super::clock::Clock;
 use super::command::{Do, Entry};
+use super::discard::Discard;
 use super::dress::Group;
 use super::error::{HistoryError, Refusal};
 use super::frame::Frame;
@@ -34,6 +35,7 @@ pub struct History {
     pub(super) is_free: bool,
     pub(super) keyframes: Keyframes,
     pub(super) undone: Vec<Redo>,
+    pub(super) discards: Vec<Discard>,
     skins: Vec<Skin>,
     /// The topology that the skins are of, and how many were put on.
     dressed: (u64, usize),
@@ -88,6 +90,7 @@ impl History {
             is_free: false,
             keyframes: Keyframes::new(),
             undone: Vec::new(),
+            discards: Vec::new(),
             skins: Vec::new(),
             dressed: (0, 0),
             from,
@@ -369,7 +372,7 @@ impl History {
 
     /// The branches that one may want to return to, and the present one: those that undo left behind and redo leads to are none of them.
     pub fn branches(&self) -> Vec<BranchView> {
-        self.tree.views(self.branch, self.undone.iter().map(Redo::reaches))
+        self.tree.views(self.branch, self.undone.iter().filter_map(Redo::reaches))
     }
 
     /// All of the present branch as a file has it.

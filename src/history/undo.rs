@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::branch::Spot;
 use super::command::{Do, Entry};
+use super::discard::Discard;
 use super::frame::Frame;
 use super::keyframes::Kept;
 use super::session::History;
@@ -33,17 +34,29 @@ pub struct GoneBack {
     pub is_built: bool,
 }
 
-/// Where doing again leads to.
+/// What doing again does.
 #[derive(Clone, Debug)]
-pub(super) struct Redo {
-    spot: Spot,
-    name: String,
+pub(super) enum Redo {
+    /// It leads to a spot.
+    To { spot: Spot, name: String },
+    /// A branch is discarded again.
+    Discard(Discard),
 }
 
 impl Redo {
-    /// The branch that it leads to, and how many of its commands are done there.
-    pub(super) fn reaches(&self) -> (usize, usize) {
-        (self.spot.branch, self.spot.place)
+    /// The branch that it leads to, and how many of its commands are done there; `None`: nowhere.
+    pub(super) fn reaches(&self) -> Option<(usize, usize)> {
+        match self {
+            Redo::To { spot, .. } => Some((spot.branch, spot.place)),
+            Redo::Discard(_) => None,
+        }
+    }
+
+    fn name(&self) -> String {
+        match self {
+            Redo::To { name, .. } => name.clone(),
+            Redo::Discard(discard) => discard.name.clone(),
+        }
     }
 }
 
@@ -53,7 +66,8 @@ const RESET: &str = "back to the start";
 const BUILT: &str = "back to what was built";
 
 impl History {
-    /// Goes back to just before the last edit. Nothing to undo is no error.
+    /// Goes back to just before the last edit, or takes back that a branch was discarded, if that was done since. Nothing to undo is no
+    /// error.
     pub fn undo(&mut self) -> Option<Undone> {
         self.undo_while(|_| true).unwrap_or_default()
     }
@@ -62,6 +76,9 @@ impl History {
     ///
     /// Errors: it was given up.
     pub fn undo_while(&mut self, goes_on: impl FnMut(f64) -> bool) -> Result<Option<Undone>, GivenUp> {
+        if let Some(undone) = self.take_back_discard() {
+            return Ok(Some(undone));
+        }
         let before = self.world().time();
         let (branch, place) = (self.branch, self.frame.place);
         let (name, again, back) = match self.edit_before(place) {
@@ -75,7 +92,7 @@ impl History {
             }
         };
         self.go(back, goes_on)?;
-        self.undone.push(Redo { spot: again, name: name.clone() });
+        self.undone.push(Redo::To { spot: again, name: name.clone() });
         Ok(Some(Undone { name, seconds: self.world().time() - before }))
     }
 
@@ -90,16 +107,21 @@ impl History {
     /// Errors: it was given up.
     pub fn redo_while(&mut self, goes_on: impl FnMut(f64) -> bool) -> Result<Option<Undone>, GivenUp> {
         let before = self.world().time();
-        let Some(Redo { spot, name }) = self.undone.last().cloned().or_else(|| self.next_edit()) else {
-            return Ok(None);
-        };
-        self.go(spot, goes_on)?;
+        let Some(redo) = self.undone.last().cloned().or_else(|| self.next_edit()) else { return Ok(None) };
+        let name = redo.name();
+        match redo {
+            Redo::To { spot, .. } => self.go(spot, goes_on)?,
+            Redo::Discard(discard) => self.discard_again(discard),
+        }
         self.undone.pop();
         Ok(Some(Undone { name, seconds: self.world().time() - before }))
     }
 
     /// What undo would take back is called; `None`: there is nothing to undo.
     pub fn undoes(&self) -> Option<String> {
+        if let Some(discard) = self.last_discard() {
+            return Some(discard.name.clone());
+        }
         match self.edit_before(self.frame.place) {
             Some([first, _]) => Some(self.name(self.branch, first)),
             None => self.tree.origin(self.branch).map(|_| self.name_anew(self.branch).to_owned()),
@@ -108,7 +130,7 @@ impl History {
 
     /// What redo would bring again is called; `None`: there is nothing to redo.
     pub fn redoes(&self) -> Option<String> {
-        let undone = self.undone.last().map(|redo| redo.name.clone());
+        let undone = self.undone.last().map(Redo::name);
         undone.or_else(|| self.to_come().map(|first| self.name(self.branch, first)))
     }
 
@@ -119,13 +141,13 @@ impl History {
     }
 
     fn redo_of(&self, branch: usize, first: usize) -> Redo {
-        Redo { spot: self.after(branch, self.last_of(branch, first)), name: self.name(branch, first) }
+        Redo::To { spot: self.after(branch, self.last_of(branch, first)), name: self.name(branch, first) }
     }
 
     /// What redo brings again of a branch that is left before its command `place`: what comes first last.
     fn undone_from(&self, branch: usize, place: usize) -> Vec<Redo> {
         let next = |place: usize| self.tree.edit_from(branch, place).map(|first| self.redo_of(branch, first));
-        let mut all: Vec<Redo> = std::iter::successors(next(place), |redo| next(redo.spot.place)).collect();
+        let mut all: Vec<Redo> = std::iter::successors(next(place), |redo| next(redo.reaches()?.1)).collect();
         all.reverse();
         all
     }
@@ -137,7 +159,7 @@ impl History {
 
     /// The first and the last command before `place` of the edit that is the last there. What was taken along to the start was done before that
     /// was gone to, and is undone with it.
-    fn edit_before(&self, place: usize) -> Option<[usize; 2]> {
+    pub(super) fn edit_before(&self, place: usize) -> Option<[usize; 2]> {
         let last = self.tree.edit_before(self.branch, place)?;
         let earlier = std::iter::successors(Some(last), |&place| self.tree.edit_before(self.branch, place));
         let first =
@@ -152,7 +174,7 @@ impl History {
         later.take_while(is_same).last().unwrap_or(place)
     }
 
-    fn edit_of(&self, branch: usize, place: usize) -> Option<u64> {
+    pub(super) fn edit_of(&self, branch: usize, place: usize) -> Option<u64> {
         self.tree.entry(branch, place).and_then(|entry| entry.edit)
     }
 

@@ -86,7 +86,7 @@ pub(in crate::app) struct Filming {
 }
 
 impl Filming {
-    /// Draws a clip of what `reel` brings on a thread of its own, and writes it there. `wake` is called as it goes on.
+    /// Draws a clip of what `reel` brings on a thread of its own, and writes it there. `wake` is called as it goes on, and at its end.
     pub(in crate::app) fn new(
         (gpu, shot): (Gpu, Shot),
         reel: Receiver<Reel>,
@@ -96,7 +96,7 @@ impl Filming {
     ) -> Self {
         let (shared, (sender, filmed)) = (Arc::<Shared>::default(), channel());
         let (told, to) = (Arc::clone(&shared), path.clone());
-        let aside = Aside::new(move |is_wanted| {
+        let aside = Aside::new(wake, move |is_wanted, wake| {
             let mut goes_on = |share: f64| {
                 let done = (PARTS * share) as u32;
                 if told.done.swap(done, Ordering::Relaxed) != done {
@@ -110,7 +110,6 @@ impl Filming {
             // A window that has been closed hears no more.
             let drawn = drawn.map(|bytes| bytes.filter(|_| !told.is_settled.swap(true, Ordering::Relaxed)));
             let _ = sender.send(drawn.and_then(|bytes| written(bytes, &to)).unwrap_or_else(Filmed::Failed));
-            wake();
         });
         Filming { path, shared, filmed, _aside: aside }
     }
@@ -136,13 +135,15 @@ impl Filming {
         match self.filmed.try_recv() {
             Ok(filmed) => Some(filmed),
             Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => Some(Filmed::Failed(GONE.to_owned())),
+            Err(TryRecvError::Disconnected) => Some(Filmed::Failed(BROKEN.to_owned())),
         }
     }
 }
 
 /// Said where nothing is left of what was to be drawn.
 const GONE: &str = "no clip was written: what it is of is gone";
+/// Said where the thread that drew it panicked.
+const BROKEN: &str = "no clip was written: it could not be drawn to its end";
 
 /// Writes a clip, where it was not given up.
 fn written(bytes: Option<Vec<u8>>, path: &Path) -> Result<Filmed, String> {

@@ -210,7 +210,14 @@ impl<'a> Laying<'a> {
         }
     }
 
+    /// Where the panel of the tool lies that others make way for: not one that was dragged over them.
+    fn of_tool(&self) -> Option<Rect> {
+        let is_dragged = self.facts.tool == Tool::Select && self.state.matter_at.is_dragged();
+        palette::of_tool(&self.context, self.facts.tool).filter(|_| !is_dragged)
+    }
+
     fn plots(&mut self, shares: &Shares) {
+        let of_tool = self.of_tool();
         let Laying { context, places, state, facts, wishes, .. } = self;
         let Plotted { are_stacked, are_docked, is_low, are_small, width } = shares.plots;
         let Some(plots) = state.plots.as_mut().filter(|_| shares.seen.has_plots && !are_stacked) else { return };
@@ -228,7 +235,7 @@ impl<'a> Laying<'a> {
             let high = places.right.max(places.bar_bottom());
             let room = (places.low_beside(shares.panels_edge), high);
             let bar = Rect::from_min_max(places.room.min, pos2(places.room.right(), places.bar_bottom() - APART));
-            let taken = palette::of_tool(context, facts.tool).into_iter().chain(held::lie(context)).chain([bar]);
+            let taken = of_tool.into_iter().chain(held::lie(context)).chain([bar]);
             let taken = taken.collect();
             let rect = plots::show(context, room, (plots, seat, taken), wishes);
             self.plotted = rect.filter(|_| !are_docked);
@@ -254,7 +261,8 @@ impl<'a> Laying<'a> {
     fn keys(&mut self, shares: &Shares) {
         let mut strip = self.keys_low.unwrap_or_else(|| self.places.low_strip(shares.all_edge));
         // What belongs to a tool may reach down to them.
-        let of_tool = palette::of_tool(&self.context, self.facts.tool)
+        let of_tool = self
+            .of_tool()
             .filter(|at| at.bottom() > strip.bottom() - held::HEIGHT && at.left() < self.places.room.center().x);
         if let Some(at) = of_tool {
             strip.min.x = strip.left().max(at.right());

@@ -264,7 +264,7 @@ fn plots_that_float_take_nothing_from_the_view_and_those_at_an_edge_do() {
         let taken = |has_plots: bool| {
             let plots = has_plots.then(|| Plots::new(1.0));
             let (context, left) = shown(size, &mut PanelState { plots, ..PanelState::default() }, &facts);
-            (places::read(&context, 1.0).len(), left.has_plots_at_edge)
+            (places::read(&context, 1.0, None).len(), left.has_plots_at_edge)
         };
         let (before, _) = taken(false);
         assert_eq!(taken(true), (before + usize::from(lie_at_edge), lie_at_edge), "{size:?}");

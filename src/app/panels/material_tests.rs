@@ -241,6 +241,35 @@ fn the_panel_goes_to_the_other_side_where_it_would_cover_what_is_selected() {
 }
 
 #[test]
+fn the_panel_is_dragged_aside_by_its_title_and_put_back_by_a_double_click() {
+    let mut screen = Screen::new(Some(matter()));
+    let (at_right, title) = (screen.place("Copy"), screen.place("block"));
+    let by = vec2(-400.0, 100.0);
+    screen.frame(vec![Event::PointerMoved(title)]);
+    screen.frame(vec![button(title, true)]);
+    for share in [0.25, 0.5, 1.0] {
+        screen.frame(vec![Event::PointerMoved(title + share * by)]);
+    }
+    // Meanwhile something else is told to be selected there: it stays in the hand.
+    screen.facts.chosen_at = Some(Rect::from_center_size(at_right + by, vec2(60.0, 60.0)));
+    assert!((screen.place("Copy") - (at_right + by)).length() < 3.0, "{} {at_right}", screen.place("Copy"));
+    screen.frame(vec![button(title + by, false)]);
+    assert!((screen.place("Copy") - (at_right + by)).length() < 3.0, "it is open still: a drag is no click");
+    // What is selected next lies below it, and then does not.
+    screen.state.matter_at.begin();
+    assert_eq!(screen.place("Copy"), at_right);
+    screen.facts.chosen_at = None;
+    screen.state.matter_at.begin();
+    assert!((screen.place("Copy") - (at_right + by)).length() < 3.0);
+    for events in click(title + by).into_iter().chain(click(title + by)) {
+        screen.frame(events);
+    }
+    // Two clicks fold it and open it again, which takes a while.
+    (0..20).for_each(|_| _ = screen.frame(Vec::new()));
+    assert_eq!(screen.place("Copy"), at_right);
+}
+
+#[test]
 fn where_nothing_is_selected_it_stands_beside_the_tools_once_settings_take_the_edge() {
     let mut screen = Screen::new(None);
     let at_edge = screen.place("All");

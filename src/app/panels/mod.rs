@@ -67,6 +67,7 @@ mod steady;
 mod swings;
 pub(super) mod theme;
 pub(super) mod ticks;
+mod timelines;
 mod top;
 mod transport;
 mod typed;
@@ -100,7 +101,7 @@ pub(super) use held::HeldAt;
 use icons::Icon;
 pub(super) use laying::show;
 pub(super) use lessons::{At, Lessons, Met};
-pub(super) use material::MatterAt;
+use material::MatterAt;
 pub(super) use material::lies as matter_lies;
 pub(super) use material::presets;
 pub(super) use moving::{close as close_lines, is_open as are_lines_open};
@@ -187,15 +188,19 @@ pub(super) enum Wish {
     Stay,
     /// Another branch, where it was left.
     ToBranch(usize),
+    /// A branch is called so from now on; of an empty title, by what was done in it.
+    CallBranch(usize, String),
+    /// A branch is not listed any more.
+    DiscardBranch(usize),
     /// Every island is moved by its own method, whatever that costs.
     Exact,
     /// What gave way to the load is taken back.
     TakeBack,
-    /// What is plotted is written to a file, as a table.
+    /// What is plotted is to be written as a table, to a file that is asked for.
     WriteTable,
     /// The plot is, as a figure.
     WriteFigure,
-    /// All that was done, or this moment, is saved to a file.
+    /// What was chosen is saved to a file.
     SaveTo(PathBuf),
     /// A scene that takes long to open is not waited for.
     StopOpening,

@@ -179,13 +179,8 @@ pub(super) fn show(
     match facts.tool {
         Tool::Select => {
             let beside_tools = egui::pos2(shown.response.rect.right() + 8.0, rooms.right.top());
-            return Some(material::show(
-                context,
-                (rooms.right, beside_tools, rooms.half.is_some()),
-                state,
-                facts,
-                wishes,
-            ));
+            let place = (rooms.right, beside_tools, rooms.half.is_some());
+            return material::show(context, place, state, facts, wishes);
         }
         Tool::Push => push::show(context, (tools, part, can_fold), facts, wishes),
         Tool::Paint => brush::show(context, (tools, part, can_fold), facts, wishes),

@@ -379,15 +379,15 @@ fn areas(context: &Context) -> Vec<(LayerId, Rect)> {
 /// place beside bodies by themselves.
 const READ: [&str; 5] = ["settings", "lessons", "plots above", "plots below", "matter"];
 
-/// Where what is read lies over the world: left, top, right and bottom of each `[px]`.
-pub(in crate::app) fn read(context: &Context, scale: f32) -> Vec<[f64; 4]> {
+/// Where what is read lies over the world: left, top, right and bottom of each `[px]`. `but`: not that one, which was dragged to where it lies.
+pub(in crate::app) fn read(context: &Context, scale: f32, but: Option<&str>) -> Vec<[f64; 4]> {
     let rect = |name: &str| {
         let id = egui::Id::unique(name);
         let is_shown = context.memory(|memory| memory.areas().is_visible(&LayerId::new(Order::Middle, id)));
         context.memory(|memory| memory.area_rect(id)).filter(|_| is_shown)
     };
     let corners = |rect: Rect| [rect.left(), rect.top(), rect.right(), rect.bottom()];
-    let all = READ.into_iter().filter_map(rect).map(corners);
+    let all = READ.into_iter().filter(|name| Some(*name) != but).filter_map(rect).map(corners);
     all.map(|rect| rect.map(|side| f64::from((side * scale).round()))).collect()
 }
 

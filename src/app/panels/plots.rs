@@ -223,18 +223,10 @@ fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>
         if ui.button("Close").on_hover_text(described("close the plots", Action::Plots)).clicked() {
             wishes.push(Wish::Act(Action::Plots));
         }
-        if ui
-            .button("CSV")
-            .on_hover_text("a table, beside the last file that was saved, or among your documents")
-            .clicked()
-        {
+        if ui.button("CSV").on_hover_text("all of it as a table, in a file that is asked for").clicked() {
             wishes.push(Wish::WriteTable);
         }
-        if ui
-            .button("SVG")
-            .on_hover_text("this plot, beside the last file that was saved, or among your documents")
-            .clicked()
-        {
+        if ui.button("SVG").on_hover_text("this plot as a figure, in a file that is asked for").clicked() {
             wishes.push(Wish::WriteFigure);
         }
     });

@@ -40,6 +40,10 @@ pub(in crate::app) enum Saved {
     All,
     /// The last seconds as they are seen.
     Clip,
+    /// What is plotted, as numbers.
+    Table,
+    /// The plot that is looked at.
+    Figure,
 }
 
 impl Saved {
@@ -49,6 +53,22 @@ impl Saved {
             Saved::Moment => "json",
             Saved::All => "jsonl",
             Saved::Clip => "gif",
+            Saved::Table => "csv",
+            Saved::Figure => "svg",
+        }
+    }
+
+    /// Whether it is of the scene, and one of what can be chosen; what is plotted is written by its own buttons.
+    pub(in crate::app) fn is_of_scene(self) -> bool {
+        matches!(self, Saved::Moment | Saved::All | Saved::Clip)
+    }
+
+    /// What else writes a file that is called so, in words.
+    fn hint(self, path: &Path) -> &'static str {
+        match self {
+            Saved::Table | Saved::Figure => "",
+            _ if Saved::Clip.takes(path) => " (choose a clip above)",
+            _ => " (F2 writes a picture)",
         }
     }
 
@@ -58,6 +78,8 @@ impl Saved {
             Saved::Moment => "a scene",
             Saved::All => "a recording",
             Saved::Clip => "a clip",
+            Saved::Table => "a table",
+            Saved::Figure => "a figure",
         }
     }
 
@@ -65,7 +87,7 @@ impl Saved {
     fn takes(self, path: &Path) -> bool {
         match self {
             Saved::Moment | Saved::All => is_recording(path),
-            Saved::Clip => path.extension().is_some_and(|ending| ending == self.ending()),
+            _ => path.extension().is_some_and(|ending| ending == self.ending()),
         }
     }
 
@@ -74,6 +96,8 @@ impl Saved {
         match self {
             Saved::Moment | Saved::All => ("Scenes and recordings", &ENDINGS),
             Saved::Clip => ("Animated pictures", &["gif"]),
+            Saved::Table => ("Tables", &["csv"]),
+            Saved::Figure => ("Figures", &["svg"]),
         }
     }
 }
@@ -83,11 +107,11 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         ui.set_width(sheet::fitting(context, [WIDE, 0.0])[0]);
         let was = state.save_to.kind;
         let kind = &mut state.save_to.kind;
-        ticks::one_of(ui, kind, Saved::Moment, MOMENT)
-            .on_hover_text("opened, it goes on from here, without what was done before");
-        ticks::one_of(ui, kind, Saved::All, ALL).on_hover_text("a recording: opened, it is replayed from its start");
-        ticks::one_of(ui, kind, Saved::Clip, CLIP)
-            .on_hover_text("the last seconds as they are seen, without panels: for others to look at");
+        match kind {
+            Saved::Table => _ = ui.label(TABLE),
+            Saved::Figure => _ = ui.label(FIGURE),
+            _ => kinds(ui, kind),
+        }
         let has_changed = *kind != was;
         if *kind == Saved::Clip {
             clip(ui, &mut state.save_to.clip);
@@ -144,6 +168,19 @@ const MOMENT: &str = "the scene as it stands";
 const ALL: &str = "all that was done, as a recording";
 const CLIP: &str = "a clip, as an animated picture (.gif)";
 
+/// What is written of the plots.
+const TABLE: &str = "what is plotted, as a table (.csv)";
+const FIGURE: &str = "the plot as it is seen, as a figure (.svg)";
+
+/// What of the scene is saved.
+fn kinds(ui: &mut egui::Ui, kind: &mut Saved) {
+    ticks::one_of(ui, kind, Saved::Moment, MOMENT)
+        .on_hover_text("opened, it goes on from here, without what was done before");
+    ticks::one_of(ui, kind, Saved::All, ALL).on_hover_text("a recording: opened, it is replayed from its start");
+    ticks::one_of(ui, kind, Saved::Clip, CLIP)
+        .on_hover_text("the last seconds as they are seen, without panels: for others to look at");
+}
+
 /// How long a clip is, and how wide.
 fn clip(ui: &mut egui::Ui, settings: &mut ClipSettings) {
     let ([shortest, longest], [narrowest, widest]) = (ClipSettings::SECONDS, ClipSettings::WIDTHS);
@@ -183,9 +220,9 @@ fn bare_name(path: &str) -> Range<usize> {
     letters(from)..letters(from + bare.len())
 }
 
-/// A path without what scenes, recordings and clips end in.
+/// A path without what files end in that are written here.
 fn without_ending(path: &str) -> Option<&str> {
-    let endings = [Saved::Moment, Saved::All, Saved::Clip].map(Saved::ending);
+    let endings = [Saved::Moment, Saved::All, Saved::Clip, Saved::Table, Saved::Figure].map(Saved::ending);
     endings.iter().find_map(|known| path.strip_suffix(&format!(".{known}")))
 }
 
@@ -198,9 +235,9 @@ pub(in crate::app) fn is_recording(path: &Path) -> bool {
 const ENDINGS: [&str; 2] = ["json", "jsonl"];
 
 impl SaveTo {
-    /// Of another file: clips are as they were set for the last one.
-    pub(in crate::app) fn with_clip(clip: ClipSettings) -> Self {
-        SaveTo { clip, ..SaveTo::default() }
+    /// Of another file, for what is to be written: clips are as they were set for the last one.
+    pub(in crate::app) fn of(kind: Saved, clip: ClipSettings) -> Self {
+        SaveTo { kind, clip, ..SaveTo::default() }
     }
 
     /// Another path: what was said of the last one goes.
@@ -257,11 +294,11 @@ impl SaveTo {
             () if path.is_dir() => Some(format!("`{}` is a folder: add a name", path.display())),
             () if !folder.is_dir() => Some(format!("there is no folder `{}`", folder.display())),
             () if !self.takes(&path) => Some(format!(
-                "what ends in `.{}` is not written: {} ends in .{} ({})",
+                "what ends in `.{}` is not written: {} ends in .{}{}",
                 path.extension().unwrap_or_default().display(),
                 self.kind.words(),
                 self.ending(),
-                if Saved::Clip.takes(&path) { "choose a clip above" } else { "F2 writes a picture" }
+                self.kind.hint(&path)
             )),
             () if path.exists() && self.asked.as_ref() != Some(&path) => {
                 self.asked = Some(path.clone());
@@ -314,6 +351,28 @@ mod tests {
         let mut all = SaveTo { kind: Saved::All, ..SaveTo::default() };
         assert_eq!(all.ask(folder.path().join("x.png")), None);
         assert!(all.fault.is_some_and(|fault| fault.contains("a recording ends in .jsonl")));
+    }
+
+    #[test]
+    fn tables_and_figures_are_asked_for_their_names_and_end_in_their_own_ways() {
+        let folder = tempfile::tempdir().unwrap();
+        let old = folder.path().join("old.csv");
+        std::fs::write(&old, "t").unwrap();
+        let [mut table, mut figure] =
+            [Saved::Table, Saved::Figure].map(|kind| SaveTo::of(kind, ClipSettings::default()));
+        assert_eq!([&table, &figure].map(|of| of.ending()), ["csv", "svg"]);
+        assert_eq!(table.ask(old.clone()), None, "what is there is asked about");
+        assert_eq!(table.ask(old.clone()), Some(old.clone()));
+        assert_eq!((table.ask(folder.path().join("scene.json")), figure.ask(old)), (None, None));
+        assert!(table.fault.is_some_and(|fault| fault.ends_with("a table ends in .csv")));
+        assert!(figure.fault.is_some_and(|fault| fault.ends_with("a figure ends in .svg")));
+        assert_eq!(bare_name("/a/wobble-rim-001.svg").len(), "wobble-rim-001".len());
+        let mut state =
+            PanelState { save_to: SaveTo::of(Saved::Figure, ClipSettings::default()), ..Default::default() };
+        state.path = folder.path().join("mine").display().to_string();
+        let mut wishes = Vec::new();
+        ask(&mut state, &mut wishes);
+        assert_eq!(wishes, [Wish::SaveTo(folder.path().join("mine.svg"))]);
     }
 
     #[test]

@@ -8,10 +8,9 @@ use super::icons::{self, Icon};
 use super::steady::steady;
 use super::theme::colors;
 use super::waiting::is_said;
-use super::{At, Facts, Wish, described, icon, moving, short};
+use super::{At, Facts, Wish, described, icon, moving, short, timelines};
 use crate::app::action::Action;
 use crate::app::player::{Figures, LONGEST_FRAME};
-use crate::history::BranchView;
 use crate::lessons::lessons;
 
 /// The paces that can be chosen.
@@ -48,7 +47,7 @@ pub(super) fn show(ui: &mut egui::Ui, left: &mut Option<At>, facts: &Facts, wish
                 });
                 moving::show(ui, facts, wishes);
                 way_back(ui, left, wishes);
-                branches(ui, facts, wishes);
+                timelines::show(ui, facts, wishes);
                 timeline(ui, facts, wishes)
             })
             .inner
@@ -102,33 +101,6 @@ fn way_back(ui: &mut egui::Ui, left: &mut Option<At>, wishes: &mut Vec<Wish>) {
     if ui.button("Back to the lesson").on_hover_text(said).clicked() {
         wishes.push(Wish::Learn(at));
     }
-}
-
-/// The ways that time went, where there are several.
-fn branches(ui: &mut egui::Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
-    let list = &facts.figures.branches;
-    let Some(present) = list.iter().position(|branch| branch.is_present).filter(|_| list.len() > 1) else { return };
-    let (shown, width) = match ui.available_width() < moving::ROOMY {
-        true => (format!("timeline {}", present + 1), 92.0),
-        false => (format!("timeline {} of {}", present + 1, list.len()), 122.0),
-    };
-    let menu = egui::ComboBox::from_id_salt("branches").selected_text(shown).width(width).show_ui(ui, |ui| {
-        for (place, branch) in list.iter().enumerate() {
-            if choice(ui, branch.is_present, words(place, branch)).clicked() && !branch.is_present {
-                wishes.push(Wish::ToBranch(branch.number));
-            }
-        }
-    });
-    menu.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "timelines"));
-    menu.response.on_hover_text(
-        "you went back in time and did something else: both timelines are kept, choose which to go on with",
-    );
-}
-
-/// What a branch is called: its last edit, and from when to when it is its own.
-fn words(place: usize, branch: &BranchView) -> String {
-    let name = if branch.name.is_empty() { String::new() } else { format!("{}, ", branch.name) };
-    format!("{}: {name}{:.1} to {:.1} s", place + 1, branch.from, branch.end)
 }
 
 /// The line of what was seen already; dragging on it goes back.

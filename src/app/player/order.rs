@@ -131,6 +131,10 @@ pub enum Order {
     Table(PathBuf, Vec<u8>),
     /// To another branch, where it was left.
     ToBranch(usize, Option<Cursor>),
+    /// A branch is called so; of an empty title, by what was done in it.
+    CallBranch(usize, String),
+    /// A branch is not listed any more.
+    DiscardBranch(usize),
     /// A snapshot of this moment is put into the picture, which is written to a file.
     Picture(PathBuf, Box<image::RgbaImage>),
 }
@@ -200,6 +204,8 @@ pub enum Note {
     NothingToRedo,
     /// The start was gone to: what became of edits.
     GoneBack(GoneBack),
+    /// A branch was discarded, which was called so.
+    Discarded(String),
     /// What was to be worked out was given up: all is as it was.
     GivenUp,
     /// A log was followed until now; what is done from here on is another branch.

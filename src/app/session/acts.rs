@@ -178,11 +178,13 @@ impl Session {
             Wish::ToBranch(number) => {
                 self.go(Order::ToBranch(number, self.told));
             }
+            Wish::CallBranch(number, title) => self.player.ask(Order::CallBranch(number, title)),
+            Wish::DiscardBranch(number) => self.player.ask(Order::DiscardBranch(number)),
             Wish::Stay => self.player.stay(),
             Wish::Exact => self.player.ask(Order::Exact),
             Wish::TakeBack => self.player.ask(Order::TakeBack),
-            Wish::WriteTable => self.write_table(),
-            Wish::WriteFigure => self.write_figure(),
+            Wish::WriteTable => self.ask_where_to_plot(Saved::Table),
+            Wish::WriteFigure => self.ask_where_to_plot(Saved::Figure),
             Wish::SaveTo(path) => self.save_as_asked(path),
             Wish::StopOpening => {
                 self.stop_opening();
@@ -212,6 +214,8 @@ impl Session {
         match kind {
             Saved::All => self.save_to(path),
             Saved::Moment => self.save_moment(path),
+            Saved::Table => self.write_table(path),
+            Saved::Figure => self.write_figure(path),
             Saved::Clip => {
                 self.panels.sheet.take_if(|sheet| *sheet == Sheet::SaveTo);
                 self.save_clip(path);

@@ -106,6 +106,7 @@ impl Session {
             adding: None,
             asked: None,
             leaving: Leaving::Not,
+            told_of: Vec::new(),
             dialog: None,
             wearer: None,
             pasted: None,

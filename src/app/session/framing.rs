@@ -71,10 +71,10 @@ impl Session {
         (self.ways.taken, self.ways.beside) = (read, None);
     }
 
-    /// Whether what is selected came to lie below the panel of the tool that selects, and nobody drags anything.
+    /// Whether what is selected came to lie below the panel of the tool that selects, which was not dragged there, and nobody drags anything.
     fn lies_below(&mut self) -> bool {
         let context = self.egui.egui_ctx();
-        if context.input(|input| input.pointer.any_down()) {
+        if context.input(|input| input.pointer.any_down()) || self.panels.matter_at.is_dragged() {
             return false;
         }
         let panel = matter_lies(context).filter(|_| self.hand.tool() == Tool::Select);

@@ -68,6 +68,9 @@ impl Session {
             }
             Note::Redone(name, seconds) => self.have_gone(format!("Redid: {name}{}", far(seconds))),
             Note::GoneBack(edits) => self.say(gone_back(edits)),
+            Note::Discarded(called) => {
+                self.say(format!("the timeline \"{called}\" is not listed any more: Ctrl+Z brings it back"));
+            }
             Note::GivenUp => {
                 self.gone_by = None;
                 self.say("given up: it is as it was".to_owned());

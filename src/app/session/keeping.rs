@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::Session;
 use super::trails::AllTrails;
 use crate::app::opening::keys;
-use crate::app::panels::{SaveTo, Sheet, Wish, ask_to_save};
+use crate::app::panels::{SaveTo, Saved, Sheet, Wish, ask_to_save};
 use crate::app::player::Order;
 use crate::app::recent::Used;
 use crate::app::saving::{Chosen, Saving, folder, free_name, named_after, plain_name, saved_again};
@@ -18,17 +18,20 @@ impl Session {
             let path = record.to_owned();
             return self.save_to(path);
         }
-        self.ask_where_to_save();
+        self.ask_where_to_save(Saved::Moment);
     }
 
     /// Opens the system's dialog, unless it is open.
     pub(super) fn browse_to_save(&mut self) {
         if self.saving.is_none() {
             let (begins, ending) = (folder(self.recent.saved()), self.panels.save_to.ending());
-            let path = saved_again(self.player.file(), ending)
-                .unwrap_or_else(|| begins.join(plain_name(self.scene.name(), ending)));
-            let kind = self.panels.save_to.kind.filter();
-            self.saving = Some(Saving::new(&self.window, (&path, kind), self.wake_up()));
+            let kind = self.panels.save_to.kind;
+            let path = match kind.is_of_scene() {
+                true => saved_again(self.player.file(), ending)
+                    .unwrap_or_else(|| begins.join(plain_name(self.scene.name(), ending))),
+                false => self.free_path(ending),
+            };
+            self.saving = Some(Saving::new(&self.window, (&path, kind.filter()), self.wake_up()));
         }
     }
 
@@ -58,12 +61,13 @@ impl Session {
         free_name(&folder(self.recent.saved()), &name, ending)
     }
 
-    /// A path can be written.
-    fn ask_where_to_save(&mut self) {
+    /// A path can be written, for what is to be saved: what is plotted gets a name that no file has, however the scene is called.
+    pub(super) fn ask_where_to_save(&mut self, kind: Saved) {
         // What was chosen for the last file says nothing of this one.
-        self.panels.save_to = SaveTo::with_clip(self.panels.save_to.clip);
+        self.panels.save_to = SaveTo::of(kind, self.panels.save_to.clip);
         let ending = self.panels.save_to.ending();
-        let path = saved_again(self.player.file(), ending).unwrap_or_else(|| self.free_path(ending));
+        let own = saved_again(self.player.file(), ending).filter(|_| kind.is_of_scene());
+        let path = own.unwrap_or_else(|| self.free_path(ending));
         self.panels.path = path.display().to_string();
         (self.panels.sheet, self.panels.is_fresh) = (Some(Sheet::SaveTo), true);
         self.place_hint();

@@ -67,6 +67,13 @@ fn question(title: &str, (has_work, films): (bool, bool), left: &[&str]) -> Opti
     Some(words + clip)
 }
 
+/// Whether more would be lost than was told of as it was asked: work in the scene that is open, or in other scenes, of these names.
+fn is_more(has_work: bool, left: &[&str], told_of: &[String]) -> bool {
+    let count = |name: &str| left.iter().filter(|other| **other == name).count();
+    let told = |name: &str| told_of.iter().filter(|other| **other == name).count();
+    has_work || left.iter().any(|name| count(name) > told(name))
+}
+
 /// The first few of some names, those that are the same counted, and how many there are more.
 fn named(all: &[&str]) -> String {
     let mut kinds: Vec<(&str, usize)> = Vec::new();
@@ -96,6 +103,7 @@ impl Session {
         let films = self.filming.is_some();
         let Some(words) = question(&self.title(), (has_work, films), &others) else { return true };
         let has_others = !others.is_empty();
+        self.told_of = others.iter().map(|&name| name.to_owned()).collect();
         // A sheet would lie over the question.
         self.close_sheet();
         let answered = move |session: &mut Session, answer: usize| match answer {
@@ -164,7 +172,8 @@ impl Session {
         if self.leaving == Leaving::Filming {
             self.leaving = Leaving::Not;
             // Meanwhile more may have been done, which is asked about.
-            if is_written && self.may_leave(false) {
+            let is_answered = !is_more(self.player.is_unsaved(), &self.shelf.unsaved(), &self.told_of);
+            if is_written && (is_answered || self.may_leave(false)) {
                 self.leaving = Leaving::Now;
             }
         }
@@ -180,7 +189,7 @@ impl Session {
 
 #[cfg(test)]
 mod tests {
-    use super::{named, question};
+    use super::{is_more, named, question};
 
     #[test]
     fn work_that_was_not_saved_is_asked_about() {
@@ -200,6 +209,15 @@ mod tests {
         assert!(words.starts_with("jelly: save what you did? A clip is being written too"), "{words}");
         let words = question("jelly", (false, true), &["Rope"]).unwrap_or_default();
         assert!(words.ends_with("Rope. A clip is being written too, which would be lost."), "{words}");
+    }
+
+    #[test]
+    fn what_was_told_of_already_is_not_asked_about_once_a_clip_is_written() {
+        let told = ["Rope".to_owned(), "Net".to_owned()];
+        assert!(!is_more(false, &["Net", "Rope"], &told) && !is_more(false, &["Rope"], &told));
+        assert!(is_more(true, &["Rope", "Net"], &told), "something was done since");
+        assert!(is_more(false, &["Rope", "Jelly"], &told) && is_more(false, &["Rope", "Rope"], &told));
+        assert!(!is_more(false, &[], &[]) && is_more(false, &["Rope"], &[]));
     }
 
     #[test]

@@ -208,6 +208,8 @@ pub(super) struct Session {
     /// What waits for an answer before it comes.
     asked: Option<Asked>,
     leaving: Leaving,
+    /// The other scenes with work that was not saved, as it was last asked whether to leave.
+    told_of: Vec<String>,
     /// A file that is being chosen in the system's dialog, and what is on its way from the clipboard.
     dialog: Option<Fetch>,
     /// The points of a body that the picture in that file is for.

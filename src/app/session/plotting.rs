@@ -1,10 +1,12 @@
 //! Plots of the running world, while their panel is open.
 
+use std::path::PathBuf;
+
 use glam::DVec2;
 
 use super::Session;
-use crate::app::panels::{self, figure};
-use crate::app::player::{Measured, Order, Probe};
+use crate::app::panels::{self, Saved, figure};
+use crate::app::player::{Measured, Note, Order, Probe};
 use crate::app::plots::Plots;
 use crate::app::tools::{Hand, Scope};
 use crate::lessons::Plot;
@@ -100,27 +102,33 @@ impl Session {
         probes.into_iter().enumerate().filter_map(|(place, probe)| Some((place, probe?)))
     }
 
-    /// Writes what is plotted as a table, beside the last file that was saved, or among the documents.
-    pub(super) fn write_table(&mut self) {
-        let Some(plots) = &self.panels.plots else { return };
-        let mut bytes = Vec::new();
-        match plots.series().write_csv(plots.dimensions(), &mut bytes) {
-            Ok(()) => {
-                let path = self.free_path("csv");
-                self.player.ask(Order::Table(path, bytes));
-            }
-            Err(error) => self.complain(&error.to_string()),
+    /// Asks for the name of a file for what is plotted, or for the plot that is looked at.
+    pub(super) fn ask_where_to_plot(&mut self, kind: Saved) {
+        if self.panels.plots.is_some() {
+            self.ask_where_to_save(kind);
         }
     }
 
-    /// Writes the plot that is looked at as a figure into the same folder.
-    pub(super) fn write_figure(&mut self) {
-        let Some(plots) = &self.panels.plots else { return };
+    /// Writes what is plotted there as a table.
+    pub(super) fn write_table(&mut self, path: PathBuf) {
+        let Some(plots) = &self.panels.plots else { return self.note(Note::NotWritten(NO_PLOT.to_owned())) };
+        let mut bytes = Vec::new();
+        match plots.series().write_csv(plots.dimensions(), &mut bytes) {
+            Ok(()) => self.player.ask(Order::Table(path, bytes)),
+            Err(error) => self.note(Note::NotWritten(error.to_string())),
+        }
+    }
+
+    /// Writes the plot that is looked at there as a figure.
+    pub(super) fn write_figure(&mut self, path: PathBuf) {
+        let Some(plots) = &self.panels.plots else { return self.note(Note::NotWritten(NO_PLOT.to_owned())) };
         let bytes = figure(plots).into_bytes();
-        let path = self.free_path("svg");
         self.player.ask(Order::Table(path, bytes));
     }
 }
+
+/// Said where the plots were closed before a file was named for them.
+const NO_PLOT: &str = "nothing is plotted any more: L opens the plots";
 
 /// What the button, which is about to be let go at a pixel, clicked on is probed, or no more. Returns whether it clicked on anything.
 fn probe_at(plots: &mut Plots, hand: &Hand, (scope, at): (Scope<'_>, DVec2)) -> bool {

@@ -8,7 +8,6 @@ use winit::window::CursorIcon;
 use super::Session;
 use crate::app::action::Tool;
 use crate::app::matter::{Among, Bearings, MatterChange, Placing, overload};
-use crate::app::panels::MatterAt;
 use crate::app::player::Order;
 use crate::app::tools::{Chosen, Handle, Held, PushWay, Ring, Scope, hidden_bodies, is_of_space};
 use crate::history::{Do, Group};
@@ -96,7 +95,7 @@ impl Session {
             let Chosen { points, obstacles } = chosen;
             self.player.ask(Order::Inspect(Among { points, obstacles, bonds: None }));
             self.panels_dirty = true;
-            self.panels.matter_at = MatterAt::default();
+            self.panels.matter_at.begin();
             if !self.inspected.is_empty() {
                 self.panels.select();
             }

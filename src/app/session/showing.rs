@@ -59,7 +59,9 @@ impl Session {
         if was_open && self.panels.sheet.is_none() {
             self.leave_field();
         }
-        let read = panels::read_at(&context, output.pixels_per_point);
+        // What was dragged over bodies on purpose moves no view.
+        let dragged = self.panels.matter_at.is_dragged().then_some("matter");
+        let read = panels::read_at(&context, output.pixels_per_point, dragged);
         self.give_world(&laid, output.pixels_per_point, read);
         self.take_output(&context, output);
         self.reply(replies);

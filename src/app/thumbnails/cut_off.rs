@@ -24,7 +24,7 @@ pub(in crate::app) struct CutOff {
 }
 
 impl CutOff {
-    /// Draws them one after another on a thread of its own, which calls `wake` after each. What cannot be drawn has none.
+    /// Draws them one after another on a thread of its own, which calls `wake` after each and at the end. What cannot be drawn has none.
     pub(in crate::app) fn new(
         gpu: Gpu,
         palette: Palette,
@@ -32,7 +32,7 @@ impl CutOff {
         wake: impl Fn() + Send + 'static,
     ) -> Self {
         let (sender, drawn) = channel();
-        let aside = Aside::new(move |is_wanted| {
+        let aside = Aside::new(wake, move |is_wanted, wake| {
             let mut draft = Draft::new(gpu, THUMBNAIL.map(|side| (FINE * side) as u32), palette);
             for (path, scene) in wanted.into_iter().take_while(|_| is_wanted()) {
                 let Some(picture) = picture(&path, &scene, &mut draft) else { continue };

@@ -11,7 +11,9 @@ mod surface;
 mod swatch;
 
 use egui::collapsing_header::CollapsingState;
-use egui::{Align2, Area, Id, Label, LayerId, Order, Pos2, Rect, RichText, ScrollArea, Sense, Ui};
+use egui::{
+    Align2, Area, CursorIcon, Id, Label, LayerId, Order, Pos2, Rect, Response, RichText, ScrollArea, Sense, Ui, Vec2,
+};
 
 use super::bonds::{breaks, kinds, limits};
 use super::theme::{colors, floating};
@@ -42,48 +44,52 @@ const LEAST: f32 = 60.0;
 /// What stands at the right edge pushes it further off that than this `[points]`.
 const PUSHED: f32 = 40.0;
 
-/// Shows it at the right edge of a room, or beside the tools, where it would cover what is selected. Where it would cover the middle of the
-/// window it begins folded. In windows higher than wide it stays at the right: bodies lie below it. Returns where it begins and ends, bars and all, however much of that it takes now `[points]`.
+/// Shows it at the right edge of a room, or beside the tools, where it would cover what is selected, or where its title was dragged to. Where it would cover the middle of the
+/// window it begins folded. In windows higher than wide it stays at the right: bodies lie below it. Returns where it begins and ends, bars and all, however much of that it takes now `[points]`; `None`: it was
+/// dragged, and lies where it lies.
 pub(super) fn show(
     context: &egui::Context,
     (room, beside_tools, is_upright): (Rect, Pos2, bool),
     state: &mut PanelState,
     facts: &Facts,
     wishes: &mut Vec<Wish>,
-) -> [f32; 2] {
+) -> Option<[f32; 2]> {
     let id = area_id();
     let is_down = context.input(|input| input.pointer.any_down());
+    // It may get as high as there is room.
+    let (size, whole) = (egui::vec2(WIDTH + FRAME, room.height()), (room, beside_tools.x));
     if !is_down {
         state.gesture = None;
-        // It may get as high as there is room.
-        let size = egui::vec2(WIDTH + FRAME, room.height());
         let right = Rect::from_min_size(room.right_top() - egui::vec2(size.x, 0.0), size);
         let is_pushed = facts.matter.is_none() && room.right() + PUSHED < context.content_rect().right();
         let sides = [right, Rect::from_min_size(beside_tools, size)];
-        state.matter_at.find(room, sides, (facts.chosen_at.filter(|_| !is_upright), is_pushed && !is_upright));
+        state.matter_at.find(whole, sides, (facts.chosen_at.filter(|_| !is_upright), is_pushed && !is_upright));
     }
+    let dragged = state.matter_at.corner(size, whole);
     let mut sink = Sink { gesture: &mut state.gesture, wishes, previews_stops: &mut state.previews_stops };
     let middle = context.content_rect().center().x;
     let (pivot, corner, is_open) = match state.matter_at.is_left {
         true => (Align2::LEFT_TOP, beside_tools, beside_tools.x + WIDTH + FRAME < middle),
         false => (Align2::RIGHT_TOP, room.right_top(), room.right() - WIDTH - FRAME > middle),
     };
-    Area::new(id).pivot(pivot).fixed_pos(corner).show(context, |ui| {
+    let (pivot, corner) = dragged.map_or((pivot, corner), |dragged| (Align2::LEFT_TOP, dragged));
+    let mut grip = None;
+    let shown = Area::new(id).pivot(pivot).fixed_pos(corner).show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_width(WIDTH);
             let fold =
                 CollapsingState::load_with_default_open(ui.ctx(), Id::unique(("matter is open", is_open)), is_open);
-            let mut is_clicked = false;
             let mut header = fold.show_header(ui, |ui| {
                 let words = facts.matter.as_deref().map_or_else(|| "Select".to_owned(), title);
                 let words = Label::new(RichText::new(words).color(colors(ui).text).strong()).truncate();
-                is_clicked = ui.add(words.selectable(false).sense(Sense::click())).clicked();
+                let title = ui.add(words.selectable(false).sense(Sense::click_and_drag()));
+                grip = Some(title.on_hover_cursor(CursorIcon::Grab).on_hover_text(GRIP));
             });
-            if is_clicked {
+            if grip.as_ref().is_some_and(Response::clicked) {
                 header.toggle();
             }
             header.body_unindented(|ui| {
-                let height = (room.height() - HEAD).max(LEAST);
+                let height = (room.bottom() - corner.y - HEAD).max(LEAST);
                 ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
                     match &facts.matter {
                         Some(matter) => of_selection(ui, matter, facts, &mut sink),
@@ -93,10 +99,30 @@ pub(super) fn show(
             });
         });
     });
-    match state.matter_at.is_left {
-        true => [beside_tools.x, beside_tools.x + WHOLE],
-        false => [room.right() - WHOLE, room.right()],
+    if let Some(grip) = grip {
+        lead(&mut state.matter_at, &grip, shown.response.rect);
     }
+    match state.matter_at.is_left {
+        _ if state.matter_at.is_dragged() => None,
+        true => Some([beside_tools.x, beside_tools.x + WHOLE]),
+        false => Some([room.right() - WHOLE, room.right()]),
+    }
+}
+
+/// Said of the title.
+const GRIP: &str = "a click folds it, a drag puts it elsewhere, a double click back at the edge";
+
+/// The panel goes where its title is dragged, and back by a double click.
+fn lead(at: &mut MatterAt, grip: &Response, lies: Rect) {
+    if grip.dragged() && grip.drag_delta() != Vec2::ZERO {
+        at.drag_to(lies.min + grip.drag_delta());
+    } else if grip.double_clicked() {
+        at.put_back();
+    } else {
+        return;
+    }
+    // It lies there from the next frame on.
+    grip.ctx.request_repaint();
 }
 
 fn area_id() -> Id {

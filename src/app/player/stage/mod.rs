@@ -305,6 +305,15 @@ impl Stage {
                 // All is as it was.
                 Err(GivenUp) => return Some(Note::GivenUp),
             },
+            Order::CallBranch(number, title) => {
+                self.history.call_branch(number, &title);
+                self.figures_at = None;
+                None
+            }
+            Order::DiscardBranch(number) => {
+                self.figures_at = None;
+                self.history.discard_branch(number).map(Note::Discarded)
+            }
             Order::Exact => self.make_exact(),
             Order::TakeBack => self.take_back(),
             Order::Reset => match self.pace.reset_while(&mut self.history, goes_on) {
