@@ -16,12 +16,12 @@ pub(super) fn grounded<S: Real>(cluster: &Cluster<S>) -> Vec<bool> {
         _ if cluster.w[i as usize] == S::ZERO => ground,
         body => body,
     };
-    for pair in cluster.pairs.iter().filter(|pair| pair.pressed > S::ZERO) {
+    for pair in cluster.pairs.iter().filter(|pair| pair.contact.pressed > S::ZERO) {
         let [a, b] = [pair.a, pair.b].map(body);
         // An edge is as firm as the looser of its ends.
         sets.join(body(pair.p), a.min(b));
     }
-    for on in cluster.on_planes.iter().filter(|on| on.pressed > S::ZERO) {
+    for on in cluster.on_planes.iter().filter(|on| on.contact.pressed > S::ZERO) {
         sets.join(body(on.p), ground);
     }
     let ground = sets.find(ground);

@@ -3,7 +3,8 @@
 use glam::DVec2;
 
 use super::chain::Node;
-use crate::app::tools::pick::{Scope, distance_to_segment};
+use crate::app::tools::pick::Scope;
+use crate::app::tools::segments::distance_to_segment;
 use crate::sim::PointId;
 
 /// How far it reaches at least, at most, and at first `[logical px]`.
