@@ -104,9 +104,8 @@ impl Bench {
         }
         self.stage.show(&mut self.seen.0);
         let before = self.state();
-        let from = self.pixel_of(pin)?;
-        let to = from + DVec2::new(-40.0, -30.0);
-        let pressed = hand.press(scope(&self.seen), from);
+        let to = at + DVec2::new(-40.0, -30.0);
+        let pressed = hand.press(scope(&self.seen), at);
         hand.trace(scope(&self.seen), to);
         let way = hand.lead(scope(&self.seen), to, f64::INFINITY);
         let Some(way) = way.filter(|_| hand.is_leading()) else { return Err(format!("it is not led: {pressed:?}")) };
