@@ -1,6 +1,9 @@
 //! The program as a process: what it writes, its exit codes, its messages.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+#[cfg(unix)]
+mod run_script;
+
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 

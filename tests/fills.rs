@@ -1,6 +1,8 @@
 //! Fills of bodies: colours, what lies on what, what is torn, strain; and that colours stay with their bodies.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+mod worn;
+
 use crate::common;
 
 use common::picture::{SIDE, between, bond, pixels, plain, view};

@@ -1,6 +1,8 @@
 //! Pictures: from a file to a body, a scene, a skin.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test that cannot go on stops")]
 
+mod firm;
+
 use crate::common;
 
 use std::path::{Path, PathBuf};

@@ -1,6 +1,8 @@
 //! Whatever a command can set has a control in the window that sets it, found by the name that what reads aloud has of it.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
 
+mod scene_keys;
+
 use std::collections::BTreeSet;
 
 use egui::{Pos2, Rect, vec2};

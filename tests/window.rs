@@ -298,6 +298,40 @@ fn hold_a_picture_on_the_clipboard() {
     std::thread::sleep(Duration::from_secs(600));
 }
 
+/// A rigid body of so many points that another one would make the scene slow, by what a point that meets others costs at least.
+const FULL: &str = r#"{"wobble": 1, "name": "full", "contact": true, "view": {"center": [0.5, 0.5], "height": 4},
+    "bodies": [{"make": "lattice", "columns": 90, "rows": 90, "spacing": 0.01, "material": {"kind": "rigid", "mass": 1}}]}"#;
+
+#[test]
+fn copies_that_would_make_a_scene_slow_come_by_enter_and_are_left_by_esc() {
+    let Some(display) = Display::start() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let [scene, record] = ["full.json", "copies.jsonl"].map(|name| folder.path().join(name));
+    std::fs::write(&scene, FULL).unwrap();
+    let app = display.open_recorded(&scene, None, Some(&record));
+    app.move_mouse(900, 200);
+    app.wait_until_still();
+    app.key("ctrl+a");
+    // Without a question the second of each would be there too, and Enter and Esc would mean nothing.
+    for (copy, answer) in
+        [("ctrl+d", "Return"), ("ctrl+d", "Escape"), ("ctrl+c", ""), ("ctrl+v", "Return"), ("ctrl+v", "Escape")]
+    {
+        app.key(copy);
+        // What lies on the clipboard is asked for elsewhere.
+        std::thread::sleep(Duration::from_millis(1500));
+        if !answer.is_empty() {
+            app.key(answer);
+            std::thread::sleep(Duration::from_millis(1000));
+        }
+    }
+    app.quit();
+    let text = std::fs::read_to_string(&record).unwrap();
+    let lines = text.lines().map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap());
+    let edits = lines.filter_map(|line| Some((line["edit"].as_u64()?, line["name"].as_str()?.to_owned())));
+    let edits: std::collections::BTreeMap<u64, String> = edits.collect();
+    assert_eq!(edits.into_values().collect::<Vec<_>>(), ["duplicate", "paste"]);
+}
+
 #[test]
 fn a_picture_on_the_clipboard_is_pasted() {
     let Some(display) = Display::start() else { return };

@@ -10,7 +10,6 @@ use crate::app::action::Tool;
 use crate::app::matter::{Among, Bearings, MatterChange, Placing, overload};
 use crate::app::player::Order;
 use crate::app::tools::{Chosen, Handle, Held, PushWay, Ring, Scope, hidden_bodies, is_of_space};
-use crate::history::{Do, Group};
 use crate::sim::PointId;
 
 /// Said when something is hidden: how it is found again.
@@ -52,15 +51,8 @@ impl Session {
 
     /// The points that are selected are selected as one from now on.
     pub(super) fn group(&mut self) {
-        let Some(chosen) = self.selected() else { return };
-        if chosen.points.len() < 2 {
-            return self.say("a group is made of bodies: select some more with Shift, or a box around them".to_owned());
-        }
-        let groups = &self.shown().scenery.groups;
-        let is_free = |name: &String| groups.iter().all(|group| group.points.is_empty() || group.name != *name);
-        let Some(name) = (1..).map(|k| format!("group {k}")).find(is_free) else { return };
-        self.player.give(vec![Do::Group { points: chosen.points, name: name.clone() }], Some("group"));
-        self.say(format!("{name}: a click on one of its bodies selects all of it; Ctrl+Shift+G ends that"));
+        let deed = self.with_scope(|hand, scope| hand.group(scope));
+        self.do_deed(deed);
     }
 
     /// Whether something that is selected is in a group.
@@ -71,17 +63,8 @@ impl Session {
 
     /// The groups that are selected are none any more.
     pub(super) fn ungroup(&mut self) {
-        let Some(chosen) = self.selected() else { return };
-        let has = |group: &&Group| group.points.iter().any(|point| chosen.points.binary_search(point).is_ok());
-        let groups = self.shown().scenery.groups.iter().filter(has);
-        let acts: Vec<Do> = groups.map(|group| Do::Group { points: Vec::new(), name: group.name.clone() }).collect();
-        match acts.len() {
-            0 => self.say("what is selected is in no group".to_owned()),
-            _ => {
-                self.player.give(acts, Some("ungroup"));
-                self.say("each body is selected by itself again".to_owned());
-            }
-        }
+        let deed = self.with_scope(|hand, scope| hand.ungroup(scope));
+        self.do_deed(deed);
     }
 
     /// The stepping thread is told whose matter is to be shown, where that is new.

@@ -29,6 +29,7 @@ mod floor;
 #[cfg(test)]
 mod grab_tests;
 mod ground;
+mod grouping;
 mod grown;
 mod handles;
 #[cfg(test)]

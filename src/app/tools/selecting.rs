@@ -15,8 +15,9 @@ use super::{Deed, Doing, Hand, Stop, stops};
 use crate::app::action::Tool;
 use crate::sim::{Knots, PointId};
 
-/// Said of what cannot be mirrored: nothing, and what is in space.
-const NOTHING: &str = "select something first, with the Select tool (6)";
+/// Said where nothing is selected.
+pub(super) const NOTHING: &str = "select something first, with the Select tool (6)";
+/// Said of what cannot be mirrored: it is in space.
 const FLAT: &str = "only in the plane can it be flipped";
 
 /// A press that moves less than this is a click `[logical px]`.

@@ -3,18 +3,17 @@
 use glam::DVec2;
 
 use super::super::handles::{Frame, Handle};
+use super::super::stops::Dial;
 use super::super::tests::{SIZE, scope};
-use super::super::{Deed, Hand, Mark, PushWay, Ring, Role, clear_bodies};
+use super::super::{Deed, Drives, Hand, Mark, PushWay, Ring, Role, clear_bodies, unpin};
 use super::{Act, Bench, When};
 use crate::app::action::{Primitive, Tool};
-use crate::app::clip::Clip;
-use crate::app::import::Import;
+use crate::app::import::{Answer, Import};
 use crate::app::matter::{Among, MatterChange, Preset};
-use crate::app::player::{Coming, Order};
-use crate::history::{Do, SetKeys, Weather};
-use crate::scene::{Vector, WindKeys};
+use crate::app::player::Order;
+use crate::sim::PointId;
 
-/// A canvas that somebody has painted a thick stroke on.
+/// A canvas that somebody has painted a thick stroke on, once it is cut out and Enter adds it.
 fn painted() -> Import {
     let mut import = Import::of_canvas(|| ()).unwrap();
     let context = egui::Context::default();
@@ -29,15 +28,29 @@ fn painted() -> Import {
         vec![egui::Event::PointerMoved(to)],
         vec![button(to, false)],
     ];
-    // A window is measured first, then placed.
-    for events in [vec![], vec![], vec![]].into_iter().chain(stroke) {
+    let frame = |import: &mut Import, events: Vec<egui::Event>| {
         let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 720.0)));
         let input = egui::RawInput { screen_rect, events, ..Default::default() };
-        let mut output = context.run_ui(input, |ui| _ = import.show(ui.ctx(), true));
+        let mut answer = None;
+        let mut output = context.run_ui(input, |ui| answer = import.show(ui.ctx(), true).or(answer));
         output.textures_delta.clear();
+        answer
+    };
+    // A window is measured first, then placed.
+    for events in [vec![], vec![], vec![]].into_iter().chain(stroke) {
+        assert_eq!(frame(&mut import, events), None);
     }
     assert!(import.has_work(), "the stroke is on the canvas");
-    import
+    // What was painted is cut out beside the window.
+    for _ in 0..20_000 {
+        _ = import.poll();
+        import.enter();
+        if frame(&mut import, Vec::new()) == Some(Answer::Add) {
+            return import;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    panic!("Enter never adds what was painted")
 }
 
 impl Bench {
@@ -73,19 +86,19 @@ impl Bench {
         let tool = match act {
             Act::Grab => Tool::Hand,
             Act::Pin => Tool::Pin,
+            Act::PinHeld | Act::Unpin => Tool::Hand,
             Act::Cut => Tool::Cut,
             Act::Erase => Tool::Erase,
             Act::Build | Act::Block | Act::Cloth | Act::Rim | Act::Rope | Act::Figure => Tool::Build,
             Act::Solid | Act::SolidBox | Act::Slope | Act::Polygon | Act::Bonds => Tool::Build,
-            Act::Push | Act::PushBody | Act::Turned | Act::Throw => Tool::Push,
+            Act::Push | Act::PushBody | Act::Turned | Act::Throw | Act::Wind => Tool::Push,
             Act::Muscle => Tool::Muscle,
-            Act::Motor => Tool::Motor,
+            Act::Motor | Act::Hinge => Tool::Motor,
             Act::Paint | Act::Numbers => Tool::Paint,
             _ => Tool::Select,
         };
         hand.take(tool);
         let chosen = self.chosen();
-        let among = Among { points: chosen.points.clone(), obstacles: chosen.obstacles.clone(), bonds: None };
         let deed = match act {
             Act::Build | Act::Block | Act::Cloth | Act::Rim | Act::Rope | Act::Figure => {
                 hand.choose(match act {
@@ -142,10 +155,6 @@ impl Bench {
                 hand.set_brush(brush);
                 self.drag(&mut hand, [aside, far], runs)
             }
-            Act::Hide => {
-                let change = MatterChange::Visible(false);
-                return (None, Some(Order::Change { among, change, goes_on: false }));
-            }
             Act::Cut => self.drag(&mut hand, [at - DVec2::new(31.0, 42.0), at + DVec2::new(33.0, 44.0)], runs),
             Act::Muscle => {
                 let ends = self
@@ -180,30 +189,52 @@ impl Bench {
                 });
                 self.drag(&mut hand, [from, from + DVec2::new(25.0, -20.0)], runs)
             }
-            Act::Preset => {
-                let change = MatterChange::Preset(Preset::Rubber);
+            Act::Hide | Act::Preset | Act::Soften => {
+                hand.select(chosen);
+                let chosen = hand.chosen(scope(&self.seen)).unwrap_or_default();
+                let among = Among { points: chosen.points, obstacles: chosen.obstacles, bonds: None };
+                let change = match act {
+                    Act::Hide => MatterChange::Visible(false),
+                    Act::Preset => MatterChange::Preset(Preset::Rubber),
+                    _ => MatterChange::Stiffness(123.0),
+                };
                 return (None, Some(Order::Change { among, change, goes_on: false }));
             }
-            Act::Soften => {
-                return (None, Some(Order::Change { among, change: MatterChange::Stiffness(123.0), goes_on: false }));
+            Act::Copy => return (None, Some(self.duplicate(chosen))),
+            Act::Paste => return (None, Some(self.paste(&chosen, far))),
+            Act::Group | Act::Ungroup | Act::Flip => {
+                hand.select(chosen);
+                match act {
+                    Act::Group => hand.group(scope(&self.seen)),
+                    Act::Ungroup => hand.ungroup(scope(&self.seen)),
+                    _ => hand.flip(scope(&self.seen), 0),
+                }
             }
-            Act::Copy => {
-                let by = chosen.beside(scope(&self.seen));
-                let add = move |history: &crate::history::History| {
-                    Ok(Coming::of(Clip::of(history, &chosen).placed(history.world(), by)))
-                };
-                return (None, Some(Order::Add(Box::new(add))));
+            Act::PinHeld => {
+                hand.hold_pins(true);
+                let deed = self.drag(&mut hand, [at; 2], runs);
+                hand.hold_pins(false);
+                deed
             }
-            Act::Group if chosen.points.len() < 2 => return (Some("the session says so".to_owned()), None),
-            Act::Group => {
-                let act = Do::Group { points: chosen.points, name: "group 1".to_owned() };
-                return (None, Some(Order::Give(vec![act], Some("group"))));
+            Act::Unpin => unpin(scope(&self.seen), at),
+            Act::Hinge => {
+                let drives = hand.drives();
+                let mut motor = drives.motor;
+                motor.is_on = Some(false);
+                hand.set_drives(Drives { motor, ..drives });
+                self.drag(&mut hand, [at; 2], runs)
+            }
+            Act::Stop => {
+                hand.select(chosen);
+                let dial = Dial::of(scope(&self.seen), [0, 1, 2].map(PointId)).unwrap();
+                let on = |angle: f64| dial.at(scope(&self.seen), angle, 1.0).unwrap();
+                let [from, to] = [2.5, 2.1].map(on);
+                assert!(hand.takes_stop(scope(&self.seen), from), "the stop is there");
+                self.drag(&mut hand, [from, to], runs)
             }
             Act::Wind => {
-                let velocity = Vector::new([3.0, 0.0, 0.0], self.seen.0.dimensions);
-                let wind = Weather::This(WindKeys { velocity, turbulence: None, seed: None });
-                let set = Do::Set(Box::new(SetKeys { wind: Some(wind), ..SetKeys::default() }));
-                return (None, Some(Order::Give(vec![set], Some("wind"))));
+                hand.set_push_way(PushWay::Wind);
+                self.drag(&mut hand, [aside, far], runs)
             }
             Act::Lasso => {
                 hand.draw_lasso(true);
