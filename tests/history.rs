@@ -4,6 +4,7 @@
 mod autosave;
 mod beside;
 use crate::common;
+mod corrected;
 mod keyframes;
 
 use common::session::{Dice, play as play_at_random};

@@ -1,15 +1,18 @@
-//! The same start by other methods, beside a history.
+//! The same start by other methods, or under other keys, beside a history.
 //!
 //! A companion has a world of its own and no log: it follows that of the history, wherever that goes. So whatever is given to the
 //! world is given to its companions too, and undo, reset and going back go for all of them. There a companion keeps its own steps: a
 //! command is done at the end of its step that reaches the command's time, and a method of long steps hears of it that much later.
 //! Where the log is whole before it begins ([`Companion::reach`]) steps are cut short for commands, as everywhere.
+//!
+//! Its method is its own, and so is what its entry says in place of the scene (`own`): a command that sets that passes it over.
 
 use super::branch::{Spot, Tree};
 use super::command::{Do, Entry, SetKeys};
 use super::error::HistoryError;
 use super::frame::Frame;
 use super::keyframes::{Kept, Keyframes};
+use super::own::Own;
 use super::session::History;
 use super::start::Recording;
 use crate::picture::{Skin, Tint};
@@ -21,7 +24,7 @@ const MOST_BYTES: usize = 128 << 20;
 /// Times that differ by less than this share of a step are the same.
 const SLACK: f64 = 1e-9;
 
-/// The world of a scene by another method, led by the commands of the history that it stands beside.
+/// The world of a scene by another method or under keys of its own, led by the commands of the history that it stands beside.
 pub struct Companion {
     entry: BesideKeys,
     title: String,
@@ -53,7 +56,7 @@ impl Part<'_> {
 impl Companion {
     /// An entry of `beside`, at the start of a recording.
     ///
-    /// Errors: its method cannot run the scene, or go on from the state; with its title.
+    /// Errors: its method or its keys cannot run the scene, or go on from the state; with its title.
     pub fn new(recording: &Recording, entry: &BesideKeys) -> Result<Self, HistoryError> {
         let title = recording.scene.companion_title(entry);
         let scene = recording.scene.companion(entry);
@@ -61,7 +64,12 @@ impl Companion {
         let refused = |reason: String| HistoryError::file(&label, format!("beside: `{title}`: {reason}"));
         let own = Recording { scene: scene.clone(), ..recording.clone() };
         let mut frame = own.begin(&label).map_err(|error| refused(error.to_string()))?;
-        if recording.state.is_some() {
+        if recording.state.is_some() && entry.own().next().is_some() {
+            let start = scene.world(scene.duration).map_err(|error| refused(error.to_string()))?;
+            let own = Own { entry, listed: scene.bonds.len() };
+            frame.world = own.go_on(&*frame.world, &*start).map_err(&refused)?;
+            frame.eased.retain(|eased| !(entry.owns("bonds") && eased.leads_springs()));
+        } else if recording.state.is_some() {
             // A state goes on by the method that it was kept with.
             let method = MethodKeys { precision: None, tolerance: None, ..scene.method.clone() };
             let act = Do::Set(Box::new(SetKeys { method: Some(method), ..SetKeys::default() }));
@@ -81,7 +89,7 @@ impl Companion {
 
     /// The same, in words where no title is given.
     pub fn words(&self) -> String {
-        self.entry.title.clone().unwrap_or_else(|| self.scene.method.words())
+        self.entry.called(|| self.scene.method.words())
     }
 
     /// The entry that it was made of.
@@ -109,7 +117,7 @@ impl Companion {
         self.frame.dress.tints()
     }
 
-    /// The last command that it could not do, with its time and why: what it shows since is of another log.
+    /// The last command that it could not do, or that it passed over for what is its own, with its time: what it shows since is of another log.
     pub fn refused(&self) -> Option<&str> {
         self.refused.as_deref()
     }
@@ -184,14 +192,18 @@ impl Companion {
         self.frame.step(None, &self.scene);
     }
 
-    /// Does a command of the log, but for what it says of the method: that is the companion's own.
+    /// Does a command of the log, but for what it says of the method and of what else is the companion's own.
     fn obey(&mut self, entry: &Entry) {
         self.frame.place += 1;
         match &entry.act {
-            Do::Set(keys) if keys.method.is_some() => {
-                let own = SetKeys { method: None, ..(**keys).clone() };
-                if own != SetKeys::default() {
-                    self.apply(&Do::Set(Box::new(own)), entry.at);
+            Do::Set(keys) => {
+                let own = Own { entry: &self.entry, listed: self.scene.bonds.len() };
+                let (left, kept) = own.left_of(keys);
+                if let Some(left) = left {
+                    self.apply(&Do::Set(Box::new(left)), entry.at);
+                }
+                if !kept.is_empty() {
+                    self.refused = Some(format!("at {:.2} s it kept its own {}", entry.at, kept.join(" and ")));
                 }
             }
             // A step that is longer than the cursor's way ends after it.

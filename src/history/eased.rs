@@ -131,6 +131,11 @@ fn stiffness_between(from: f64, to: f64, s: f64) -> f64 {
 }
 
 impl Eased {
+    /// Whether it is springs that are led.
+    pub(super) fn leads_springs(&self) -> bool {
+        self.led == Led::Springs
+    }
+
     /// Whether it gets other numbers at a time `[s]`.
     pub(super) fn is_due(&self, time: f64) -> bool {
         time >= self.due

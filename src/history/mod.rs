@@ -30,6 +30,7 @@ mod lines;
 mod log;
 mod mark;
 mod method;
+mod own;
 mod pack;
 mod parse;
 mod past;

@@ -60,6 +60,12 @@ impl Scene {
                 }
             }));
         }
+        // What stands beside it lists the same bonds.
+        for entry in &mut scene.beside {
+            if let Some(bonds) = &mut entry.bonds {
+                bonds.extend(scene.bonds.iter().skip(self.bonds.len()));
+            }
+        }
         scene.skins = skins(&self.skins, &start)
             .lists()
             .into_iter()

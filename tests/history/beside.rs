@@ -1,8 +1,9 @@
 //! What stands beside a history: it follows the log wherever that goes, and the world knows nothing of it.
 
-use wobble::history::{Companion, Do, Entry, History, Recording, Replay, SetKeys, distances, hash_now};
+use serde_json::{Value, json};
+use wobble::history::{Companion, DeleteKeys, Do, Entry, History, Recording, Replay, SetKeys, distances, hash_now};
 use wobble::scene::{BesideKeys, MethodKeys, Scene, SolverName};
-use wobble::sim::{Cursor, PointId, Reach};
+use wobble::sim::{BondKind, Cursor, PointId, Reach};
 
 use super::common::session::{Dice, play as play_at_random};
 use super::{cursor, hash, play, strength};
@@ -30,6 +31,17 @@ fn history(beside: &[BesideKeys]) -> History {
 
 fn by(solver: SolverName) -> BesideKeys {
     BesideKeys::by(solver)
+}
+
+/// Springs twice as stiff, in thicker air that moves.
+fn stiffer() -> BesideKeys {
+    let spring = |a: u32| json!({"a": a, "b": a + 1, "kind": "spring", "stiffness": 80, "damping": 0.1});
+    let keys = json!({"bonds": [spring(0), spring(1)], "drag_rate": 2, "wind": {"velocity": [1, 0]}});
+    serde_json::from_value(keys).unwrap()
+}
+
+fn set(keys: Value) -> Do {
+    Do::Set(Box::new(serde_json::from_value::<SetKeys>(keys).unwrap()))
 }
 
 /// Brings all along to where the world is.
@@ -202,4 +214,92 @@ fn of_a_snapshot_it_goes_on_from_the_same_state() {
     let [here, same, other] = [again.world(), again.companions()[0].world(), again.companions()[1].world()]
         .map(|world| hash_now(world, time));
     assert!(here == same && here != other);
+}
+
+#[test]
+fn what_an_entry_has_of_its_own_is_its_worlds_alone() {
+    let mut with = history(&[stiffer()]);
+    let mut without = history(&[]);
+    (0..150).for_each(|_| {
+        with.step();
+        without.step();
+        bring(&mut with);
+    });
+    assert_eq!(hash(&with), hash(&without));
+    let mut alone = scene(&[]).companion(&stiffer()).world(None).unwrap();
+    (0..150).for_each(|_| alone.step());
+    let time = alone.time();
+    assert_eq!(hash_now(with.companions()[0].world(), time), hash_now(&*alone, time));
+    // The loose point comes to the wind's speed but for e^(-2 t).
+    let loose = places(&with.companions()[0])[6];
+    let expected = 1.0 + time - 0.5 * (1.0 - (-2.0 * time).exp());
+    assert!((loose - expected).abs() < 5e-3, "{loose} instead of {expected}");
+    assert_eq!(with.companions()[0].title(), "verlet, h = 10 ms, its own bonds, drag rate, wind");
+}
+
+#[test]
+fn a_command_that_sets_what_is_its_own_is_passed_over_and_told_and_any_other_is_done() {
+    let after = |keys: Option<Value>| {
+        let mut history = history(&[stiffer()]);
+        (0..20).for_each(|_| history.step());
+        if let Some(keys) = keys {
+            history.give(vec![set(keys)], Some("set")).unwrap();
+        }
+        (0..30).for_each(|_| history.step());
+        bring(&mut history);
+        let companion = &history.companions()[0];
+        (hash(&history), places(companion), companion.refused().map(str::to_owned))
+    };
+    let calm = after(None);
+    assert_eq!(calm.2, None);
+    let own = [
+        (json!({"wind": {"velocity": [-5, 0]}, "drag_rate": 1}), "drag and wind"),
+        (json!({"bonds": [0], "stiffness": 5}), "bonds"),
+        (json!({"bonds": [1], "stiffness": 400, "over": 0.1}), "bonds"),
+    ];
+    for (keys, words) in own {
+        let set = after(Some(keys.clone()));
+        assert_ne!(set.0, calm.0, "{keys} changes the scene");
+        assert_eq!(set.1, calm.1, "{keys} changes nothing beside it");
+        assert_eq!(set.2, Some(format!("at 0.20 s it kept its own {words}")));
+    }
+    let both = after(Some(json!({"gravity": [3, 0], "wind": {"velocity": [-5, 0]}})));
+    let gravity = after(Some(json!({"gravity": [3, 0]})));
+    assert_eq!((both.1, both.2.as_deref()), (gravity.1.clone(), Some("at 0.20 s it kept its own wind")));
+    assert!(gravity.1 != calm.1 && gravity.2.is_none(), "gravity is that of all");
+}
+
+#[test]
+fn of_a_snapshot_it_goes_on_under_its_own_keys_with_what_is_left() {
+    let mut first = history(&[]);
+    play(&mut first, 30);
+    first.give(vec![Do::Delete(DeleteKeys { bonds: vec![0], ..DeleteKeys::default() })], Some("cut")).unwrap();
+    first.give(vec![set(json!({"gravity": [0, -2]}))], Some("lighter")).unwrap();
+    play(&mut first, 30);
+    let mut kept = first.snapshot().unwrap();
+    kept.scene.beside = vec![stiffer()];
+    let mut again = History::new(kept.into()).unwrap();
+    let start: Vec<f64> = (0..8).map(|k| again.world().positions().get(k)).collect();
+    let companion = &again.companions()[0];
+    assert_eq!((companion.world().time(), places(companion)), (again.world().time(), start));
+    let kinds: Vec<BondKind> = companion.world().bonds().iter().map(|bond| bond.kind).collect();
+    assert_eq!(kinds, [BondKind::Spring { stiffness: 80.0, damping: 0.1 }], "the second bond is left");
+    let settings = companion.world().settings();
+    assert_eq!((settings.drag_rate, settings.gravity), (Some(2.0), Some([0.0, -2.0, 0.0])), "gravity is as it was set");
+    (0..50).for_each(|_| again.step());
+    bring(&mut again);
+    let time = again.world().time();
+    assert_ne!(hash_now(again.world(), time), hash_now(again.companions()[0].world(), time));
+}
+
+#[test]
+fn a_scene_without_bodies_lists_the_bonds_of_these_beside_it_too() {
+    let text = r#"{"wobble": 1, "points": {"position": [[0, 0], [1, 0]]}, "bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 4}],
+        "bodies": [{"make": "box", "width": 1, "height": 1, "origin": [3, 0], "material": {"kind": "spring", "stiffness": 9}}],
+        "beside": [{"bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 8}]}]}"#;
+    let scene = Scene::parse(text, "x.json").unwrap();
+    let expanded = scene.expanded().unwrap();
+    expanded.check().unwrap();
+    let [here, there] = [&scene, &expanded].map(|scene| scene.companion(&scene.beside[0]).model::<2>().unwrap());
+    assert!(here.bonds.iter().eq(there.bonds.iter()) && here.bonds.len() == 6);
 }

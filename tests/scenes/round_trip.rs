@@ -29,6 +29,8 @@ const PLANE: &str = r#"{ "wobble": 1, "name": "all \"keys\" é", "tags": ["a", "
     { "polygon": [[[0,0],[3,0],[0,3]], [[0.5,0.5],[1,0.5],[0.5,1]]] } ],
   "method": { "solver": "blanes-moan-4", "substep": 0.01, "iterations": 3, "order": "symmetric", "seed": 4,
     "precision": "f32", "tolerance": 0.001, "max_strain": 0.1 },
+  "beside": [ { "title": "thick air", "drag_rate": 2, "wind": { "velocity": [0,0] }, "gravity": [1,0],
+    "bounds": { "min": [-4,-4], "max": [4,4] }, "method": { "substep": 0.02 } } ],
   "rate": 2, "duration": 3, "samples": [0,1,1,3], "view": { "center": [0,0], "height": 10, "width": 4 },
   "labels": [ { "at": [1,2], "text": "here" }, { "at": [0,0.5], "text": "λ, \"there\"", "point": 2 } ] }"#;
 

@@ -8,7 +8,7 @@ use super::icons::{self, Icon};
 use super::theme::{colors, floating};
 use super::{Facts, Wish, legend, ticks};
 use crate::render::Color;
-use crate::scene::{BesideKeys, MOST_BESIDE, SolverName};
+use crate::scene::{MOST_BESIDE, SolverName};
 
 /// Room about a title `[points]`.
 const ROOM: f32 = 8.0;
@@ -279,7 +279,7 @@ pub(super) fn menu(ui: &mut Ui, has_name: bool, facts: &Facts, wishes: &mut Vec<
         }
         for solver in solvers().filter(|solver| is_open(facts, *solver) && !runs_by(facts, *solver)) {
             if choice(ui, facts, solver, solver.words()) {
-                wishes.push(Wish::Beside(Some(BesideKeys::by(solver))));
+                wishes.push(Wish::Beside(Some(solver)));
             }
         }
         others(ui, facts);

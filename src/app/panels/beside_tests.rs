@@ -7,7 +7,7 @@ use super::pointer::click;
 use super::{Facts, Neighbor, Wish, beside};
 use crate::app::player::{Shown, Stage};
 use crate::render::Look;
-use crate::scene::{BesideKeys, Scene, SolverName};
+use crate::scene::{Scene, SolverName};
 
 /// What is written in a frame, and where.
 type Written = Vec<(String, Pos2)>;
@@ -62,10 +62,7 @@ fn beside_each_other() -> Facts {
 #[test]
 fn the_menu_puts_worlds_there_and_takes_them_away() {
     let alone = Facts::default();
-    assert_eq!(
-        choose(&alone, ["Compare…", "Runge-Kutta, order 4"]),
-        [Wish::Beside(Some(BesideKeys::by(SolverName::Rk4)))]
-    );
+    assert_eq!(choose(&alone, ["Compare…", "Runge-Kutta, order 4"]), [Wish::Beside(Some(SolverName::Rk4))]);
     assert_eq!(choose(&alone, ["Compare…", "a reference: fine steps, 64 bits"]), [Wish::Beside(None)]);
     let two = beside_each_other();
     assert_eq!(choose(&two, ["Compare…", "Take away: Verlet"]), [Wish::TakeAway(0)]);
@@ -117,10 +114,7 @@ fn what_the_scene_refuses_is_folded_behind_a_line_that_says_why() {
     let folded = open("Not for this scene (2)");
     let named = folded.iter().any(|(text, _)| text.contains("Runge-Kutta, order 4") && text.contains(", "));
     assert!(named && has(&folded, "each knows no contact"), "{folded:?}");
-    assert_eq!(
-        choose(&facts, ["Compare…", "Runge-Kutta, order 2"]),
-        [Wish::Beside(Some(BesideKeys::by(SolverName::Rk2)))]
-    );
+    assert_eq!(choose(&facts, ["Compare…", "Runge-Kutta, order 2"]), [Wish::Beside(Some(SolverName::Rk2))]);
 }
 
 #[test]

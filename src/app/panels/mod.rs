@@ -89,7 +89,7 @@ use super::tools::{Brush, BuiltOf, Drives, Links, PushWay};
 use super::trailing::TrailSettings;
 use crate::history::Do;
 use crate::render::{Look, Palette};
-use crate::scene::{BesideKeys, PrecisionName, SolverName};
+use crate::scene::{PrecisionName, SolverName};
 use crate::sim::{Key, PointId};
 pub(super) use asking::{Question, show as ask};
 pub(super) use beside::{Misfits, Neighbor, solvers};
@@ -162,8 +162,8 @@ pub(super) enum Wish {
     Lasso(bool),
     /// Something is set of the scene.
     Set(Setting),
-    /// The same start beside it, by this or as exact as can be.
-    Beside(Option<BesideKeys>),
+    /// The same start beside it, by this solver or as exact as can be.
+    Beside(Option<SolverName>),
     /// What stands beside it at a place of the row is taken away.
     TakeAway(usize),
     /// What stands beside it is coloured by the distance.

@@ -346,7 +346,8 @@ pub(super) fn reference(history: &History) -> [BesideKeys; 2] {
             sleep: Some(false),
             ..MethodKeys::default()
         };
-        BesideKeys { title: Some(format!("reference: {}", method.words())), method }
+        let title = Some(format!("reference: {}", method.words()));
+        BesideKeys { title, method, ..BesideKeys::default() }
     };
     [by(SolverName::Rk8, FINER[0]), by(SolverName::Auto, FINER[1])]
 }

@@ -1,11 +1,11 @@
 //! Worlds side by side without a window: frames, and what companions may take of them.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
-use super::beside::{Companions, Escort};
+use super::beside::{Beside, Companions, Escort};
 use super::rungs::Load;
 use super::tests::{scene, strength};
 use super::{Note, Order, Pace, Shown, Stage};
-use crate::history::History;
+use crate::history::{Do, History, SetKeys};
 use crate::scene::{BesideKeys, Scene, SolverName};
 use crate::sim::Cursor;
 
@@ -60,6 +60,26 @@ fn in_every_frame_the_same_method_is_drawn_where_the_world_is_and_another_is_not
         });
         assert_eq!(there, Some(0.0), "at the end of a step, to the bit");
     }
+}
+
+#[test]
+fn a_world_that_keeps_what_is_its_own_says_so_until_that_is_undone() {
+    let mut stage = stage(&[BesideKeys { drag_rate: Some(3.0), ..BesideKeys::default() }]);
+    frames(&mut stage, 5);
+    let thinner = SetKeys { drag_rate: Some(1.0), ..SetKeys::default() };
+    stage.obey(Order::Give(vec![Do::Set(Box::new(thinner))], Some("drag")));
+    // On a busy machine it comes a frame or two later.
+    let mut comes = |order: Option<Order>, is_so: &dyn Fn(&Beside) -> bool| {
+        if let Some(order) = order {
+            stage.obey(order);
+        }
+        (0..100).any(|_| {
+            frames(&mut stage, 1);
+            is_so(&shown(&mut stage).beside[0])
+        })
+    };
+    assert!(comes(None, &|world| world.words.ends_with(" s it kept its own drag")));
+    assert!(comes(Some(Order::Undo(None)), &|world| world.farthest.is_some() && world.words.is_empty()));
 }
 
 #[test]

@@ -163,7 +163,7 @@ impl Session {
             Wish::Bear => self.bear(),
             Wish::Wear => self.choose_to_wear(),
             Wish::Lasso(is_lasso) => self.hand.draw_lasso(is_lasso),
-            Wish::Beside(entry) => self.put_beside(entry),
+            Wish::Beside(solver) => self.put_beside(solver),
             Wish::TakeAway(place) => self.take_away(place),
             Wish::TintDistance(tints) => self.tints_distance = tints,
             Wish::Solver(solver) => self.player.ask(Order::Solver(solver)),

@@ -186,11 +186,12 @@ impl Session {
         std::iter::once(first).chain(others).collect()
     }
 
-    /// One more world by another method.
-    pub(super) fn put_beside(&mut self, entry: Option<BesideKeys>) {
-        let order = match entry {
+    /// One more world by another solver.
+    pub(super) fn put_beside(&mut self, solver: Option<SolverName>) {
+        let order = match solver {
             None => Companions::Reference,
-            Some(entry) => {
+            Some(solver) => {
+                let entry = BesideKeys::by(solver);
                 let entries = self.shown().beside.iter().map(|world| world.entry.clone()).chain([entry]);
                 Companions::These(entries.collect())
             }

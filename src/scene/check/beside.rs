@@ -1,14 +1,15 @@
 //! The keys of what is drawn beside a scene.
 
 use super::super::error::{Fault, Within};
-use super::super::keys::{BesideKeys, Scene, SolverName};
+use super::super::keys::{BesideKeys, BondList, Scene, SolverName};
 use super::super::support;
 use super::check_method;
 
 /// So many are drawn beside a scene at most: more would be too small to be compared.
 pub(crate) const MOST_BESIDE: usize = 5;
 
-/// Errors: too many entries; a title of no letters; a method that the form excludes, or that cannot run the scene.
+/// Errors: too many entries; a title of no letters; bonds between other points than the scene's; keys or a method that the form excludes, or
+/// by which the scene cannot be run.
 pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
     if scene.beside.len() > MOST_BESIDE {
         let message = format!("has {} entries: there is room for {MOST_BESIDE} beside a scene", scene.beside.len());
@@ -22,11 +23,47 @@ pub(super) fn check(scene: &Scene) -> Result<(), Fault> {
         }
         let title = scene.companion_title(entry);
         check_method(&entry.method).map_err(|fault| fault.at("method").of(&title)).item(i)?;
+        if let Some(bonds) = &entry.bonds {
+            same_ends(bonds, &scene.bonds).at("bonds").map_err(|fault| fault.of(&title)).item(i)?;
+        }
         if is_fine {
-            can_run(&scene.companion(entry)).map_err(|fault| fault.elsewhere().of(&title)).item(i)?;
+            let other = scene.companion(entry);
+            if entry.own().next().is_some() {
+                check_own(entry, &other).map_err(|fault| fault.of(&title)).item(i)?;
+            }
+            can_run(&other).map_err(|fault| fault.elsewhere().of(&title)).item(i)?;
         }
     }
     Ok(())
+}
+
+/// Commands name bonds by their numbers, which must mean the same in both worlds.
+///
+/// Errors: another number of bonds, or one between other points.
+fn same_ends(bonds: &BondList, scene: &BondList) -> Result<(), Fault> {
+    if bonds.len() != scene.len() {
+        let message =
+            format!("has {}, where the scene lists {}: give one for each", count(bonds.len()), count(scene.len()));
+        return Err(Fault::invalid(message));
+    }
+    match (0..bonds.len()).find(|&k| bonds.ends(k) != scene.ends(k)) {
+        None => Ok(()),
+        Some(k) => {
+            let ([a, b], [c, d]) = (bonds.ends(k), scene.ends(k));
+            let message = format!("joins points {a} and {b}, where the scene's joins {c} and {d}: give these");
+            Err(Fault::invalid(message)).item(k)
+        }
+    }
+}
+
+fn count(bonds: usize) -> String {
+    if bonds == 1 { "1 bond".to_owned() } else { format!("{bonds} bonds") }
+}
+
+/// Errors: what the form excludes of the scene under the keys of an entry; where these are at fault it is said at their place.
+fn check_own(entry: &BesideKeys, other: &Scene) -> Result<(), Fault> {
+    let is_of_entry = |fault: &Fault| entry.own().any(|key| fault.is_in(key));
+    super::check(other).map_err(|fault| if is_of_entry(&fault) { fault } else { fault.elsewhere() })
 }
 
 fn can_run(scene: &Scene) -> Result<(), Fault> {
@@ -120,6 +157,19 @@ mod tests {
         assert!(swept.contains("beside[0]: `as-printed, h = 10 ms`: method.solver: "), "{swept}");
         assert!(said(r#"[{"method": {"solver": "rk5"}}]"#).contains("beside[0].method.solver"));
         assert!(said(r#"[{"name": "x"}]"#).contains("beside[0].name"));
+        let two = said(r#"[{"title": "mine", "bonds": [{"a": 0, "b": 1}, {"a": 0, "b": 1}]}]"#);
+        let message = "beside[0].bonds: `mine`: has 2 bonds, where the scene lists 1 bond: give one for each";
+        assert!(two.ends_with(message), "{two}");
+        let turned = said(r#"[{"title": "mine", "bonds": [{"a": 1, "b": 0}]}]"#);
+        assert!(
+            turned.contains("beside[0].bonds[0]: `mine`: joins points 1 and 0, where the scene's joins 0 and 1"),
+            "{turned}"
+        );
+        let wrong = said(r#"[{"bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": -1}]}]"#);
+        assert!(wrong.contains("beside[0].bonds[0].stiffness: "), "{wrong}");
+        assert!(said(r#"[{}, {"drag_rate": -1}]"#).contains("beside[1].drag_rate: "));
+        assert!(said(r#"[{"wind": {"velocity": [1, 0, 0]}}]"#).contains("beside[0].wind.velocity: "));
+        assert!(said(r#"[{"points": {"position": [[0, 0]]}}]"#).contains("beside[0].points: unknown key"));
         let wrong = read("[{}]", r#", "contact": true"#).unwrap().model::<2>().unwrap_err().to_string();
         assert!(wrong.contains("method.solver: ") && !wrong.contains("beside"), "the scene's own fault: {wrong}");
     }

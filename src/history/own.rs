@@ -1,0 +1,88 @@
+//! What a world beside a history has of its own, as its entry says: it keeps that, whatever a state or a command says of it.
+
+use super::command::SetKeys;
+use crate::scene::BesideKeys;
+use crate::sim::{Dynamics, Method, Saved, SavedWorld, resume};
+
+/// What a world beside has of its own.
+#[derive(Clone, Copy)]
+pub(super) struct Own<'a> {
+    pub(super) entry: &'a BesideKeys,
+    /// The first so many bonds are those that the scene lists.
+    pub(super) listed: usize,
+}
+
+impl Own<'_> {
+    /// The world of a `state` goes on under what is its own, as `start` has that: the world of the entry at its start.
+    ///
+    /// Errors: in words, why it cannot.
+    pub(super) fn go_on(&self, state: &dyn Dynamics, start: &dyn Dynamics) -> Result<Box<dyn Dynamics>, String> {
+        let saved = match (state.save(), start.save()) {
+            (Some(SavedWorld::Plane(state)), Some(SavedWorld::Plane(start))) => {
+                SavedWorld::Plane(self.under(state, start))
+            }
+            (Some(SavedWorld::Space(state)), Some(SavedWorld::Space(start))) => {
+                SavedWorld::Space(self.under(state, start))
+            }
+            _ => return Err("a state of other dimensions cannot be gone on from".to_owned()),
+        };
+        resume(&saved).map_err(|error| error.to_string())
+    }
+
+    fn under<const D: usize>(&self, state: Saved<D>, start: Saved<D>) -> Saved<D> {
+        let (mut model, own) = (state.model, start.model);
+        if self.entry.owns("bonds") {
+            for place in 0..model.bonds.len() {
+                let number = state.bond_numbers.as_ref().map_or(place, |numbers| numbers[place] as usize);
+                if number < self.listed {
+                    model.bonds.set(place, own.bonds.get(number));
+                }
+            }
+        }
+        if self.entry.owns("gravity") {
+            model.gravity = own.gravity;
+        }
+        if self.entry.owns("drag_rate") {
+            model.drag_rate = own.drag_rate;
+        }
+        if self.entry.owns("wind") {
+            model.wind = own.wind;
+        }
+        if self.entry.owns("bounds") {
+            model.bounds = own.bounds;
+        }
+        // The scalar is that of the state, and a tolerance is for runs from a start.
+        model.method = Method { precision: model.method.precision, tolerance: None, ..own.method };
+        Saved { model, substep: start.substep, handed_over: Vec::new(), ..state }
+    }
+
+    /// What a command that sets something sets here, if anything: nothing of the method, nothing that is its own. Then what of it is kept, in words.
+    pub(super) fn left_of(&self, keys: &SetKeys) -> (Option<SetKeys>, Vec<&'static str>) {
+        let mut left = SetKeys { method: None, ..keys.clone() };
+        let is_listed = |bond: &u32| (*bond as usize) < self.listed;
+        if self.entry.owns("bonds") && left.bonds.iter().flatten().any(is_listed) {
+            return (None, vec!["bonds"]);
+        }
+        let mut kept = Vec::new();
+        let mut keep = |key: &str, is_set: bool, words: &'static str| {
+            let is_kept = is_set && self.entry.owns(key);
+            if is_kept {
+                kept.push(words);
+            }
+            is_kept
+        };
+        if keep("gravity", left.gravity.is_some(), "gravity") {
+            left.gravity = None;
+        }
+        if keep("drag_rate", left.drag_rate.is_some(), "drag") {
+            left.drag_rate = None;
+        }
+        if keep("wind", left.wind.is_some(), "wind") {
+            left.wind = None;
+        }
+        if keep("bounds", left.bounds.is_some(), "walls") {
+            left.bounds = None;
+        }
+        (Some(left).filter(|left| *left != SetKeys::default()), kept)
+    }
+}
