@@ -15,6 +15,9 @@ mod former;
 mod hinges;
 #[cfg(test)]
 mod hinges_tests;
+mod hung;
+#[cfg(test)]
+mod hung_tests;
 mod joints;
 #[cfg(test)]
 mod joints_tests;
@@ -39,6 +42,7 @@ pub(super) use common::Common;
 pub(super) use facts::{Matter, NEVER, Pin, Span};
 pub(super) use former::Former;
 pub(super) use hinges::{LEAST_BONDS, MOST_LOOSE, sides};
+pub(super) use hung::{IN_HUB, props};
 pub(super) use joints::{Joint, Stops};
 pub(super) use led::led;
 pub(super) use motors::{MotorChange, Motors};

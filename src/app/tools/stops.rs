@@ -29,8 +29,8 @@ const NUMBERED: usize = 2;
 
 /// The stops of all joints among points, which are ascending.
 pub(super) fn marks(scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
-    let joints: Vec<Joint> =
-        joints(scope, points).filter_map(|angle| Some((angle.points, angle.range?))).take(MOST).collect();
+    let joint = |angle: &Angle| Some(Joint { points: angle.points, range: angle.range?, prop: None });
+    let joints: Vec<Joint> = joints(scope, points).filter_map(joint).take(MOST).collect();
     all(scope, Role::Lead, &joints)
 }
 
@@ -64,16 +64,24 @@ pub(super) struct Dial {
 }
 
 impl Dial {
-    /// That of a joint; `None` where an arm has no length.
+    /// That of a joint that is there; `None` where an arm has no length.
     pub(super) fn of(scope: Scope<'_>, points: [PointId; 3]) -> Option<Self> {
-        let [i, j, k] = points.map(|point| DVec2::from_slice(&scope.shown.place(point.index())[..2]));
-        let (first, second) = (i - j, k - j);
-        let arm = first.length().min(second.length());
+        Dial::beside(scope, points, None)
+    }
+
+    /// The same, where a prop is still to come to this place `[m]`.
+    fn beside(scope: Scope<'_>, [i, j, k]: [PointId; 3], prop: Option<[f64; 2]>) -> Option<Self> {
+        let place = |point: PointId| DVec2::from_slice(&scope.shown.place(point.index())[..2]);
+        let is_prop = prop.is_some() || scope.shown.scenery.props.binary_search(&i).is_ok();
+        let middle = place(j);
+        let (first, second) = (prop.map_or_else(|| place(i), DVec2::from) - middle, place(k) - middle);
+        // A prop lies in its hub: it is no arm.
+        let arm = if is_prop { second.length() } else { first.length().min(second.length()) };
         if !(arm > 0.0 && arm.is_finite()) {
             return None;
         }
         let [low, high] = RADII.map(|radius| radius * scope.scale / scope.camera.pixels_per_metre());
-        Some(Dial { middle: j, second, from: first.to_angle(), radius: (SHARE * arm).clamp(low, high) })
+        Some(Dial { middle, second, from: first.to_angle(), radius: (SHARE * arm).clamp(low, high) })
     }
 
     /// The pixel of an angle `[rad]`, a share of the radius off the joint; `None` behind what is seen.
@@ -83,8 +91,9 @@ impl Dial {
 }
 
 /// One of them; `None` where an arm has no length or lies behind what is seen.
-fn arc(scope: Scope<'_>, role: Role, (points, [least, most]): &Joint, is_numbered: bool) -> Option<Vec<Mark>> {
-    let dial = Dial::of(scope, *points)?;
+fn arc(scope: Scope<'_>, role: Role, joint: &Joint, is_numbered: bool) -> Option<Vec<Mark>> {
+    let Joint { points, range: [least, most], prop } = joint;
+    let dial = Dial::beside(scope, *points, *prop)?;
     let at = |angle: f64, share: f64| dial.at(scope, angle, share);
     let line = |[a, b]: [Option<DVec2>; 2], width: f64| Some(Mark::Line(role, a?, b?, width * scope.scale));
     let count = ((most - least) / PIECE).ceil().max(1.0);
