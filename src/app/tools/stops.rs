@@ -118,12 +118,13 @@ pub(super) fn within(angle: f64, middle: f64) -> f64 {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::super::Hand;
     use super::super::tests::{pixel, scope, shown};
     use super::*;
     use crate::app::action::Tool;
+    use crate::history::{DeleteKeys, Do};
     use crate::scene::Scene;
 
     /// Two arms at a right angle with stops, and a pair that has none.
@@ -167,6 +168,39 @@ mod tests {
         hand.press(scope(&seen), at);
         hand.release(scope(&seen), at);
         assert!(hand.chosen(scope(&seen)).is_some() && arcs(&hand).0.is_empty());
+    }
+
+    /// A box that hangs on one pin, with stops that push against a prop beside that.
+    const HANGING: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "view": {"center": [0.5, -0.2], "height": 4},
+        "points": {"position": [[0, 0], [0, -0.4], [1, -0.4], [1, 0], [-0.02, -0.05]], "pinned": [0, 4]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}, {"a": 3, "b": 0}, {"a": 0, "b": 2}],
+        "triangles": [[0, 1, 2], [0, 2, 3]], "angles": [{"points": [4, 0, 2], "min": 0.5, "max": 2.6}]}"#;
+
+    #[test]
+    fn a_prop_is_selected_led_and_let_go_with_the_pin_that_it_is_beside() {
+        let seen = shown(Scene::parse(HANGING, "x.json").unwrap());
+        assert_eq!(seen.0.scenery.props, [PointId(4)]);
+        let on_pin = pixel(&seen, 0);
+        let mut hand = Hand::default();
+        hand.take(Tool::Select);
+        hand.press(scope(&seen), pixel(&seen, 3));
+        hand.release(scope(&seen), pixel(&seen, 3));
+        assert_eq!(hand.chosen(scope(&seen)).unwrap().points, (0..5).map(PointId).collect::<Vec<_>>());
+        // Its arc is as large as those of other joints, though the prop lies in the hub.
+        let dial = Dial::of(scope(&seen), [4, 0, 2].map(PointId)).unwrap();
+        let metre = scope(&seen).camera.pixels_per_metre();
+        let radius = (SHARE * 1.16_f64.sqrt() * metre).clamp(RADII[0], RADII[1]);
+        assert!(radius > RADII[0] && (dial.radius * metre - radius).abs() < 0.5, "{} of {radius}", dial.radius * metre);
+        hand.take(Tool::Hand);
+        hand.press(scope(&seen), on_pin);
+        let way = hand.lead(scope(&seen), on_pin + DVec2::new(60.0, 0.0), 1.0).unwrap();
+        let [(PointId(0), pin), (PointId(4), prop)] = way.pins[..] else { panic!("{way:?}") };
+        assert!((prop[0] - pin[0] + 0.02).abs() < 1e-6 && (prop[1] - pin[1] + 0.05).abs() < 1e-6, "{way:?}");
+        assert!(pin[0] > 0.1);
+        let deed = super::super::unpin(scope(&seen), on_pin);
+        let away = Do::Delete(DeleteKeys { points: vec![4], ..DeleteKeys::default() });
+        assert_eq!((deed.commands, deed.edit), (vec![Do::Unpin(vec![PointId(0)]), away], Some("unpin")));
+        assert_eq!(deed.words.as_deref(), Some("unpinned: it falls"), "the prop holds nothing");
     }
 
     #[test]
