@@ -32,6 +32,7 @@ mod method;
 mod pack;
 mod parse;
 mod past;
+mod redo_file;
 mod replay;
 mod resolve;
 mod session;

@@ -41,6 +41,21 @@ pub(super) struct Redo {
 }
 
 impl Redo {
+    /// To a spot, which is called so.
+    pub(super) fn to(spot: Spot, name: String) -> Self {
+        Redo { spot, name }
+    }
+
+    /// What it brings again is called.
+    pub(super) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// When it leads to `[s]`.
+    pub(super) fn time(&self) -> f64 {
+        self.spot.time
+    }
+
     /// The branch that it leads to, and how many of its commands are done there.
     pub(super) fn reaches(&self) -> (usize, usize) {
         (self.spot.branch, self.spot.place)
