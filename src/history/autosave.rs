@@ -2,7 +2,7 @@
 //!
 //! A session has a file of lines, to which its commands are appended, and a lock beside it, which the system lets go when the
 //! program ends, however it does: a file whose lock is free was left behind. The state of the last write lies there too, to be shown while
-//! the lines are run through.
+//! the lines are run through, and what redo would bring again.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufRead as _};
@@ -12,6 +12,7 @@ use super::error::HistoryError;
 use super::last::{self, LastState};
 use super::lines::Lines;
 use super::log::Log;
+use super::redo_file::{self, RedoFile};
 use super::replay::Replay;
 use super::session::History;
 use super::start::Start;
@@ -26,6 +27,7 @@ const MOST: u32 = 1000;
 pub struct Autosave {
     lines: Lines,
     last: LastState,
+    redo: RedoFile,
     /// Held as long as this lives.
     lock: File,
     lock_path: PathBuf,
@@ -51,8 +53,8 @@ impl Autosave {
                 continue;
             }
             lock.lock()?;
-            let last = LastState::new(&path);
-            return Ok(Autosave { lines: Lines::new(path), last, lock, lock_path, due: f64::NEG_INFINITY });
+            let (last, redo) = (LastState::new(&path), RedoFile::new(&path));
+            return Ok(Autosave { lines: Lines::new(path), last, redo, lock, lock_path, due: f64::NEG_INFINITY });
         }
         Err(io::Error::other(format!("{} holds {MOST} sessions of this process: empty it", folder.display())))
     }
@@ -79,7 +81,9 @@ impl Autosave {
     ///
     /// Errors: those of [`Autosave::tick`].
     pub fn write(&mut self, history: &History) -> io::Result<()> {
+        self.redo.drop_old(history)?;
         self.lines.write(history)?;
+        self.redo.write(history)?;
         self.last.write(history)
     }
 
@@ -134,7 +138,7 @@ fn called_of(log: &Path) -> PathBuf {
 /// Removes a session's files, the one that it is found by last but for the lock.
 fn remove_all(path: &Path, lock_path: &Path) -> io::Result<()> {
     let [state, new] = last::files(path);
-    [&new, &state, &called_of(path), path, lock_path].into_iter().try_for_each(remove)
+    [&new, &state, &called_of(path), &redo_file::file(path), path, lock_path].into_iter().try_for_each(remove)
 }
 
 fn remove(path: &Path) -> io::Result<()> {
@@ -169,11 +173,13 @@ impl Left {
         &self.path
     }
 
-    /// What is whole of it.
+    /// What is whole of it, and what redo would have brought again.
     ///
     /// Errors: it cannot be read, or not even its header is whole.
     pub fn start(&self) -> Result<Start, HistoryError> {
-        Ok(Log::open(&self.path)?.recording()?.into())
+        let recording = Log::open(&self.path)?.recording()?;
+        let undone = redo_file::read(&self.path, &recording.commands);
+        Ok(Start::from(recording).with_undone(undone))
     }
 
     /// Whether its header is whole: then something was done that may be read by other means, though [`Left::start`] cannot.

@@ -34,6 +34,7 @@ mod own;
 mod pack;
 mod parse;
 mod past;
+mod redo_file;
 mod replay;
 mod resolve;
 mod session;

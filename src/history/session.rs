@@ -70,14 +70,15 @@ impl History {
     ///
     /// Errors: a scene that cannot be run, a state that cannot be gone on from.
     pub fn new(start: Start) -> Result<Self, HistoryError> {
-        let Start { recording, .. } = start;
+        let Start { recording, undone, .. } = start;
         let frame = recording.begin(recording.scene.name())?;
         let entries = &recording.scene.beside;
         let companions = entries.iter().map(|entry| Companion::new(&recording, entry)).collect::<Result<_, _>>()?;
         let from = frame.world.time();
         let end = recording.end().max(from);
-        let next_edit =
-            recording.commands.iter().filter_map(|entry| entry.edit).max().map_or(0, |edit| edit.saturating_add(1));
+        let of_undone = undone.iter().flat_map(|undone| &undone.commands);
+        let edits = recording.commands.iter().chain(of_undone).filter_map(|entry| entry.edit);
+        let next_edit = edits.max().map_or(0, |edit| edit.saturating_add(1));
         let mut history = History {
             notes: recording.notes(),
             kept: Kept::at(&frame),
@@ -102,6 +103,9 @@ impl History {
         history.keyframes.keep(0, history.frame.clone(), false);
         history.follow_due();
         history.arrive();
+        if let Some(undone) = undone {
+            history.bring(undone);
+        }
         Ok(history)
     }
 

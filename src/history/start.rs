@@ -15,6 +15,7 @@ use super::error::HistoryError;
 use super::frame::Frame;
 use super::log::{self, Log};
 use super::mark::Mark;
+use super::redo_file::Undone;
 use super::state;
 use crate::picture::PNG_MARK;
 use crate::scene::{Scene, ViewKeys};
@@ -159,6 +160,8 @@ pub struct Start {
     pub(super) recording: Recording,
     /// The file that it was read from.
     file: Option<PathBuf>,
+    /// What redo brings again of a session that was cut off.
+    pub(super) undone: Option<Undone>,
 }
 
 impl Start {
@@ -177,6 +180,11 @@ impl Start {
             }
         }
         Ok(Scene::load(file_or_name)?.into())
+    }
+
+    /// The same, of a session of which so much was undone.
+    pub(super) fn with_undone(self, undone: Option<Undone>) -> Self {
+        Start { undone, ..self }
     }
 
     fn of_file(self, path: &Path) -> Self {
@@ -236,12 +244,12 @@ impl From<Scene> for Recording {
 
 impl From<Scene> for Start {
     fn from(scene: Scene) -> Self {
-        Start { recording: scene.into(), file: None }
+        Start { recording: scene.into(), file: None, undone: None }
     }
 }
 
 impl From<Recording> for Start {
     fn from(recording: Recording) -> Self {
-        Start { recording, file: None }
+        Start { recording, file: None, undone: None }
     }
 }

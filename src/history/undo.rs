@@ -44,18 +44,29 @@ pub(super) enum Redo {
 }
 
 impl Redo {
-    /// The branch that it leads to, and how many of its commands are done there; `None`: nowhere.
-    pub(super) fn reaches(&self) -> Option<(usize, usize)> {
+    /// To a spot, which is called so.
+    pub(super) fn to(spot: Spot, name: String) -> Self {
+        Redo::To { spot, name }
+    }
+
+    /// Where it leads; `None`: nowhere.
+    pub(super) fn spot(&self) -> Option<Spot> {
         match self {
-            Redo::To { spot, .. } => Some((spot.branch, spot.place)),
+            Redo::To { spot, .. } => Some(*spot),
             Redo::Discard(_) => None,
         }
     }
 
-    fn name(&self) -> String {
+    /// The branch that it leads to, and how many of its commands are done there; `None`: nowhere.
+    pub(super) fn reaches(&self) -> Option<(usize, usize)> {
+        self.spot().map(|spot| (spot.branch, spot.place))
+    }
+
+    /// What it brings again is called.
+    pub(super) fn name(&self) -> &str {
         match self {
-            Redo::To { name, .. } => name.clone(),
-            Redo::Discard(discard) => discard.name.clone(),
+            Redo::To { name, .. } => name,
+            Redo::Discard(discard) => &discard.name,
         }
     }
 }
@@ -92,7 +103,7 @@ impl History {
             }
         };
         self.go(back, goes_on)?;
-        self.undone.push(Redo::To { spot: again, name: name.clone() });
+        self.undone.push(Redo::to(again, name.clone()));
         Ok(Some(Undone { name, seconds: self.world().time() - before }))
     }
 
@@ -108,7 +119,7 @@ impl History {
     pub fn redo_while(&mut self, goes_on: impl FnMut(f64) -> bool) -> Result<Option<Undone>, GivenUp> {
         let before = self.world().time();
         let Some(redo) = self.undone.last().cloned().or_else(|| self.next_edit()) else { return Ok(None) };
-        let name = redo.name();
+        let name = redo.name().to_owned();
         match redo {
             Redo::To { spot, .. } => self.go(spot, goes_on)?,
             Redo::Discard(discard) => self.discard_again(discard),

@@ -82,6 +82,74 @@ fn a_disk_that_cannot_be_written_is_a_note_and_what_was_undone_is_not_saved() {
     assert!(Log::open(saved.path()).unwrap().recording().unwrap().commands == history.recording().commands);
 }
 
+#[test]
+fn redo_brings_again_what_was_undone_before_a_session_was_cut_off() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut live = history("rim");
+    let mut saved = Autosave::begin(folder.path()).unwrap();
+    play(&mut live, 100);
+    let mut after = Vec::new();
+    for (name, strong) in [("first", 50.0), ("second", 60.0), ("third", 70.0)] {
+        live.give(vec![strength(strong)], Some(name)).unwrap();
+        after.push(hash(&live));
+        play(&mut live, 50);
+    }
+    saved.write(&live).unwrap();
+    let beside = saved.path().with_extension("redo");
+    assert!(!beside.exists(), "nothing was undone");
+    assert_eq!([live.undo(), live.undo()].map(|undone| undone.unwrap().name), ["third", "second"]);
+    saved.write(&live).unwrap();
+    // Time goes on, and nothing is done: redo leads to a time before.
+    play(&mut live, 30);
+    saved.write(&live).unwrap();
+    let end = hash(&live);
+    // The program is killed.
+    drop(saved);
+    let left = Autosave::left(folder.path()).pop().unwrap();
+    assert_eq!(Log::open(left.path()).unwrap().count(), live.recording().commands.len(), "the log has nothing of it");
+    let again = |left: &Left| {
+        let mut again = History::new(left.start().unwrap()).unwrap();
+        again.go_to(again.end());
+        again
+    };
+    let mut heir = again(&left);
+    assert_eq!(
+        (hash(&heir), heir.redoes().as_deref(), heir.branches().len()),
+        (end.clone(), Some("second"), live.branches().len())
+    );
+    // Its own file has it too, until something else is done.
+    let inner = folder.path().join("heir");
+    let mut of_heir = Autosave::begin(&inner).unwrap();
+    of_heir.write(&heir).unwrap();
+    for (name, expected) in [("second", &after[1]), ("third", &after[2])] {
+        assert_eq!((heir.redo().unwrap().name.as_str(), &hash(&heir)), (name, expected));
+    }
+    assert_eq!((heir.redo(), heir.undoes().as_deref()), (None, Some("third")));
+    drop(of_heir);
+    let inner_left = Autosave::left(&inner).pop().unwrap();
+    assert_eq!(again(&inner_left).redoes().as_deref(), Some("second"));
+    inner_left.discard().unwrap();
+    assert_eq!(std::fs::read_dir(&inner).unwrap().count(), 0);
+    // What is damaged, or of another log, brings nothing, and the session is gone on with all the same.
+    let text = std::fs::read_to_string(&beside).unwrap();
+    let far = text.replacen("\"after\":", "\"after\":9", 1);
+    for damaged in [&text[..text.len() / 2], "", "{}", &far] {
+        std::fs::write(&beside, damaged).unwrap();
+        let heir = again(&left);
+        assert_eq!((hash(&heir), heir.redoes()), (end.clone(), None), "{damaged}");
+    }
+    left.discard().unwrap();
+    // What is done instead takes it away.
+    let mut saved = Autosave::begin(folder.path()).unwrap();
+    let beside = saved.path().with_extension("redo");
+    saved.write(&live).unwrap();
+    assert!(beside.exists());
+    live.give(vec![strength(80.0)], Some("other")).unwrap();
+    saved.write(&live).unwrap();
+    assert!(!beside.exists());
+    saved.end().unwrap();
+}
+
 /// A program that runs one of the tests below, which do nothing but where they are given a folder.
 #[cfg(unix)]
 fn program(test: &str, folder: &Path, limit: &str) -> Child {

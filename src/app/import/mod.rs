@@ -35,6 +35,9 @@ pub(super) enum Answer {
     Cancel,
 }
 
+/// Height of a picture at first, for which [`Matter::YOUNG`] is chosen `[m]`.
+const HEIGHT: f64 = 2.0;
+
 /// How a picture is to be cut out and what of: what the panel edits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Wish {
@@ -291,8 +294,16 @@ impl Wish {
     /// What is wished for at first.
     fn of(picture: &Picture, ground: Ground) -> Self {
         let settings = Settings::of(picture, ground);
-        let (matter, young, pattern) = (Matter::Soft, Matter::YOUNG, PatternName::Braced);
-        Wish { settings, matter, of: None, young, height: 2.0, pattern, apart: false }
+        let (matter, young, pattern) = (Matter::Soft, first_young(HEIGHT), PatternName::Braced);
+        Wish { settings, matter, of: None, young, height: HEIGHT, pattern, apart: false }
+    }
+
+    /// The picture is so high from now on `[m]`: a stiffness that nobody has chosen goes with that.
+    fn grow(&mut self, height: f64) {
+        if self.young == first_young(self.height) {
+            self.young = first_young(height);
+        }
+        self.height = height;
     }
 
     /// A body that covers so much, where that is known `[m^2]`.
@@ -347,6 +358,17 @@ impl Wish {
     fn is_apart(&self) -> bool {
         self.apart && self.matter != Matter::Fixed
     }
+}
+
+/// Young's modulus at first of a body whose picture is so high `[N/m]`, in two digits.
+///
+/// Model: bodies of pictures have one mass M, whatever their height H. A part w wide, a share of H, is pressed together by M g/(E w), and a limb
+/// w wide and l long buckles where M g l^2/(E w^3) is too large: both stay as they are where E H does. So do the swings of a body in the time
+/// (H/g)^(1/2), and its damping, which is a share of the critical one: it stands, falls and wobbles alike at any size.
+fn first_young(height: f64) -> f64 {
+    let young = Matter::YOUNG * HEIGHT / height;
+    let digit = 10_f64.powf(young.log10().floor() - 1.0);
+    (young / digit).round() * digit
 }
 
 /// What a body of a picture that covers so much is of `[m^2]`; it keeps the colours of its picture.

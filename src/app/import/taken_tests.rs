@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use egui::{Event, Modifiers, PointerButton, Pos2, Rect, Shape};
 
 use super::{Answer, Import};
-use crate::app::matter::{Among, Preset};
+use crate::app::matter::{Among, Bearings, Preset};
 use crate::app::player::{Order, Shown, Stage};
 use crate::picture::{Picture, Size, Threshold};
 use crate::scene::{Material, Matter, Scene};
@@ -201,6 +201,29 @@ fn a_matter_by_name_is_what_the_panel_of_what_is_selected_calls_it_and_a_number_
     }
     screen.click("springs");
     assert_eq!((screen.import.wish.of, screen.import.wish.matter), (None, Matter::Soft));
+}
+
+#[test]
+fn a_body_is_pressed_by_its_weight_by_the_same_share_at_any_height_until_a_stiffness_is_chosen() {
+    let sags = [0.5, 2.0, 8.0].map(|height| {
+        let mut screen = Screen::of(blot());
+        screen.import.wish.grow(height);
+        let mut stage = Stage::new(screen.import.scene().unwrap().into()).unwrap();
+        let points = (0..stage.history().world().point_count() as u32).map(PointId).collect();
+        stage.obey(Order::Inspect(Among { points, ..Among::default() }));
+        let mut shown = Shown::default();
+        stage.show(&mut shown);
+        // A thousand times as heavy as it is: else it is not worth a word.
+        let heavy = 1e3 * shown.matter.as_ref().unwrap().density().unwrap();
+        Bearings::of(&shown).told(Some(heavy), None).unwrap().0
+    });
+    assert!(sags.iter().all(|sags_so| (sags_so / sags[1] - 1.0).abs() < 0.03), "{sags:?}");
+    let mut wish = Screen::of(blot()).import.wish;
+    wish.grow(3.0);
+    assert!((wish.young - 2700.0).abs() < 1e-6, "in two digits: {}", wish.young);
+    wish.young = 5000.0;
+    wish.grow(1.0);
+    assert_eq!((wish.young, wish.height), (5000.0, 1.0), "a number that was set stays");
 }
 
 #[test]

@@ -180,7 +180,11 @@ fn body(ui: &mut egui::Ui, wish: &mut Wish, is_painted: bool) {
     }
     // The body itself may be less high than what it is cut out of.
     let name = if is_painted { "height of the canvas" } else { "height of the picture" };
-    slider(ui, (&mut wish.height, 0.2..=10.0), (name, " m"), true);
+    let mut height = wish.height;
+    slider(ui, (&mut height, 0.2..=10.0), (name, " m"), true);
+    if height != wish.height {
+        wish.grow(height);
+    }
     ticks::check_if(ui, moves, &mut wish.apart, "parts as bodies of their own");
 }
 

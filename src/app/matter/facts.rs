@@ -71,7 +71,7 @@ pub struct Matter {
     pub(in crate::app) points: usize,
     pub(in crate::app) bonds: usize,
     pub(in crate::app) obstacles: usize,
-    /// What bonds hold together counts as one, a loose point too.
+    /// What bonds and angles hold together counts as one, a loose point too.
     pub(in crate::app) bodies: usize,
     /// What it is called, if bonds hold all of it together: all that it is made of.
     pub(in crate::app) name: Option<String>,
@@ -102,7 +102,8 @@ pub struct Matter {
     pub(in crate::app) angle_damping: Option<Span>,
     /// What moves each of the angles that resist, if anything does; `None`: none resists.
     pub(in crate::app) swings: Option<Common<Option<DriveKeys>>>,
-    /// Joints that have stops, and that may have some: what two bonds alone make is one, and so is a hinge between two bodies.
+    /// Joints that have stops, and that may have some: what two bonds alone make is one, and so is a hinge between two bodies,
+    /// and a pin that a body hangs on.
     pub(in crate::app) joints: [usize; 2],
     /// The least and the largest angles of those that have stops `[rad]`.
     pub(in crate::app) stops: Option<[Span; 2]>,
@@ -184,7 +185,9 @@ impl Matter {
         let knees = among.knees_of(world).len();
         let [least, most] = [0, 1].map(|side| Span::of(ranges().map(|range| range[side])));
         let surfaces = || skins.iter().chain(&solids);
-        let count_of_bodies = bodies(&points, &bonds);
+        let arms = world.angles().iter().flat_map(|angle| [[0, 1], [1, 2]].map(|ends| ends.map(|k| angle.points[k])));
+        let joined = bonds.iter().map(|(_, bond)| [bond.a, bond.b]).chain(arms);
+        let count_of_bodies = bodies(&points, joined);
         let area: f64 = areas(world, &points).iter().map(|(_, area)| area).sum();
         let is_one = count_of_bodies == 1;
         let name = is_one.then(|| name_of(world, (&points, &bonds), (tints, names)));
@@ -272,8 +275,8 @@ fn pins(world: &dyn Dynamics, points: &[PointId]) -> Vec<Pin> {
     pins.into_iter().map(|point| Pin { point, at: place(world, point), knots: knots(point) }).collect()
 }
 
-/// How many parts points are in that bonds hold together.
-fn bodies(points: &[PointId], bonds: &[(u32, Bond)]) -> usize {
+/// How many parts points are in that bonds and the arms of angles hold together.
+fn bodies(points: &[PointId], held: impl Iterator<Item = [PointId; 2]>) -> usize {
     let place = |point: PointId| points.binary_search(&point).ok();
     let mut parent: Vec<usize> = (0..points.len()).collect();
     let root = |parent: &mut Vec<usize>, mut at: usize| {
@@ -284,7 +287,7 @@ fn bodies(points: &[PointId], bonds: &[(u32, Bond)]) -> usize {
         at
     };
     let mut count = points.len();
-    for (a, b) in bonds.iter().filter_map(|(_, bond)| Some((place(bond.a)?, place(bond.b)?))) {
+    for (a, b) in held.filter_map(|[a, b]| Some((place(a)?, place(b)?))) {
         let (a, b) = (root(&mut parent, a), root(&mut parent, b));
         count -= usize::from(a != b);
         parent[a.max(b)] = a.min(b);

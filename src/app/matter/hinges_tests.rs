@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 use super::tests::{among, change, matter, stage_of};
-use super::{MatterChange, Stops};
+use super::{Joint, MatterChange, Stops};
 use crate::app::player::{Note, Order, Stage};
 
 /// Two rigid boxes about a hub between them, of which one is pinned, and a rope.
@@ -27,7 +27,9 @@ fn a_hinge_between_two_bodies_gets_stops_about_where_it_stands_and_loses_them_ag
     assert_eq!((before.joints, before.stops), ([0, 1], None));
     assert_eq!(matter(&mut stage, &rope).joints, [0, 0], "where two bonds meet in a rope is no hinge");
     assert_eq!(matter(&mut stage, &among(0..4)).joints, [0, 0], "one of the boxes has none by itself");
-    let [(points, [least, most])] = before.coming_stops[..] else { panic!("{:?}", before.coming_stops) };
+    let [Joint { points, range: [least, most], prop: None }] = before.coming_stops[..] else {
+        panic!("{:?}", before.coming_stops)
+    };
     assert_eq!(points[1].0, 8);
     assert!((most - least - 2.0 * std::f64::consts::FRAC_PI_3).abs() < 1e-9 && least < 0.8 && most > 0.7);
     change(&mut stage, &both, MatterChange::Stops(Stops::Some));

@@ -1,9 +1,9 @@
 //! Angles of a selection: where they are at rest, and the stops of joints.
 
-use super::{Among, AngleAs, Common, Former, hinges};
+use super::{Among, AngleAs, Common, Former, hinges, hung};
 use crate::app::alike::alike;
 use crate::history::{Do, DriveOrNone, OneOrEach, RangeOrNone, SetKeys};
-use crate::scene::{AddKeys, AngleKeys, DriveKeys, Row};
+use crate::scene::{AddKeys, AngleKeys, DriveKeys, MassKeys, PointKeys, Row, Vector};
 use crate::sim::vector::sub;
 use crate::sim::{Angle, Dynamics, PointId};
 
@@ -16,11 +16,30 @@ const MOST: usize = 64;
 /// Where the stops of one joint are.
 const ORDER: &str = "the least angle is below the largest, and they are less than a full turn apart";
 
-/// A joint with stops: i, j, k as [`Angle`] has them, and its least and its largest angle `[rad]`.
-pub(in crate::app) type Joint = ([PointId; 3], [f64; 2]);
+/// A prop weighs so much less than its pin that its body weighs what it did `[1]`.
+const LIGHT: f64 = 1e-6;
 
-/// Three points that turn freely: i, j, k as [`Angle`] has them, and the angle at j, no more than half a turn `[rad]`.
-pub(super) type Knee = ([PointId; 3], f64);
+/// A joint with stops.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::app) struct Joint {
+    /// i, j, k as [`Angle`] has them.
+    pub(in crate::app) points: [PointId; 3],
+    /// Its least and its largest angle `[rad]`.
+    pub(in crate::app) range: [f64; 2],
+    /// Where i is to be pinned `[m]`; `None`: it is there.
+    pub(in crate::app) prop: Option<[f64; 2]>,
+}
+
+/// Three points that turn freely.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Knee {
+    /// i, j, k as [`Angle`] has them.
+    pub(super) points: [PointId; 3],
+    /// The angle at j, no more than half a turn `[rad]`.
+    pub(super) rest: f64,
+    /// Where i is to be pinned `[m]`, with the next number; `None`: it is there.
+    pub(super) prop: Option<[f64; 2]>,
+}
 
 /// The stops of joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,9 +55,10 @@ pub enum Stops {
 }
 
 impl Among {
-    /// The joints without an angle: what two bonds alone make, or hinges.
+    /// The joints without an angle: what two bonds alone make, or hinges between bodies and pins that bodies hang on.
     pub(super) fn knees_of(&self, world: &dyn Dynamics) -> Vec<Knee> {
-        self.knee_of(world).map_or_else(|| hinges::free(world, self), |knee| vec![knee])
+        let hinges = || hinges::free(world, self).into_iter().chain(hung::hung(world, self)).collect();
+        self.knee_of(world).map_or_else(hinges, |knee| vec![knee])
     }
 
     /// The joint without an angle that two bonds alone make.
@@ -58,16 +78,16 @@ impl Among {
 pub(super) fn knee(world: &dyn Dynamics, [i, k]: [PointId; 2], middle: PointId) -> Option<Knee> {
     let [p, q] = [i, k].map(|end| sub(place(world, end), place(world, middle)));
     let angle = (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1]);
-    let (points, angle) = if angle < 0.0 { ([k, middle, i], -angle) } else { ([i, middle, k], angle) };
-    (angle > 0.0).then_some((points, angle))
+    let (points, rest) = if angle < 0.0 { ([k, middle, i], -angle) } else { ([i, middle, k], angle) };
+    (rest > 0.0).then_some(Knee { points, rest, prop: None })
 }
 
-/// The joints that would get stops, and where: i, j, k as [`Angle`] has them, and the least and the largest angle `[rad]`.
+/// The joints that would get stops, and where.
 pub(super) fn coming((world, former): (&dyn Dynamics, &Former), among: &Among, angles: &[Angle]) -> Vec<Joint> {
     let free = angles.iter().filter(|angle| angle.range.is_none()).take(MOST);
-    let free = free.map(|angle| (angle.points, again(world, former, angle)));
+    let free = free.map(|angle| Joint { points: angle.points, range: again(world, former, angle), prop: None });
     let knees = among.knees_of(world).into_iter().take(MOST);
-    free.chain(knees.map(|(points, rest)| (points, about(rest)))).collect()
+    free.chain(knees.map(|Knee { points, rest, prop }| Joint { points, range: about(rest), prop })).collect()
 }
 
 /// The stops at both sides of an angle at rest at first `[rad]`.
@@ -113,12 +133,12 @@ pub(super) fn stops(
         let range = Some(range.map_or(RangeOrNone::None(()), RangeOrNone::These));
         Do::Set(Box::new(SetKeys { angles: Some(numbers), range, ..SetKeys::default() }))
     };
-    Ok(groups.into_iter().map(set).chain(jointed(&knees)).collect())
+    Ok(groups.into_iter().map(set).chain(jointed(world, &knees)).collect())
 }
 
-/// What turns freely gets stops on both sides of where it stands; `None`: nothing does.
-fn jointed(knees: &[Knee]) -> Option<Do> {
-    let angle = |&(points, rest): &Knee| {
+/// What turns freely gets stops on both sides of where it stands, and the props that these push against; `None`: nothing does.
+fn jointed(world: &dyn Dynamics, knees: &[Knee]) -> Option<Do> {
+    let angle = |&Knee { points, rest, .. }: &Knee| {
         let [min, max] = about(rest).map(Some);
         AngleKeys {
             points: Row(points.map(|point| point.0)),
@@ -131,7 +151,21 @@ fn jointed(knees: &[Knee]) -> Option<Do> {
         }
     };
     let angles: Vec<AngleKeys> = knees.iter().map(angle).collect();
-    (!angles.is_empty()).then(|| Do::Add(Box::new(AddKeys { angles, ..AddKeys::default() })))
+    let points = propped(world, knees);
+    (!angles.is_empty()).then(|| Do::Add(Box::new(AddKeys { points, angles, ..AddKeys::default() })))
+}
+
+/// The props of joints on the background, pinned; `None`: none needs one.
+fn propped(world: &dyn Dynamics, knees: &[Knee]) -> Option<PointKeys> {
+    let props = || knees.iter().filter_map(|knee| Some((knee.points, knee.prop?)));
+    let mass = |([_, pin, _], _): ([PointId; 3], [f64; 2])| LIGHT * world.masses()[pin.index()];
+    let keys = PointKeys {
+        position: props().map(|(_, at)| Vector::Plane(at)).collect(),
+        velocity: None,
+        mass: Some(MassKeys::Each(props().map(mass).collect())),
+        pinned: props().map(|([prop, ..], _)| prop.0).collect(),
+    };
+    (!keys.position.is_empty()).then_some(keys)
 }
 
 /// The angles that resist being elsewhere than at rest.

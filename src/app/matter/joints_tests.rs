@@ -64,7 +64,7 @@ fn stops_that_were_taken_from_a_figure_come_back_as_they_were_and_push_nothing()
     change(&mut stage, &all, MatterChange::Stops(Stops::None));
     assert!(ranges(&stage).iter().all(Option::is_none));
     assert_eq!(drawn(&stage), joints, "it is drawn as a figure still");
-    let coming: Vec<_> = matter(&mut stage, &all).coming_stops.iter().map(|(_, range)| Some(*range)).collect();
+    let coming: Vec<_> = matter(&mut stage, &all).coming_stops.iter().map(|joint| Some(joint.range)).collect();
     let energy = stage.history().world().energy();
     change(&mut stage, &all, MatterChange::Stops(Stops::Some));
     let is_same = |a: &[Option<[f64; 2]>]| {

@@ -7,7 +7,7 @@ use super::beside::Beside;
 use super::movers::Movers;
 use super::rungs::Yielded;
 use super::watch::Measured;
-use crate::app::matter::{Matter, Placed};
+use crate::app::matter::{Matter, Placed, props};
 use crate::app::tools::{Kept, Walls};
 use crate::history::{BranchView, Clock, Group};
 use crate::picture::{Skin, Tint};
@@ -108,6 +108,8 @@ pub struct Scenery {
     pub hinges: Vec<Hinge>,
     /// Where joints are, ascending.
     pub joints: Vec<PointId>,
+    /// Pins that hold nothing, which motors and joints on the background push against, ascending.
+    pub props: Vec<PointId>,
     walls: OnceLock<Walls>,
     /// What stands about what is led by a tool.
     pub(in crate::app) about_led: Kept,
@@ -156,6 +158,7 @@ impl Scenery {
             angles: world.angles().to_vec(),
             hinges: Hinge::of(world),
             joints: joints(world),
+            props: props(world),
             walls: OnceLock::new(),
             about_led: Kept::default(),
         }

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 
 use super::{Note, Order, Stage};
+use crate::app::matter::{Among, Fit, Placing};
 use crate::app::tools::PinWay;
 use crate::history::{Do, MoveKeys};
 use crate::scene::{AddKeys, BodyKeys, BondKeys, KindName, MakerName, MassKeys, Material, PointKeys, Scene, Vector};
@@ -38,6 +39,29 @@ fn a_body_that_is_moved_into_a_wall_says_so_once() {
         stage.obey(order);
         assert_eq!(warned(&mut stage), [""; 0], "nothing of it is new");
     }
+}
+
+#[test]
+fn what_a_number_puts_aside_is_not_told_of_twice() {
+    // Its middle comes to the floor, half of it below, but for the lift, which lacks a millimetre.
+    let put = |stage: &mut Stage, lift: [f64; 3]| {
+        let among = Among { points: (0..9).map(PointId).collect(), ..Among::default() };
+        let fit = Fit { lift, ..Fit::default() };
+        stage.obey(Order::Place { among, fit, placing: Placing::At(1, 0.0), goes_on: false });
+        warned(stage)
+    };
+    let [mut aside, mut alone] = [stage(BOX), stage(BOX)];
+    for stage in [&mut aside, &mut alone] {
+        assert_eq!(warned(stage), [""; 0]);
+    }
+    assert_eq!(put(&mut aside, [0.0, 0.499, 0.0]), [""; 0], "it was said where it was put");
+    let lines = put(&mut alone, [0.0; 3]);
+    assert!(lines.len() == 1 && lines[0].contains("lay inside a wall:"), "{lines:?}");
+    // The next edit is told of as before.
+    let keys = MoveKeys { points: (0..9).collect(), by: Some(Vector::Plane([0.0, -0.3])), ..MoveKeys::default() };
+    aside.obey(Order::Give(vec![Do::Move(Box::new(keys))], Some("move")));
+    let lines = warned(&mut aside);
+    assert!(lines.len() == 1 && lines[0].contains("lay inside a wall:"), "{lines:?}");
 }
 
 #[test]

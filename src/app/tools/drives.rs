@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::Deed;
 use super::hinge::{Hinge, IN_SPACE, Meant, pins};
-use super::hub::{Hub, Hubs};
+use super::hub::{Hub, Hubs, props_of};
 use super::marks::{Mark, Role};
 use super::muscles::{MuscleChoice, no_muscles};
 use super::pick::Scope;
@@ -143,16 +143,15 @@ impl Drives {
 
     /// What a click does with a hinge that is there, in words and as a deed.
     fn change(&self, scope: Scope<'_>, hub: &Hub, takes_away: bool) -> (Cow<'static, str>, Deed) {
-        let props = hub.props(scope);
         if takes_away {
-            let points = std::iter::once(hub.point).chain(props).map(|point| point.0).collect();
+            let points = std::iter::once(hub.point).chain(props_of(scope, hub.point)).map(|point| point.0).collect();
             return (
                 "a click takes the hinge away".into(),
                 Deed::edit("hinge away", Do::Delete(DeleteKeys { points, ..DeleteKeys::default() })),
             );
         }
         let without = Do::Delete(DeleteKeys {
-            points: props.iter().map(|point| point.0).collect(),
+            points: hub.motor_props(scope).iter().map(|point| point.0).collect(),
             angles: hub.motors.iter().map(|angle| angle.number).collect(),
             ..DeleteKeys::default()
         });

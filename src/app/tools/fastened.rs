@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::chosen::Chosen;
-use super::hub::Hubs;
+use super::hub::props_of;
 use super::pick::Scope;
 use super::segments::{distance_to_sides, is_inside};
 use crate::sim::PointId;
@@ -11,7 +11,7 @@ use crate::sim::PointId;
 /// A pin this near to the side of an obstacle hangs on it `[logical px]`.
 const NEAR: f64 = 3.0;
 
-/// The pins that are stuck in obstacles of these numbers, or hang on their sides, with what the motors about them push against; ascending.
+/// The pins that are stuck in obstacles of these numbers, or hang on their sides, with what the motors and stops about them push against; ascending.
 pub(super) fn pins_in(scope: Scope<'_>, obstacles: &[u32]) -> Vec<PointId> {
     let scenery = &scope.shown.scenery;
     if obstacles.is_empty() || scope.shown.dimensions != 2 {
@@ -31,10 +31,7 @@ pub(super) fn pins_in(scope: Scope<'_>, obstacles: &[u32]) -> Vec<PointId> {
     };
     let there = scenery.pinned.iter().copied().filter(|&pin| scope.is_there(pin));
     let mut pins: Vec<PointId> = there.filter(|pin| is_stuck(place(scope, *pin))).collect();
-    let props: Vec<PointId> = pins
-        .iter()
-        .flat_map(|&pin| Hubs::of(scope, pin).at(pin).map_or_else(Vec::new, |hub| hub.props(scope)))
-        .collect();
+    let props: Vec<PointId> = pins.iter().flat_map(|&pin| props_of(scope, pin)).collect();
     pins.extend(props);
     pins.sort_unstable();
     pins.dedup();

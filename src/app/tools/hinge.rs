@@ -5,12 +5,13 @@ use glam::{DVec2, DVec3};
 use super::areas::is_in;
 use super::drives::MotorChoice;
 use super::effort;
-use super::hub::{Hub, Hubs};
+use super::hub::{Hub, Hubs, props_of};
 use super::marks::{Mark, Role};
 use super::pick::Scope;
 use super::segments::distance_to_segment;
 use super::skin;
 use super::touching::{gap, touches};
+use crate::app::matter::IN_HUB;
 use crate::history::{Do, MoveKeys};
 use crate::scene::{AddKeys, AngleKeys, BondKeys, KindName, MassKeys, PointKeys, Row, Vector};
 use crate::sim::{Bond, BondKind, PointId};
@@ -47,8 +48,6 @@ const EDGE: f64 = 4.0;
 /// What is lifted off a floor to be turned stands so far above it, and is lifted no further, in its radius `[1]`.
 const CLEAR: f64 = 0.02;
 const MOST_LIFT: f64 = 0.25;
-/// How far what a motor on the background pushes against is off the middle of its hub, in its arm `[1]`.
-const IN_HUB: f64 = 0.05;
 /// Said in space.
 pub(super) const IN_SPACE: &str = "in the plane only: this scene is in space";
 /// Said where something holds the body already.
@@ -108,8 +107,11 @@ impl Meant {
         let hit = scope.nearest(pixel)?;
         let hubs = Hubs::of(scope, hit.point);
         let reached = scope.reached(pixel);
-        // What a motor pushes against belongs to its hinge.
-        let is_of = |hub: &&Hub| reached.iter().any(|point| hub.motors.iter().any(|angle| angle.points[0] == *point));
+        // What a motor or a stop pushes against belongs to its hinge.
+        let is_of = |hub: &&Hub| {
+            let props = props_of(scope, hub.point);
+            reached.iter().any(|point| hub.pushes_against(*point) || props.contains(point))
+        };
         let hub = reached.iter().find_map(|point| hubs.at(*point)).or_else(|| hubs.all.iter().find(is_of));
         if let Some(hub) = hub {
             return Some(Ok(Meant::There(hub.clone())));

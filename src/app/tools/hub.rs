@@ -28,22 +28,51 @@ impl Hub {
         self.motors.iter().map(of).sum()
     }
 
-    /// The pins that its motors push against, which hold nothing else.
-    pub(super) fn props(&self, scope: Scope<'_>) -> Vec<PointId> {
-        let scenery = &scope.shown.scenery;
-        let is_bonded = |point: &PointId| scenery.bonds.ends().iter().flatten().any(|end| end == point);
-        let mut props: Vec<PointId> = self.motors.iter().map(|angle| angle.points[0]).collect();
-        props.sort_unstable();
-        props.dedup();
-        props.retain(|point| scope.is_pinned(*point) && !is_bonded(point));
-        props
+    /// Whether a motor of it pushes against a point.
+    pub(super) fn pushes_against(&self, point: PointId) -> bool {
+        self.motors.iter().any(|angle| angle.points[0] == point)
+    }
+
+    /// The props of its motors alone.
+    pub(super) fn motor_props(&self, scope: Scope<'_>) -> Vec<PointId> {
+        props_of(scope, self.point).into_iter().filter(|prop| self.pushes_against(*prop)).collect()
     }
 }
 
-/// Whether a point is the hub of a hinge, or what its motor pushes against.
+/// The props of the motors and stops about a point, ascending: pins that hold nothing else.
+pub(super) fn props_of(scope: Scope<'_>, hub: PointId) -> Vec<PointId> {
+    let scenery = &scope.shown.scenery;
+    if scenery.props.is_empty() {
+        return Vec::new();
+    }
+    let about = scenery.angles.iter().filter(|angle| angle.points[1] == hub).map(|angle| angle.points[0]);
+    let mut props: Vec<PointId> = about.filter(|point| scenery.props.binary_search(point).is_ok()).collect();
+    props.sort_unstable();
+    props.dedup();
+    props
+}
+
+/// Points, which are ascending, with the props of what turns about one of them and is among them itself.
+pub(super) fn with_props(scope: Scope<'_>, mut points: Vec<PointId>) -> Vec<PointId> {
+    let scenery = &scope.shown.scenery;
+    if scenery.props.is_empty() {
+        return points;
+    }
+    let has = |point: PointId| points.binary_search(&point).is_ok();
+    let turns = |angle: &&Angle| has(angle.points[1]) && has(angle.points[2]);
+    let props = scenery.angles.iter().filter(turns).map(|angle| angle.points[0]);
+    let props: Vec<PointId> = props.filter(|point| scenery.props.binary_search(point).is_ok()).collect();
+    points.extend(props);
+    points.sort_unstable();
+    points.dedup();
+    points
+}
+
+/// Whether a point is the hub of a hinge, or a prop of one.
 pub(super) fn is_hinged(scope: Scope<'_>, point: PointId) -> bool {
     let hubs = Hubs::of(scope, point);
-    let is_of = |hub: &Hub| hub.point == point || hub.motors.iter().any(|angle| angle.points[0] == point);
+    let is_of =
+        |hub: &Hub| hub.point == point || hub.pushes_against(point) || props_of(scope, hub.point).contains(&point);
     hubs.all.iter().any(is_of)
 }
 

@@ -3,6 +3,7 @@
 
 use glam::{DQuat, DVec2, DVec3};
 
+use super::hub::props_of;
 use super::{Doing, Hand, Scope};
 use crate::app::action::Tool;
 use crate::sim::PointId;
@@ -24,6 +25,8 @@ pub(super) struct Lead {
     point: PointId,
     /// All that go, the one that was pressed on first, and where they are sent from `[m]`.
     bar: Vec<(PointId, DVec3)>,
+    /// The props of what turns about them, each with the place of its pin in the bar, and how far from that it is `[m]`.
+    props: Vec<(PointId, usize, DVec3)>,
     /// Where they were sent last.
     last: Vec<DVec3>,
     place: DVec3,
@@ -81,10 +84,16 @@ impl Lead {
         let of = |pin: PointId| DVec3::from(scope.shown.place(pin.index()));
         let bar: Vec<(PointId, DVec3)> = bar(scope, point).into_iter().map(|pin| (pin, of(pin))).collect();
         let last = bar.iter().map(|(_, place)| *place).collect();
+        let beside = |(k, (pin, place)): (usize, &(PointId, DVec3))| {
+            let place = *place;
+            props_of(scope, *pin).into_iter().map(move |prop| (prop, k, of(prop) - place)).collect::<Vec<_>>()
+        };
+        let props = bar.iter().enumerate().flat_map(beside).collect();
         let (place, normal) = (of(point), DVec3::from(scope.camera.cursor(at.to_array()).direction));
         let mut lead = Lead {
             point,
             bar,
+            props,
             last,
             place,
             normal,
@@ -105,7 +114,8 @@ impl Lead {
 
     /// All that go, ascending.
     pub(super) fn pins(&self) -> Vec<PointId> {
-        let mut pins: Vec<PointId> = self.bar.iter().map(|(pin, _)| *pin).collect();
+        let props = self.props.iter().map(|(prop, ..)| *prop);
+        let mut pins: Vec<PointId> = self.bar.iter().map(|(pin, _)| *pin).chain(props).collect();
         pins.sort_unstable();
         pins
     }
@@ -140,7 +150,9 @@ impl Lead {
         }
         let goes_on = self.sent.replace(at).is_some();
         self.since = 0.0;
-        let pins = self.bar.iter().zip(&self.last).map(|((pin, _), place)| (*pin, place.to_array())).collect();
+        let pins = self.bar.iter().zip(&self.last).map(|((pin, _), place)| (*pin, place.to_array()));
+        let props = self.props.iter().map(|(prop, k, off)| (*prop, (self.last[*k] + *off).to_array()));
+        let pins = pins.chain(props).collect();
         Some(PinWay { pins, goes_on, follows: false })
     }
 

@@ -86,7 +86,7 @@ impl Scope<'_> {
             let across = 4.0 * REACH * self.scale / self.camera.pixels_per_metre();
             let hubs: Vec<PointId> = near.iter().map(|hit| hit.point).collect();
             let front = near.into_iter().filter(|hit| hit.depth <= foremost + across);
-            // What a motor pushes against lies in its hub.
+            // What a motor or a stop pushes against lies in its hub.
             let front = front.filter(|hit| !self.props_one_of(hit.point, &hubs));
             return front.min_by(|a, b| a.distance.total_cmp(&b.distance));
         }
@@ -102,10 +102,11 @@ impl Scope<'_> {
         corners.into_iter().filter_map(hit).min_by(|a, b| a.distance.total_cmp(&b.distance))
     }
 
-    /// Whether the motor of one of these hubs pushes against a pin.
+    /// Whether the motor of one of these hubs pushes against a pin, or a joint about one has it for its prop.
     fn props_one_of(&self, pin: PointId, hubs: &[PointId]) -> bool {
-        let is_motor = |angle: &Angle| matches!(angle.drive, Some(AngleDrive::Motor { .. }));
-        let props = |angle: &&Angle| angle.points[0] == pin && hubs.contains(&angle.points[1]) && is_motor(angle);
+        let is_prop = self.shown.scenery.props.binary_search(&pin).is_ok();
+        let pushes = |angle: &Angle| is_prop || matches!(angle.drive, Some(AngleDrive::Motor { .. }));
+        let props = |angle: &&Angle| angle.points[0] == pin && hubs.contains(&angle.points[1]) && pushes(angle);
         self.is_pinned(pin) && self.shown.scenery.angles.iter().any(|angle| props(&angle))
     }
 

@@ -13,7 +13,7 @@ use super::throw::Throw;
 use super::wind::Blow;
 use super::{Chosen, Deed, Doing, Hand, PinWay, PushWay, Scope, hub};
 use crate::app::action::Tool;
-use crate::history::Do;
+use crate::history::{DeleteKeys, Do};
 use crate::sim::{PointId, Reach};
 
 /// Said where the brush finds no numbers to take.
@@ -188,7 +188,13 @@ pub(in crate::app) fn unpin(scope: Scope<'_>, at: DVec2) -> Deed {
         || Deed::words(NO_PIN.to_owned()),
         |pin| {
             let words = Some(let_go(scope, pin).to_owned());
-            Deed { words, ..Deed::edit("unpin", Do::Unpin(vec![pin])) }
+            let mut deed = Deed { words, ..Deed::edit("unpin", Do::Unpin(vec![pin])) };
+            // What turned about it pushes against nothing any more.
+            let props: Vec<u32> = hub::props_of(scope, pin).into_iter().map(|prop| prop.0).collect();
+            if !props.is_empty() {
+                deed.commands.push(Do::Delete(DeleteKeys { points: props, ..DeleteKeys::default() }));
+            }
+            deed
         },
     )
 }
@@ -197,7 +203,8 @@ pub(in crate::app) fn unpin(scope: Scope<'_>, at: DVec2) -> Deed {
 fn let_go(scope: Scope<'_>, pin: PointId) -> &'static str {
     let falls = scope.shown.settings.gravity.is_some_and(|gravity| gravity != [0.0; 3]);
     let body = scope.body(pin);
-    let is_held = body.iter().any(|&point| point != pin && scope.is_pinned(point));
+    let is_prop = |point: &PointId| scope.shown.scenery.props.binary_search(point).is_ok();
+    let is_held = body.iter().any(|&point| point != pin && scope.is_pinned(point) && !is_prop(&point));
     match (is_held, falls) {
         (true, _) => "unpinned: other pins still hold it",
         (false, true) => "unpinned: it falls",

@@ -1,6 +1,7 @@
 //! What is selected, through all that is done to it: copies come in its place, and what undo takes away or brings back keeps its place in it.
 
 use super::chosen::Chosen;
+use super::hub::with_props;
 use super::pick::Scope;
 use crate::app::player::Latest;
 
@@ -26,11 +27,12 @@ pub(super) struct Selection {
 }
 
 impl Selection {
-    /// What is selected and there.
+    /// What is selected and there, with the props of its joints, which may have come since.
     pub(super) fn now(&self, scope: Scope<'_>) -> Chosen {
         let all = std::iter::once(&self.chosen).chain(self.before.iter().rev());
         let mut there = all.filter(|chosen| !chosen.is_empty()).map(|chosen| chosen.left(scope));
-        there.find(|chosen| !chosen.is_empty()).unwrap_or_default()
+        let Chosen { points, obstacles } = there.find(|chosen| !chosen.is_empty()).unwrap_or_default();
+        Chosen { points: with_props(scope, points), obstacles }
     }
 
     /// The hand chooses this.

@@ -10,6 +10,7 @@ use super::segments::distance_to_segment;
 use super::selecting::is_drag;
 use super::stops::{ACROSS, Dial, MOST, all, joints, within};
 use super::{Deed, Doing, Hand};
+use crate::app::matter::Joint;
 use crate::history::{Do, RangeOrNone, SetKeys};
 use crate::sim::{Angle, PointId};
 
@@ -72,7 +73,9 @@ impl Stop {
     pub(super) fn marks(self, scope: Scope<'_>, points: &[PointId], (at, in_steps): (DVec2, bool)) -> Vec<Mark> {
         let led = self.range(scope, at, in_steps);
         let range = |angle: &Angle| led.filter(|(number, _)| *number == angle.number).map(|(_, range)| range);
-        let arcs = joints(scope, points).filter_map(|angle| Some((angle.points, range(angle).or(angle.range)?)));
+        let arc =
+            |angle: &Angle| Some(Joint { points: angle.points, range: range(angle).or(angle.range)?, prop: None });
+        let arcs = joints(scope, points).filter_map(arc);
         let mut marks = all(scope, Role::Lead, &arcs.take(MOST).collect::<Vec<_>>());
         marks.extend(led.map(|(_, range)| {
             let words = format!("{:.0}°", range[self.side].to_degrees());

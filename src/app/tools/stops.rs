@@ -29,8 +29,8 @@ const NUMBERED: usize = 2;
 
 /// The stops of all joints among points, which are ascending.
 pub(super) fn marks(scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
-    let joints: Vec<Joint> =
-        joints(scope, points).filter_map(|angle| Some((angle.points, angle.range?))).take(MOST).collect();
+    let joint = |angle: &Angle| Some(Joint { points: angle.points, range: angle.range?, prop: None });
+    let joints: Vec<Joint> = joints(scope, points).filter_map(joint).take(MOST).collect();
     all(scope, Role::Lead, &joints)
 }
 
@@ -64,16 +64,24 @@ pub(super) struct Dial {
 }
 
 impl Dial {
-    /// That of a joint; `None` where an arm has no length.
+    /// That of a joint that is there; `None` where an arm has no length.
     pub(super) fn of(scope: Scope<'_>, points: [PointId; 3]) -> Option<Self> {
-        let [i, j, k] = points.map(|point| DVec2::from_slice(&scope.shown.place(point.index())[..2]));
-        let (first, second) = (i - j, k - j);
-        let arm = first.length().min(second.length());
+        Dial::beside(scope, points, None)
+    }
+
+    /// The same, where a prop is still to come to this place `[m]`.
+    fn beside(scope: Scope<'_>, [i, j, k]: [PointId; 3], prop: Option<[f64; 2]>) -> Option<Self> {
+        let place = |point: PointId| DVec2::from_slice(&scope.shown.place(point.index())[..2]);
+        let is_prop = prop.is_some() || scope.shown.scenery.props.binary_search(&i).is_ok();
+        let middle = place(j);
+        let (first, second) = (prop.map_or_else(|| place(i), DVec2::from) - middle, place(k) - middle);
+        // A prop lies in its hub: it is no arm.
+        let arm = if is_prop { second.length() } else { first.length().min(second.length()) };
         if !(arm > 0.0 && arm.is_finite()) {
             return None;
         }
         let [low, high] = RADII.map(|radius| radius * scope.scale / scope.camera.pixels_per_metre());
-        Some(Dial { middle: j, second, from: first.to_angle(), radius: (SHARE * arm).clamp(low, high) })
+        Some(Dial { middle, second, from: first.to_angle(), radius: (SHARE * arm).clamp(low, high) })
     }
 
     /// The pixel of an angle `[rad]`, a share of the radius off the joint; `None` behind what is seen.
@@ -83,8 +91,9 @@ impl Dial {
 }
 
 /// One of them; `None` where an arm has no length or lies behind what is seen.
-fn arc(scope: Scope<'_>, role: Role, (points, [least, most]): &Joint, is_numbered: bool) -> Option<Vec<Mark>> {
-    let dial = Dial::of(scope, *points)?;
+fn arc(scope: Scope<'_>, role: Role, joint: &Joint, is_numbered: bool) -> Option<Vec<Mark>> {
+    let Joint { points, range: [least, most], prop } = joint;
+    let dial = Dial::beside(scope, *points, *prop)?;
     let at = |angle: f64, share: f64| dial.at(scope, angle, share);
     let line = |[a, b]: [Option<DVec2>; 2], width: f64| Some(Mark::Line(role, a?, b?, width * scope.scale));
     let count = ((most - least) / PIECE).ceil().max(1.0);
@@ -109,12 +118,13 @@ pub(super) fn within(angle: f64, middle: f64) -> f64 {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "a test that cannot go on stops")]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "a test that cannot go on stops")]
 mod tests {
     use super::super::Hand;
     use super::super::tests::{pixel, scope, shown};
     use super::*;
     use crate::app::action::Tool;
+    use crate::history::{DeleteKeys, Do};
     use crate::scene::Scene;
 
     /// Two arms at a right angle with stops, and a pair that has none.
@@ -158,6 +168,39 @@ mod tests {
         hand.press(scope(&seen), at);
         hand.release(scope(&seen), at);
         assert!(hand.chosen(scope(&seen)).is_some() && arcs(&hand).0.is_empty());
+    }
+
+    /// A box that hangs on one pin, with stops that push against a prop beside that.
+    const HANGING: &str = r#"{"wobble": 1, "gravity": [0, -9.81], "view": {"center": [0.5, -0.2], "height": 4},
+        "points": {"position": [[0, 0], [0, -0.4], [1, -0.4], [1, 0], [-0.02, -0.05]], "pinned": [0, 4]},
+        "bonds": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}, {"a": 3, "b": 0}, {"a": 0, "b": 2}],
+        "triangles": [[0, 1, 2], [0, 2, 3]], "angles": [{"points": [4, 0, 2], "min": 0.5, "max": 2.6}]}"#;
+
+    #[test]
+    fn a_prop_is_selected_led_and_let_go_with_the_pin_that_it_is_beside() {
+        let seen = shown(Scene::parse(HANGING, "x.json").unwrap());
+        assert_eq!(seen.0.scenery.props, [PointId(4)]);
+        let on_pin = pixel(&seen, 0);
+        let mut hand = Hand::default();
+        hand.take(Tool::Select);
+        hand.press(scope(&seen), pixel(&seen, 3));
+        hand.release(scope(&seen), pixel(&seen, 3));
+        assert_eq!(hand.chosen(scope(&seen)).unwrap().points, (0..5).map(PointId).collect::<Vec<_>>());
+        // Its arc is as large as those of other joints, though the prop lies in the hub.
+        let dial = Dial::of(scope(&seen), [4, 0, 2].map(PointId)).unwrap();
+        let metre = scope(&seen).camera.pixels_per_metre();
+        let radius = (SHARE * 1.16_f64.sqrt() * metre).clamp(RADII[0], RADII[1]);
+        assert!(radius > RADII[0] && (dial.radius * metre - radius).abs() < 0.5, "{} of {radius}", dial.radius * metre);
+        hand.take(Tool::Hand);
+        hand.press(scope(&seen), on_pin);
+        let way = hand.lead(scope(&seen), on_pin + DVec2::new(60.0, 0.0), 1.0).unwrap();
+        let [(PointId(0), pin), (PointId(4), prop)] = way.pins[..] else { panic!("{way:?}") };
+        assert!((prop[0] - pin[0] + 0.02).abs() < 1e-6 && (prop[1] - pin[1] + 0.05).abs() < 1e-6, "{way:?}");
+        assert!(pin[0] > 0.1);
+        let deed = super::super::unpin(scope(&seen), on_pin);
+        let away = Do::Delete(DeleteKeys { points: vec![4], ..DeleteKeys::default() });
+        assert_eq!((deed.commands, deed.edit), (vec![Do::Unpin(vec![PointId(0)]), away], Some("unpin")));
+        assert_eq!(deed.words.as_deref(), Some("unpinned: it falls"), "the prop holds nothing");
     }
 
     #[test]

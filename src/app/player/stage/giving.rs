@@ -154,6 +154,7 @@ impl Stage {
     pub(super) fn place(&mut self, of: (&Among, &Fit), placing: Placing, goes_on: bool) -> Option<Note> {
         let goes_on = self.goes_on(goes_on, placing.name());
         let (more, goes_on) = self.turned.more(placing, goes_on);
+        self.is_aside = of.1.lift != [0.0; 3];
         let note = match placed(self.history.world(), of, more) {
             Err(why) => Some(Note::Refused(why.to_owned())),
             Ok(list) if goes_on => self.give_on(list, placing.name()),

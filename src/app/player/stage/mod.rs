@@ -93,6 +93,8 @@ pub struct Stage {
     warned: Vec<String>,
     /// What is to be said of a pin that is led.
     strained: Option<String>,
+    /// What was put somewhere by a number went aside, which is said where that was found.
+    is_aside: bool,
     /// When obstacles or pins went on their way last `[s]`.
     led_at: Option<f64>,
     /// How far obstacles went of the way that they are on.
@@ -181,6 +183,7 @@ impl Stage {
             former: Former::default(),
             warned: Vec::new(),
             strained: None,
+            is_aside: false,
             led_at: None,
             hauled: None,
             opened: None,
@@ -385,6 +388,10 @@ impl Stage {
             let known = all.iter().zip(&self.warned).take_while(|(a, b)| a == b).count();
             fresh = all[known..].to_vec();
             self.warned = all.to_vec();
+        }
+        if std::mem::take(&mut self.is_aside) {
+            // That the world put it out the rest of the way comes of the same. What finds no way out is told.
+            fresh.retain(|line| !line.contains("moved out as a whole"));
         }
         if let Some(strained) = self.strained.take() {
             // That bonds were given other lengths comes of the same: it is said once, in the words of what is done.

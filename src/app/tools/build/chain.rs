@@ -210,6 +210,16 @@ impl Chain {
         }
     }
 
+    /// How many points a loop with these corners brings where it is filled; `None` where it cannot be.
+    fn count(&self, scope: Scope<'_>, corners: &[DVec2], of: (Preset, Grain)) -> Option<usize> {
+        let size = area(corners).abs() * scope.camera.pixels_per_metre().powi(2);
+        let is_covered = |point: u32| scope.is_a_corner(PointId(point));
+        let is_large = size >= (LEAST * scope.scale).powi(2);
+        let known = (scope.shown.point_count() as u32, is_covered);
+        let keys = is_large.then(|| filled((corners, &self.nodes), of, known).ok()).flatten()?;
+        Some(keys.points.map_or(0, |points| points.position.len()))
+    }
+
     /// It is as it is: what comes into the world, filled where it is a loop and that is wished.
     pub(in crate::app::tools) fn end(&self, scope: Scope<'_>, How { links, fills }: How) -> Deed {
         let places: Option<Vec<DVec2>> = self.nodes.iter().map(|node| self.place(scope, *node)).collect();
@@ -329,9 +339,10 @@ impl Chain {
         });
         let closes = self.nodes.len() > 2 && node == self.nodes.first().copied();
         let corners: Option<Vec<DVec2>> = self.nodes.iter().map(|node| self.place(scope, *node)).collect();
-        let why_not = corners.filter(|_| closes && fills.is_some()).and_then(|corners| match () {
-            () if is_flat(&corners) => Some(FLAT),
-            () if crossing(&corners, true).contains(&true) => Some(CROSSES),
+        let corners = corners.filter(|_| closes && fills.is_some());
+        let why_not = corners.as_ref().and_then(|corners| match () {
+            () if is_flat(corners) => Some(FLAT),
+            () if crossing(corners, true).contains(&true) => Some(CROSSES),
             () => None,
         });
         if why_not.is_some() {
@@ -353,7 +364,13 @@ impl Chain {
             None if !ties.is_empty() => format!("{}, {long:.2} m, {}", links.name(), bonded(&ties)),
             Some(_) if last.is_none() => "from this point".to_owned(),
             _ if closes => match fills {
-                Some((of, _)) => format!("closes the loop and fills it: {}", of.name().to_lowercase()),
+                Some(of) => {
+                    let filled = format!("closes the loop and fills it: {}", of.0.name().to_lowercase());
+                    match corners.and_then(|corners| self.count(scope, &corners, of)) {
+                        Some(count) => format!("{filled}, {}", counted(count, "point")),
+                        None => filled,
+                    }
+                }
                 None => format!("closes the loop: {}", links.name()),
             },
             Some(_) if node == last && self.nodes.len() > 1 => "once more ends it".to_owned(),

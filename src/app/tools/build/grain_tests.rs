@@ -66,9 +66,15 @@ fn a_loop_is_filled_as_finely() {
     let counts = Grain::ALL.map(|grain| {
         let mut hand = of(Primitive::Bonds, grain);
         hand.set_links(Links { fills: true, ..Links::default() });
-        let corners = [[-1.0, 0.0], [1.0, 0.0], [0.0, 1.5], [-1.0, 0.0]];
-        let deeds = corners.map(|corner| drag(&seen, &mut hand, [corner; 2]));
-        added(deeds.last().unwrap()).triangles.len()
+        let corners = [[-1.0, 0.0], [1.0, 0.0], [0.0, 1.5]];
+        corners.into_iter().for_each(|corner| _ = drag(&seen, &mut hand, [corner; 2]));
+        let marks = hand.marks(scope(&seen), Some(at(&seen, -1.0, 0.0)));
+        let deed = drag(&seen, &mut hand, [[-1.0, 0.0]; 2]);
+        let points = added(&deed).points.as_ref().unwrap().position.len();
+        let says =
+            |mark: &Mark| matches!(mark, Mark::Words(_, words) if words.ends_with(&format!(", {points} points")));
+        assert!(points > 3 && marks.iter().any(says), "{points}: {marks:?}");
+        added(&deed).triangles.len()
     });
     assert!(counts.windows(2).all(|pair| pair[1] as f64 > 1.8 * pair[0] as f64), "{counts:?}");
 }
