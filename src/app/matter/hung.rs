@@ -136,8 +136,8 @@ impl<'a> Net<'a> {
             if (is_pinned && point != pin) || !self.covering[point.index()].is_empty() {
                 return false;
             }
-            ends += self.beside[point.index()].len();
-            for &next in &self.beside[point.index()] {
+            ends += self.beside.neighbours(point).len();
+            for &next in self.beside.neighbours(point) {
                 if !std::mem::replace(&mut is_seen[next.index()], true) {
                     all.push(next);
                 }
