@@ -104,7 +104,7 @@ fn what_is_wrong_with_a_file_is_said() {
     let error = said(Lesson::parse("mine", r#"{"title": "t", "abuot": "a"}"#).unwrap_err());
     assert!(error.starts_with("mine.json: unknown field `abuot`") && error.contains("line 1"), "{error}");
     let scene = lesson("rope", "null", 3).unwrap().scene(0).unwrap().unwrap();
-    let measure = |text: &str| serde_json::from_str::<wobble::lessons::Measure>(text).unwrap().of(&scene);
+    let measure = |text: &str| serde_json::from_str::<Measure>(text).unwrap().of(&scene);
     let error = said(measure(r#"{"what": "moved", "point": 1000, "time": 0.01}"#).unwrap_err());
     assert_eq!(error, "the scene has no point 1000: it has 1000");
     let error = said(measure(r#"{"what": "error-ratio", "point": 1, "time": 0.01}"#).unwrap_err());
