@@ -114,7 +114,7 @@ pub fn settle<const D: usize>(model: &Model<D>) -> Result<Equilibrium<D>, ModelE
         energy: measure::energies(|i| position[i], |_| [0.0; D], &inverse_masses(model), &model.bonds, model.gravity)
             .sum()
             + model.form_energy(|i| position[i], |_| true),
-        max_strain: measure::max_strain(&position, &model.bonds, (0.0, &Keys::default())),
+        max_strain: measure::max_strain(|i| position[i], &model.bonds, (0.0, &Keys::default())),
         falling: falling.map(|i| PointId(i as u32)).collect(),
         position,
         residual,

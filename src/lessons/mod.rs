@@ -17,7 +17,7 @@
 //! | `scene` | the scene of the gallery that it opens |
 //! | `patch` | what that scene has differently: a merge patch ([RFC 7396](https://www.rfc-editor.org/rfc/rfc7396)) of its file; may be left out |
 //! | `try`, `see` | what to do, and what is seen |
-//! | `plot` | what the panel of plots shows: `{"of": "energies"}`, or `{"of": "probes", "points": [1], "quantity": "x"}`, or `"of": "phase"` with two points; may be left out |
+//! | `plot` | what the panel of plots shows ([`Plot`]): `{"of": "energies"}`, `{"of": "strain"}`, `{"of": "probes", "points": [1], "quantity": "x"}`, `{"of": "bonds", "bonds": [3], "quantity": "force"}`, `{"of": "angle", "points": [3, 18, 21]}`, or `"of": "phase"` with two points; may be left out |
 //! | `show` | `strain` or `bonds` in place of bodies; may be left out |
 //! | `claims` | numbers in its words that are measured: `words`, `measure` ([`Measure`]), `expected`, `within`; may be left out |
 //!
@@ -139,12 +139,26 @@ pub struct Step {
 pub enum Plot {
     /// The energies of the world over time.
     Energies,
+    /// The largest strain of a bond over time.
+    Strain,
     /// A quantity of one or two points over time.
     Probes {
         /// The points.
         points: Vec<u32>,
         /// What of them.
         quantity: Quantity,
+    },
+    /// A quantity of one or two bonds over time.
+    Bonds {
+        /// The bonds, by their numbers.
+        bonds: Vec<u32>,
+        /// What of them.
+        quantity: Quantity,
+    },
+    /// The angle at the second of three points over time, from the first to the third, in the plane.
+    Angle {
+        /// The points.
+        points: [u32; 3],
     },
     /// A quantity of two points against each other.
     Phase {
@@ -155,7 +169,7 @@ pub enum Plot {
     },
 }
 
-/// What is plotted of a point.
+/// What is plotted of a point, or of a bond.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
@@ -165,6 +179,20 @@ pub enum Quantity {
     Y,
     /// The length of its velocity `[m/s]`.
     Speed,
+    /// Of a bond: length/rest - 1 `[%]`.
+    Strain,
+    /// Of a bond: the force by which it pulls its ends together `[N]`, where that is known.
+    Force,
+    /// Of a bond: its length `[m]`.
+    Length,
+    /// Of a bond: how it is turned `[degrees]`.
+    Angle,
+    /// Of a point: how far it is from where the first world beside has it `[m]`.
+    Error,
+    /// Of two: how far apart they are `[m]`.
+    Distance,
+    /// Of two bonds: the angle from the first to the second `[degrees]`.
+    Between,
 }
 
 /// How bodies are shown beside a step.

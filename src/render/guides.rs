@@ -181,7 +181,7 @@ const DIGITS: f64 = 1.15;
 const EDGE: f64 = 6.0;
 const NUMBER_WIDTH: f32 = 1.15;
 /// Below them is ground, so much wider `[px]` and so opaque `[1]`: they are read on bodies and lines too.
-const HALO: [f32; 2] = [3.2, 0.75];
+pub(super) const HALO: [f32; 2] = [3.2, 0.75];
 const APART: [f64; 2] = [90.0, 60.0];
 /// Least gap between two in a row `[px]`.
 const GAP: f64 = 24.0;

@@ -220,7 +220,7 @@ impl Look {
                 ground: hex(0xf1_f4_f9, 1.0),
                 grid: hex(0x00_00_00, 0.05),
                 axis: hex(0x00_00_00, 0.15),
-                number: hex(0x56_62_75, 1.0),
+                number: hex(0x4a_56_69, 1.0),
                 wall: hex(0x6f_7d_94, 1.0),
                 obstacle: hex(0xc9_d2_df, 1.0),
                 solid: [hex(0x4e_5d_75, 1.0), hex(0x9c_ab_c2, 1.0)],
@@ -287,13 +287,24 @@ pub(super) fn luminance([red, green, blue, _]: Color) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::render::guides::HALO;
 
     #[test]
     fn numbers_of_the_grid_and_all_that_is_drawn_are_seen_on_the_ground() {
         for palette in [Palette::Dark, Palette::Light] {
             let look = Look::in_palette(palette);
             let on_ground = |color| contrast(color, look.ground);
-            assert!(on_ground(look.number) >= 4.5, "{palette:?}: {}", on_ground(look.number));
+            // Numbers stand on the ground, its lines, obstacles and the rims of these, with the ground half seen between: on each they are read.
+            let over = |above: Color, share: f32, below: Color| -> Color {
+                std::array::from_fn(|part| share * above[part] + (1.0 - share) * below[part])
+            };
+            let lines = [look.grid, look.axis].map(|line| over([line[0], line[1], line[2], 1.0], line[3], look.ground));
+            let below = [look.ground, look.obstacle, lines[0], lines[1], look.wall];
+            let halos = below.map(|ground| over(look.ground, HALO[1], ground));
+            for ground in halos.into_iter().chain([look.ground, look.obstacle]) {
+                let found = contrast(look.number, ground);
+                assert!(found >= 4.5, "{palette:?}: {ground:?}: {found}");
+            }
             for color in look
                 .strain
                 .into_iter()

@@ -272,7 +272,8 @@ pub struct RecordedLedger {
 
 impl From<&Ledger> for RecordedLedger {
     fn from(ledger: &Ledger) -> Self {
-        let Ledger { now: Energies { kinetic, springs, gravity }, start, .. } = *ledger;
+        let Ledger { now, start, .. } = *ledger;
+        let Energies { kinetic, gravity, .. } = now;
         let Book {
             mouse,
             grab,
@@ -292,7 +293,7 @@ impl From<&Ledger> for RecordedLedger {
         } = ledger.book;
         RecordedLedger {
             kinetic,
-            springs,
+            springs: now.elastic(),
             gravity,
             start,
             mouse,

@@ -10,7 +10,7 @@ use super::counters::Counters;
 use super::drive::Key;
 use super::force::angle::Angle;
 use super::force::mouse::{Cursor, MouseForce};
-use super::ledger::{Energies, Ledger};
+use super::ledger::{Book, Energies, Ledger};
 use super::model::{Driving, Method};
 use super::moved::MovedBy;
 use super::plan_part::PlanPart;
@@ -152,8 +152,12 @@ pub trait Dynamics: Send {
     fn energy(&self) -> f64 {
         self.energies().sum()
     }
-    /// The same by kind `[J]`: angles' and areas' energy is among the springs'.
+    /// The same by kind `[J]`.
     fn energies(&self) -> Energies;
+    /// What is booked of where energy came from and went, where a ledger is kept: of a run that goes on, as [`Sample::ledger`] has it.
+    fn book(&self) -> Option<Book>;
+    /// The largest |length/rest - 1| of the bonds that act `[1]`, as [`Sample::max_strain`].
+    fn max_strain(&self) -> f64;
     /// The force by which a rigid bond, by its place among [`Dynamics::bonds`], pulls its ends together `[N]`, below 0 where it pushes;
     /// `None` where it is no rigid bond or the state does not tell: see docs/window.md.
     fn tension(&self, place: usize) -> Option<f64>;

@@ -97,8 +97,14 @@ impl Book {
 pub struct Energies {
     /// The sum of m v^2/2.
     pub kinetic: f64,
-    /// The sum of stiffness (|d| - rest)^2/2 over springs that act, and what angles and areas have.
+    /// The sum of stiffness (|d| - rest)^2/2 over springs that act.
     pub springs: f64,
+    /// Of angles that are held by springs, and of stops of joints that are springs.
+    pub angles: f64,
+    /// The sum of stiffness (area - rest)^2/(2 rest) over triangles whose areas resist.
+    pub areas: f64,
+    /// Of planes that push by depth: the sum of stiffness depth^2/2.
+    pub surfaces: f64,
     /// The sum of -m g . x: 0 at the origin.
     pub gravity: f64,
 }
@@ -106,7 +112,12 @@ pub struct Energies {
 impl Energies {
     /// All of them.
     pub fn sum(&self) -> f64 {
-        self.kinetic + self.springs + self.gravity
+        self.kinetic + self.elastic() + self.gravity
+    }
+
+    /// What is stored in springs, angles, areas and surfaces `[J]`.
+    pub fn elastic(&self) -> f64 {
+        self.springs + (self.angles + self.areas) + self.surfaces
     }
 }
 
@@ -158,7 +169,7 @@ impl Totals {
     /// The ledger at a time `[s]` with these energies; numbers have the rounding `epsilon`.
     pub(crate) fn at(&self, time: f64, now: Energies, epsilon: f64) -> Ledger {
         // Energies are sums of many terms of either sign: a few hundred roundings of the largest.
-        let size = now.kinetic.abs() + now.springs.abs() + now.gravity.abs() + self.start.abs();
+        let size = now.kinetic.abs() + now.elastic().abs() + now.gravity.abs() + self.start.abs();
         Ledger {
             time,
             now,

@@ -83,9 +83,13 @@ pub(crate) fn spring_energy<const D: usize>(bond: &Bond, position: impl Fn(usize
 /// Largest |length/rest - 1| over the bonds that act `[1]`: slack strings and struts that are parted have no strain, nor have welds.
 ///
 /// Lengths at rest are those of time `t` `[s]`.
-pub(crate) fn max_strain<const D: usize>(position: &[[f64; D]], bonds: &Bonds, (t, keys): (f64, &Keys)) -> f64 {
+pub(crate) fn max_strain<const D: usize>(
+    position: impl Fn(usize) -> [f64; D],
+    bonds: &Bonds,
+    (t, keys): (f64, &Keys),
+) -> f64 {
     let of = |bond: Bond| {
-        let d = sub(position[bond.a.index()], position[bond.b.index()]);
+        let d = sub(position(bond.a.index()), position(bond.b.index()));
         let rest =
             bond.rest_length * bond.drive.map_or(1.0, |drive| 1.0 + drive.amplitude * drive.signal.level(t, keys));
         bond.strain(length(d), rest).abs()

@@ -19,7 +19,7 @@ const OF_STRETCH: &str =
 const OF_ENERGY: &str = "energy of motion, springs and gravity (0 at y = 0)";
 /// That of how stiff relaxed bonds are.
 const RELAXED: &str = "relaxed";
-const OF_RELAXED: &str = "relaxed bonds give way like springs of this stiffness, by this substep and so many sweeps: measured as the scene begins";
+const OF_RELAXED: &str = "relaxed bonds give way like springs of this stiffness, by the substep and the sweeps of now: measured whenever bonds, masses or the method change";
 
 /// Shows them at the right edge, below the buttons where those leave no place for them.
 pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) {

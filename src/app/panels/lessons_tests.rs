@@ -8,6 +8,7 @@ use super::pointer::click;
 use super::theme::{self, colors};
 use super::{Wish, settings};
 use crate::app::action::{Action, Showing};
+use crate::app::player::Probe;
 use crate::app::plots::{Plots, Quantity, Subject};
 use crate::lessons::{Plot, lessons};
 use crate::sim::PointId;
@@ -211,6 +212,13 @@ fn plots_show_what_a_step_asks_for() {
     assert_eq!(plots.probes(), [Some(PointId(5).into()), None]);
     let plots = Plots::of(1.0, &Plot::Phase { points: [1, 2], quantity });
     assert_eq!((plots.subject, plots.probes()), (Subject::Phase, [1, 2].map(|point| Some(PointId(point).into()))));
+    assert_eq!(Plots::of(1.0, &Plot::Strain).subject, Subject::Strain);
+    let quantity = crate::lessons::Quantity::Force;
+    let plots = Plots::of(1.0, &Plot::Bonds { bonds: vec![3, 7], quantity });
+    assert_eq!((plots.quantity, plots.probes()), (Quantity::Force, [3, 7].map(|bond| Some(Probe::Bond(bond)))));
+    let plots = Plots::of(1.0, &Plot::Angle { points: [3, 18, 21] });
+    let corner = Probe::Corner([3, 18, 21].map(PointId));
+    assert_eq!((plots.quantity, plots.probes()), (Quantity::Angle, [Some(corner), None]));
 }
 
 #[test]

@@ -222,7 +222,7 @@ fn relaxed(stiffness: f64) -> Line {
         words: format!(
             "Relaxed bonds give way like springs of {stiffness:.0} N/m. More sweeps in the settings make them stiffer."
         ),
-        figures: "measured on a bond in the middle of the list as the scene begins".to_owned(),
+        figures: "measured on a bond in the middle of the list, by the substep and the sweeps of now".to_owned(),
         tone: Tone::Weak,
         offer: None,
     }

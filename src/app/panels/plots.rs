@@ -13,7 +13,7 @@ use super::theme::{Colors, colors, floating};
 use super::{Wish, described};
 use crate::app::action::Action;
 use crate::app::player::{Measured, Probe};
-use crate::app::plots::{Curve, Plots, Quantity, Series, Subject, svg};
+use crate::app::plots::{Curve, Kind, Plots, Quantity, Series, Subject, svg};
 
 /// Width and greatest height of a plot `[points]`.
 const SIZE: [f32; 2] = [340.0, 180.0];
@@ -38,20 +38,17 @@ const MENU: f32 = 400.0;
 /// Half of the room less this is free for the plot: the primitives beside the tools end there `[points]`.
 const OTHERS: f32 = 165.0;
 
-/// What is plotted of the energies `[J]`.
-type OfEnergies = fn(&Measured) -> f64;
-/// The kinds of energy.
-pub(super) const ENERGIES: [(&str, OfEnergies); 4] = [
-    ("kinetic", |measured| measured.energies.kinetic),
-    ("elastic", |measured| measured.energies.springs),
-    ("gravity", |measured| measured.energies.gravity),
-    ("sum", |measured| measured.energies.sum()),
-];
-
-/// How wide curves are that may lie on each other, in their order, so that those below are seen beside those above `[points]`: the four of energies,
-/// and the two of probes.
-const OF_ENERGIES: [f32; 4] = [4.6, 3.4, 2.3, 1.2];
+/// How wide curves are that may lie on each other, so that those below are seen beside those above `[points]`: of energies the last one, and how much
+/// wider than the next each before it is, as far as the first is not too wide; and the two of probes.
+const OF_ENERGIES: [f32; 3] = [1.2, 1.13, 5.6];
 const OF_PROBES: [f32; 2] = [2.8, 1.4];
+
+/// How wide the curve of a kind of energy is, in their order, of so many `[points]`.
+fn of_energy(place: usize, count: usize) -> f32 {
+    let [last, wider, widest] = OF_ENERGIES;
+    let others = count.saturating_sub(1).max(1) as f32;
+    last + wider.min((widest - last) / others) * count.saturating_sub(1 + place) as f32
+}
 /// How wide a curve is that is alone `[points]`.
 const ALONE: f32 = 1.5;
 
@@ -60,10 +57,16 @@ fn of_probe(plots: &Plots, place: usize) -> f32 {
     if plots.probes().iter().all(Option::is_some) { OF_PROBES[place] } else { ALONE }
 }
 
-/// Their colours, that of the sum last.
-pub(super) fn of_energies(colors: &Colors) -> [Color32; 4] {
-    let [kinetic, elastic, gravity] = colors.energies;
-    [kinetic, elastic, gravity, colors.text]
+/// Kinds of energy with the colour and the width of the curve of each, in the order in which they are drawn.
+pub(super) fn of_energies(plots: &Plots, colors: &Colors) -> Vec<(Kind, Color32, f32)> {
+    let color = |kind: &Kind| kind.color.map_or(colors.text, |place| colors.energies[place]);
+    in_their_widths(plots).map(|(kind, width)| (kind, color(&kind), width)).collect()
+}
+
+fn in_their_widths(plots: &Plots) -> impl Iterator<Item = (Kind, f32)> {
+    let kinds = plots.kinds();
+    let count = kinds.len();
+    kinds.into_iter().enumerate().map(move |(place, kind)| (kind, of_energy(place, count)))
 }
 
 /// What its place depends on.
@@ -207,17 +210,18 @@ fn panel(ui: &mut Ui, (size, is_short): ([f32; 2], bool), plots: &mut Plots, wis
     });
 }
 
-/// From this width on there is room for a word beside the buttons above the plots `[points]`.
+/// From this width on there is room for a word beside the buttons above the plots, and from the second one for what is looked at in place of it `[points]`.
 const WORDED: f32 = 205.0;
+const WITH_CHOICES: f32 = 325.0;
 
 fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>) {
-    // Its buttons would lie over the word.
-    if ui.available_width() >= WORDED {
-        ui.label(RichText::new("Plots").color(colors(ui).text).strong());
-    }
-    // Where there is but one choice nothing is to be chosen.
-    if is_short && plots.probes().iter().any(Option::is_some) {
-        choices(ui, plots);
+    let is_probed = plots.probes().iter().any(Option::is_some);
+    match ui.available_width() {
+        width if is_short && width >= WITH_CHOICES && is_probed => choices(ui, plots),
+        width if is_short && width >= WITH_CHOICES => of_world(ui, plots),
+        // Its buttons would lie over the word.
+        width if width >= WORDED => _ = ui.label(RichText::new("Plots").color(colors(ui).text).strong()),
+        _ => {}
     }
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         if ui.button("Close").on_hover_text(described("close the plots", Action::Plots)).clicked() {
@@ -236,9 +240,9 @@ fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>
 fn choices(ui: &mut Ui, plots: &mut Plots) {
     let count = plots.probes().iter().flatten().count();
     ui.spacing_mut().item_spacing.x = 4.0;
-    ui.selectable_value(&mut plots.subject, Subject::Energies, "energies");
+    of_world(ui, plots);
     if count == 0 {
-        ui.weak("click a point or bond with tool 6 to probe it");
+        ui.weak("tool 6 probes points and bonds");
         return;
     }
     // An orbit is of the probes as well.
@@ -246,10 +250,29 @@ fn choices(ui: &mut Ui, plots: &mut Plots) {
     if ui.selectable_label(is_of_probes, if count == 1 { "probe" } else { "probes" }).clicked() && !is_of_probes {
         plots.subject = Subject::Probes;
     }
-    if count == 2 {
-        ui.selectable_value(&mut plots.subject, Subject::Phase, "against each other");
+    if count == 2 && ui.selectable_label(plots.subject == Subject::Phase, Subject::Phase.words()).clicked() {
+        plots.oppose();
     }
 }
+
+/// What is looked at of the whole world: a menu, of what a ledger has only where one is kept.
+fn of_world(ui: &mut Ui, plots: &mut Plots) {
+    let shown = if plots.subject.is_of_world() { plots.subject } else { Subject::default() };
+    let words = RichText::new(shown.words());
+    let words = if plots.subject.is_of_world() { words.color(colors(ui).accent) } else { words };
+    let menu = egui::ComboBox::from_id_salt("of the world").width(NARROW_MENU).selected_text(words).show_ui(ui, |ui| {
+        let has_ledger = plots.has_ledger();
+        for subject in Subject::OF_WORLD.into_iter().filter(|one| has_ledger || !one.is_of_ledger()) {
+            if choice(ui, plots.subject == subject, subject.words()).clicked() {
+                plots.subject = subject;
+            }
+        }
+    });
+    menu.response.on_hover_text("what is plotted of the world: its energies by kind, its largest strain; with \"ledger\": true in the scene's method what brought energy and what took it");
+}
+
+/// Least width of a menu that stands in a row with others `[points]`.
+const NARROW_MENU: f32 = 60.0;
 
 /// The names of the curves in their colours, and which quantity of the probes they show.
 fn legend(ui: &mut Ui, plots: &mut Plots) {
@@ -257,10 +280,12 @@ fn legend(ui: &mut Ui, plots: &mut Plots) {
     ui.horizontal(|ui| {
         ui.set_min_height(ui.spacing().interact_size.y + 4.0);
         match plots.subject {
-            Subject::Energies => {
-                let named = ENERGIES.into_iter().zip(of_energies(colors(ui)));
-                named.for_each(|((words, _), color)| _ = name(ui, words, color));
+            Subject::Energies | Subject::Brought | Subject::Taken => {
+                // As many as there may be have room.
+                ui.spacing_mut().item_spacing.x = 6.0;
+                of_energies(plots, colors(ui)).into_iter().for_each(|(kind, color, _)| _ = name(ui, kind.name, color));
             }
+            Subject::Strain => _ = name(ui, "the largest strain of a bond", colors(ui).text),
             Subject::Probes | Subject::Orbit => {
                 for (place, (point, color)) in plots.probes().into_iter().zip(colors(ui).probes).enumerate() {
                     let words = point.map(|probe| format!("{}: {}", place + 1, named(probe)));
@@ -269,7 +294,7 @@ fn legend(ui: &mut Ui, plots: &mut Plots) {
             }
             Subject::Phase => _ = name(ui, "2 upwards, 1 across", colors(ui).text),
         }
-        if plots.subject != Subject::Energies {
+        if !plots.subject.is_of_world() {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.spacing_mut().item_spacing.x = 4.0;
                 quantities(ui, plots);
@@ -307,13 +332,21 @@ fn named(probe: Probe) -> String {
     match probe {
         Probe::Point(point) => format!("point {}", point.0),
         Probe::Bond(number) => format!("bond {number}"),
+        Probe::Corner([_, point, _]) => format!("at point {}", point.0),
     }
 }
+
+/// Strains up to this are those of rounding `[%]`.
+const ROUNDING: f64 = 1e-6;
 
 fn plot(ui: &mut Ui, [width, height]: [f32; 2], plots: &Plots) {
     let [name, unit] = plots.quantity.words();
     let frame = match plots.subject {
-        Subject::Energies => frame("energies", ["s", "J"], width, colors(ui)),
+        Subject::Energies | Subject::Brought | Subject::Taken => {
+            frame(plots.subject.words(), ["s", "J"], width, colors(ui))
+        }
+        // What is less is rounding, and looks like nothing.
+        Subject::Strain => frame("strain", ["s", "%"], width, colors(ui)).include_y(0.0).include_y(ROUNDING),
         Subject::Probes => frame(("probes", name), ["s", unit], width, colors(ui)),
         Subject::Phase => frame(("phase", name), [unit, unit], width, colors(ui)),
         Subject::Orbit => frame(("orbit", name), [unit, "m/s"], width, colors(ui)),
@@ -401,14 +434,8 @@ fn grid(GridInput { bounds: (from, to), .. }: GridInput, least: f64) -> Vec<Grid
 /// The plot that is looked at, as a figure for a file.
 pub(in crate::app) fn figure(plots: &Plots) -> String {
     let [name, unit] = plots.quantity.words();
-    let of = |place: usize| {
-        move |measured: &Measured| {
-            let probed = measured.probes[place]?;
-            plots.quantity.of(&probed)
-        }
-    };
-    let over_time = |of: &dyn Fn(&Measured) -> Option<f64>| -> Vec<[f64; 2]> {
-        plots.series().iter().filter_map(|measured| Some([measured.time, of(measured)?])).collect()
+    let over_time = |of: &dyn Fn(&Measured) -> f64| -> Vec<[f64; 2]> {
+        plots.series().iter().map(|measured| [measured.time, of(measured)]).collect()
     };
     let curve = |name: String, (color, width): (Color32, f32), points: Vec<[f64; 2]>| Curve {
         name,
@@ -417,18 +444,29 @@ pub(in crate::app) fn figure(plots: &Plots) -> String {
         points,
     };
     match plots.subject {
-        Subject::Energies => {
-            let all = ENERGIES
-                .into_iter()
-                .zip(ENERGIES_ON_WHITE.into_iter().zip(OF_ENERGIES))
-                .map(|((name, of), color)| curve(name.to_owned(), color, over_time(&|measured| Some(of(measured)))));
-            svg(["time [s]", "energy [J]"], &all.collect::<Vec<_>>())
+        Subject::Energies | Subject::Brought | Subject::Taken => {
+            let color = |kind: &Kind| kind.color.map_or(SUM_ON_WHITE, |place| ENERGIES_ON_WHITE[place]);
+            let all = in_their_widths(plots)
+                .map(|(kind, width)| curve(kind.name.to_owned(), (color(&kind), width), over_time(&kind.of)));
+            let up = if plots.subject == Subject::Energies { "energy [J]" } else { "work [J]" };
+            svg(["time [s]", up], &all.collect::<Vec<_>>())
+        }
+        Subject::Strain => {
+            let points = over_time(&|measured| 100.0 * measured.strain);
+            svg(["time [s]", "strain [%]"], &[curve("largest strain".to_owned(), (SUM_ON_WHITE, ALONE), points)])
         }
         Subject::Probes => {
             let places = plots.probes().into_iter().enumerate().filter(|(place, _)| plots.has_curve(*place));
             let places = places.filter_map(|(place, probe)| Some((place, probe?)));
             let all = places.map(|(place, probe)| {
-                curve(named(probe), (ON_WHITE[place], of_probe(plots, place)), over_time(&of(place)))
+                let look = if plots.quantity.is_of_both() {
+                    (SUM_ON_WHITE, ALONE)
+                } else {
+                    (ON_WHITE[place], of_probe(plots, place))
+                };
+                let both = || plots.probes().into_iter().flatten().map(named).collect::<Vec<_>>().join(", ");
+                let name = if plots.quantity.is_of_both() { both() } else { named(probe) };
+                curve(name, look, plots.over_time(place))
             });
             svg(["time [s]", &format!("{name} [{unit}]")], &all.collect::<Vec<_>>())
         }
@@ -441,7 +479,7 @@ pub(in crate::app) fn figure(plots: &Plots) -> String {
             svg([&format!("{name} [{unit}]"), &format!("velocity {name} [m/s]")], &all.collect::<Vec<_>>())
         }
         Subject::Phase => {
-            let both = |measured: &Measured| Some([of(0)(measured)?, of(1)(measured)?]);
+            let both = |measured: &Measured| Some([plots.value(measured, 0)?, plots.value(measured, 1)?]);
             let names = plots.probes().map(|probe| probe.map_or(String::new(), named));
             let points = plots.series().iter().filter_map(both).collect();
             let axis = |place: usize| format!("{name} of {} [{unit}]", names[place]);
@@ -450,32 +488,42 @@ pub(in crate::app) fn figure(plots: &Plots) -> String {
     }
 }
 
-/// The energies' colours on white, which people who are blind to some tell apart, by Okabe and Ito; and the probes'.
-const ENERGIES_ON_WHITE: [Color32; 4] = [
+/// The energies' colours on white, which people who are blind to some tell apart, by Okabe and Ito, and that of the sum; and the probes'.
+const ENERGIES_ON_WHITE: [Color32; 8] = [
     Color32::from_rgb(230, 159, 0),
     Color32::from_rgb(86, 180, 233),
     Color32::from_rgb(0, 158, 115),
-    Color32::from_gray(40),
+    Color32::from_rgb(213, 94, 0),
+    Color32::from_rgb(204, 121, 167),
+    Color32::from_rgb(0, 114, 178),
+    Color32::from_rgb(160, 140, 40),
+    Color32::from_rgb(130, 110, 220),
 ];
+const SUM_ON_WHITE: Color32 = Color32::from_gray(40);
 const ON_WHITE: [Color32; 2] = [Color32::from_rgb(0, 114, 178), Color32::from_rgb(213, 94, 0)];
 
 /// The curves of what is looked at.
 fn lines(plots: &Plots, colors: &Colors) -> Vec<Line<'static>> {
-    let (series, quantity) = (plots.series(), plots.quantity);
-    let of = |place: usize| move |measured: &Measured| measured.probes[place].and_then(|probed| quantity.of(&probed));
+    let series = plots.series();
     match plots.subject {
-        Subject::Energies => {
-            let line = |((name, of), (color, width)): ((&'static str, OfEnergies), (Color32, f32))| {
-                let curve = Line::new(name, points(series, |measured| Some([measured.time, of(measured)])));
+        Subject::Energies | Subject::Brought | Subject::Taken => {
+            let line = |(kind, color, width): (Kind, Color32, f32)| {
+                let curve = Line::new(kind.name, points(series, |measured| Some([measured.time, (kind.of)(measured)])));
                 curve.color(color).width(width)
             };
-            let drawn = of_energies(colors).into_iter().zip(OF_ENERGIES);
-            ENERGIES.into_iter().zip(drawn).map(line).collect()
+            of_energies(plots, colors).into_iter().map(line).collect()
+        }
+        Subject::Strain => {
+            let at = |measured: &Measured| Some([measured.time, 100.0 * measured.strain]);
+            vec![Line::new("largest strain", points(series, at)).color(colors.text).width(ALONE)]
+        }
+        Subject::Probes if plots.quantity.is_of_both() => {
+            let curve = PlotPoints::from(plots.over_time(0));
+            vec![Line::new("1 and 2", curve).color(colors.text).width(ALONE)]
         }
         Subject::Probes => {
             let line = |place: usize| {
-                let at = |measured: &Measured| Some([measured.time, of(place)(measured)?]);
-                Line::new((place + 1).to_string(), points(series, at))
+                Line::new((place + 1).to_string(), PlotPoints::from(plots.over_time(place)))
                     .color(colors.probes[place])
                     .width(of_probe(plots, place))
             };
@@ -493,7 +541,7 @@ fn lines(plots: &Plots, colors: &Colors) -> Vec<Line<'static>> {
             places.map(|(place, _)| line(place)).collect()
         }
         Subject::Phase => {
-            let at = |measured: &Measured| Some([of(0)(measured)?, of(1)(measured)?]);
+            let at = |measured: &Measured| Some([plots.value(measured, 0)?, plots.value(measured, 1)?]);
             vec![Line::new("2 against 1", points(series, at)).color(colors.text).width(ALONE)]
         }
     }

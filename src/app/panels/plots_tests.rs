@@ -3,7 +3,7 @@
 
 use egui::{Color32, Event, Pos2, Rect, Shape, vec2};
 
-use super::plots::{self, ENERGIES, Seat, of_energies};
+use super::plots::{self, Seat, of_energies};
 use super::plots_at::PlotsAt;
 use super::pointer::{button, click};
 use super::theme::colors;
@@ -124,10 +124,12 @@ fn every_curve_stands_out_from_its_ground() {
 #[test]
 fn all_energies_are_drawn_with_their_names() {
     let mut screen = Screen::new(0);
-    let colors = of_energies(colors(&screen.context));
-    for ((name, _), color) in ENERGIES.into_iter().zip(colors) {
-        assert!(screen.curve(color) > 50, "{name}: {}", screen.curve(color));
-        assert!(screen.place_of(name).is_some(), "{name}");
+    let energies = of_energies(&screen.plots, colors(&screen.context));
+    let names: Vec<&str> = energies.iter().map(|(kind, ..)| kind.name).collect();
+    assert_eq!(names, ["kinetic", "springs", "gravity", "sum"], "nothing is said of kinds that there are none of");
+    for (kind, color, _) in energies {
+        assert!(screen.curve(color) > 50, "{}: {}", kind.name, screen.curve(color));
+        assert!(screen.place_of(kind.name).is_some(), "{}", kind.name);
     }
     let shapes = screen.frame(Vec::new()).1;
     let says =
@@ -138,7 +140,7 @@ fn all_energies_are_drawn_with_their_names() {
 #[test]
 fn curves_that_lie_on_each_other_are_all_seen() {
     let mut screen = Screen::new(0);
-    let colors = of_energies(colors(&screen.context));
+    let energies = of_energies(&screen.plots, colors(&screen.context));
     let shapes = screen.frame(Vec::new()).1;
     let width = |color: Color32| {
         let of = |shape: &Shape| match shape {
@@ -147,7 +149,7 @@ fn curves_that_lie_on_each_other_are_all_seen() {
         };
         shapes.iter().find_map(of).unwrap()
     };
-    let widths = colors.map(width);
+    let widths: Vec<f32> = energies.iter().map(|(_, color, _)| width(*color)).collect();
     assert!(widths.windows(2).all(|pair| pair[0] > pair[1] + 0.9), "what is drawn first is wider: {widths:?}");
     let drawn = super::figure(&screen.plots);
     assert!(widths.iter().all(|width| drawn.contains(&format!("stroke-width=\"{width}\""))), "{drawn}");
@@ -229,7 +231,10 @@ fn probes_are_plotted_over_time_and_against_each_other() {
         two.curve(text) > 50
     });
     two.click("energies");
-    assert_eq!(two.plots.subject, Subject::Energies);
+    two.click("largest strain");
+    assert_eq!(two.plots.subject, Subject::Strain);
+    let text = colors(&two.context).text;
+    assert!(two.curve(text) > 50);
 }
 
 #[test]

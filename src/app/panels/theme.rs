@@ -19,8 +19,8 @@ pub(in crate::app) struct Colors {
     pub(in crate::app) push: Color32,
     /// The probes: their rings and their curves.
     pub(in crate::app) probes: [Color32; 2],
-    /// Kinds of energy, kinetic, elastic and of gravity: those who are blind to some colours tell them apart.
-    pub(in crate::app) energies: [Color32; 3],
+    /// Kinds of energy, the kinetic one, that of springs and that of gravity first: those who are blind to some colours tell them apart.
+    pub(in crate::app) energies: [Color32; 8],
     /// Text that matters.
     pub(in crate::app) text: Color32,
     /// Text beside it.
@@ -56,16 +56,25 @@ static DARK: Colors = Colors {
     lead: rgb(0xff_d6_78),
     push: rgb(0xff_a8_5c),
     probes: [rgb(0xf0_e4_42), rgb(0xdc_8c_be)],
-    energies: [rgb(0xe6_9f_00), rgb(0x56_b4_e9), rgb(0x00_9e_73)],
+    energies: [
+        rgb(0xe6_9f_00),
+        rgb(0x56_b4_e9),
+        rgb(0x00_9e_73),
+        rgb(0xe8_74_3b),
+        rgb(0xdc_8c_be),
+        rgb(0xf0_e4_42),
+        rgb(0xb8_b0_ff),
+        rgb(0xa0_c8_b0),
+    ],
     text: rgb(0xe2_e9_f4),
-    weak: rgb(0x96_a3_b8),
+    weak: rgb(0xa6_b2_c7),
     hovered_text: Color32::WHITE,
     panel: rgb(0x14_1a_26),
     field: rgb(0x0c_10_19),
     faint: rgb(0x19_20_2e),
     raised: rgb(0x21_2a_3b),
     hovered: rgb(0x2e_3a_51),
-    selected: rgb(0x24_5c_50),
+    selected: rgb(0x1d_4a_41),
     line: rgb(0x28_32_46),
     edge: Color32::from_black_alpha(150),
 };
@@ -78,7 +87,16 @@ static LIGHT: Colors = Colors {
     lead: rgb(0x80_56_00),
     push: rgb(0x9a_48_00),
     probes: [rgb(0x6e_5c_00), rgb(0x8e_36_6e)],
-    energies: [rgb(0x8a_56_00), rgb(0x00_5c_9e), rgb(0x00_66_4a)],
+    energies: [
+        rgb(0x8a_56_00),
+        rgb(0x00_5c_9e),
+        rgb(0x00_66_4a),
+        rgb(0xa8_32_00),
+        rgb(0x8e_36_6e),
+        rgb(0x6e_5c_00),
+        rgb(0x5a_48_b0),
+        rgb(0x3c_5c_44),
+    ],
     text: rgb(0x1a_22_30),
     weak: rgb(0x4c_58_6c),
     hovered_text: Color32::BLACK,
@@ -201,13 +219,11 @@ mod tests {
                 pairs
                     .extend(written.into_iter().chain(colors.probes).chain(colors.energies).map(|text| (text, ground)));
             }
-            pairs.extend([colors.raised, colors.hovered].map(|ground| (colors.text, ground)));
-            pairs.extend([
-                (colors.hovered_text, colors.hovered),
-                (colors.accent, colors.hovered),
-                (colors.accent, colors.selected),
-                (colors.on_accent, colors.accent),
-            ]);
+            // On buttons, on rows that the pointer rests on, and on what is chosen, with what is said beside it.
+            for ground in [colors.raised, colors.hovered, colors.selected] {
+                pairs.extend([colors.text, colors.weak, colors.accent, colors.hovered_text].map(|text| (text, ground)));
+            }
+            pairs.push((colors.on_accent, colors.accent));
             for (text, ground) in pairs {
                 let found = contrast(plain(text), plain(ground));
                 assert!(found >= 4.5, "{palette:?}: {text:?} on {ground:?}: {found:.2}");

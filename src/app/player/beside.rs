@@ -6,6 +6,7 @@ use std::time::Instant;
 use super::pace::Pace;
 use super::rungs::Load;
 use super::shown::{Places, Scenery};
+use super::watch::Watch;
 use crate::history::{Companion, History, distances, interpolate};
 use crate::render::View;
 use crate::scene::{BesideKeys, BudgetKeys, MethodKeys, PrecisionName, SolverName};
@@ -72,6 +73,8 @@ pub(super) struct Escort {
     still: Vec<Still>,
     /// Where each was at the two states of the world between which the picture lies.
     ends: Vec<Ends>,
+    /// Where the points of the first one were at the time that was told of last `[m]`.
+    told: Vec<f64>,
     sceneries: u64,
     motion: u64,
     late: Late,
@@ -113,8 +116,9 @@ impl Escort {
     }
 
     /// A frame of `wall` `[s]` passed: companions come along. Returns the wall time that this took `[s]`.
-    pub(super) fn come(&mut self, history: &mut History, pace: &Pace, wall: f64) -> f64 {
+    pub(super) fn come(&mut self, history: &mut History, pace: &mut Pace, wall: f64) -> f64 {
         if history.companions().is_empty() {
+            pace.watch.forget_waiting();
             return 0.0;
         }
         let moves = pace.is_moving(history);
@@ -128,7 +132,7 @@ impl Escort {
         let before = self.place(history);
         let budget = BUDGETS[usize::from(!moves)];
         let was_there = self.is_there;
-        self.is_there = self.bring(history, states, &mut || start.elapsed().as_secs_f64() < budget);
+        self.is_there = self.bring(history, (states, &mut pace.watch), &mut || start.elapsed().as_secs_f64() < budget);
         self.motion += u64::from(self.place(history) != before || !was_there || moves);
         let behind = history.companions().iter().map(|companion| time - companion.world().time()).fold(0.0, f64::max);
         let is_late = !self.is_there && moves && behind > LAG * pace.rate;
@@ -138,19 +142,54 @@ impl Escort {
 
     /// Companions go to both states of the world that the picture lies between, `[s]`, as far as `goes_on` lets them: points on straight lines between
     /// these are as far from the truth in all worlds, and what is left between them is what their methods differ by. Returns whether all are there.
-    fn bring(&mut self, history: &mut History, [from, to]: [f64; 2], goes_on: &mut dyn FnMut() -> bool) -> bool {
+    ///
+    /// On the way it is told to those who look where the first of them has what is probed, at the times of measurements.
+    fn bring(
+        &mut self,
+        history: &mut History,
+        ([from, to], watch): ([f64; 2], &mut Watch),
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> bool {
         self.ends.resize_with(history.companions().len(), Ends::default);
         // Those whose last step begins after the first state would have to go back, and were there.
         let is_beyond = |companion: &Companion| companion.began() > from + slack(companion);
+        if !self.tell(history, (from, watch), goes_on) {
+            return false;
+        }
         if from < to && !history.companions().iter().any(is_beyond) {
             if !history.bring_along(from, goes_on) {
                 return false;
             }
             self.note_ends(history, from);
         }
+        if !self.tell(history, (to, watch), goes_on) {
+            return false;
+        }
         let are_there = history.bring_along(to, goes_on);
         self.note_ends(history, to);
         are_there
+    }
+
+    /// Companions go to the times of measurements up to `end` `[s]`, as far as `goes_on` lets them. Returns whether they have been there.
+    fn tell(
+        &mut self,
+        history: &mut History,
+        (end, watch): (f64, &mut Watch),
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> bool {
+        while let Some(time) = watch.awaited(end) {
+            let is_beyond = |first: &Companion| first.began() > time + slack(first);
+            let was_there = history.companions().first().is_none_or(is_beyond);
+            if !was_there && !history.bring_along(time, goes_on) {
+                return false;
+            }
+            let dimensions = history.world().dimensions();
+            if let Some(first) = history.companions().first().filter(|_| !was_there) {
+                first.places(time, &mut self.told);
+            }
+            watch.tell((!was_there).then_some(self.told.as_slice()), dimensions);
+        }
+        true
     }
 
     fn note_ends(&mut self, history: &History, time: f64) {

@@ -115,7 +115,7 @@ fn under_load_companions_wait_before_anything_else_gives_way_and_come_after_in_a
     assert!(late[..11].iter().all(|is_first| *is_first) && !late[11], "for half a second it is theirs to wait");
     for _ in 0..3 {
         pace.advance(&mut history, 0.02, None, || 0.0);
-        assert_eq!(escort.come(&mut history, &pace, 0.02), 0.0, "they take nothing");
+        assert_eq!(escort.come(&mut history, &mut pace, 0.02), 0.0, "they take nothing");
     }
     let mut beside = Vec::new();
     escort.show(&history, &pace, pace.mix(history.world()), &mut beside);
@@ -124,7 +124,7 @@ fn under_load_companions_wait_before_anything_else_gives_way_and_come_after_in_a
     pace.playing = false;
     pace.settle(&history);
     while escort.is_behind(&history) {
-        escort.come(&mut history, &pace, 0.0);
+        escort.come(&mut history, &mut pace, 0.0);
     }
     escort.show(&history, &pace, pace.mix(history.world()), &mut beside);
     assert!(beside[0].words.is_empty() && beside[0].farthest.is_some());
@@ -132,7 +132,7 @@ fn under_load_companions_wait_before_anything_else_gives_way_and_come_after_in_a
     let history = History::new(scene().into()).unwrap();
     assert!(
         !alone.gives_way(&history, load(true))
-            && alone.come(&mut History::new(scene().into()).unwrap(), &pace, 1.0) == 0.0
+            && alone.come(&mut History::new(scene().into()).unwrap(), &mut pace, 1.0) == 0.0
     );
 }
 

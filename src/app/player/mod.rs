@@ -50,7 +50,7 @@ pub use rungs::{Rung, Yielded};
 pub(crate) use shown::driven;
 pub use shown::{Figures, Latest, Places, Scenery, Shown};
 pub use stage::{Stage, too_many_to_meet};
-pub use watch::{EVERY, Measured, Probe, Probed, Probes, REACH};
+pub use watch::{Apart, EVERY, Measured, Probe, Probed, Probes, REACH};
 
 use crate::history::{Called, Do, HistoryError, Start};
 use crate::scene::Scene;

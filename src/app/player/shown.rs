@@ -6,7 +6,7 @@ use super::acts::Acts;
 use super::beside::Beside;
 use super::movers::Movers;
 use super::rungs::Yielded;
-use super::watch::Measured;
+use super::watch::{Apart, Measured};
 use crate::app::matter::{Matter, Placed, props};
 use crate::app::tools::{Kept, Walls};
 use crate::history::{BranchView, Clock, Group};
@@ -366,6 +366,8 @@ pub struct Shown {
     pub figures: Figures,
     /// What plots are made of since the last state, ascending in time, if that is asked for.
     pub measured: Vec<Measured>,
+    /// What was found since the last state of how far measured points are from where the first world beside has them.
+    pub apart: Vec<Apart>,
     /// What is selected is made of, if that is asked for.
     pub matter: Option<Arc<Matter>>,
     /// The words that stand in the world, those of points that are gone too.
@@ -377,6 +379,7 @@ impl Shown {
     pub(super) fn follow_unseen(&mut self, unseen: &Shown) {
         let at_their_times = unseen.measured.iter().filter(|measured| !measured.is_passing);
         self.measured.splice(0..0, at_their_times.copied());
+        self.apart.splice(0..0, unseen.apart.iter().copied());
     }
 
     /// As the renderer reads it.

@@ -1,25 +1,60 @@
-//! What relaxed bonds amount to at the method under way: worked out when a scene opens and whenever its method changes.
+//! What relaxed bonds amount to as the world is: worked out when a scene opens, and whenever its method, its bonds, its masses or its pins change.
+
+use std::collections::BTreeSet;
 
 use crate::equilibrium::{MOST_SOFT, Softness, softness};
 use crate::history::History;
-use crate::scene::{MethodKeys, Scene};
-use crate::sim::{BondKind, Dynamics};
+use crate::scene::MethodKeys;
+use crate::sim::{Bond, BondKind, Dynamics, Model, PointId, Saved, SavedWorld, Solver};
 
-/// Of the method that it was worked out for last.
+/// Of more bonds than this it is worked out once a change is over, not while a slider is dragged: that takes long.
+const AT_ONCE: usize = 300;
+
+/// What it depends on.
+#[derive(Clone, Debug, PartialEq)]
+struct Of {
+    method: MethodKeys,
+    /// The substep of relaxed bonds now `[s]`.
+    substep: f64,
+    bonds: Vec<Bond>,
+    masses: Vec<f64>,
+    pinned: Vec<PointId>,
+}
+
+/// Of what it was worked out for last.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Relaxed {
-    method: Option<MethodKeys>,
+    of: Option<Of>,
+    /// What was seen since and is not worked out yet.
+    seen: Option<Of>,
     softness: Option<Softness>,
 }
 
 impl Relaxed {
-    /// Works it out, if the method is another. Where there is nothing to be measured no model is made, which of large scenes takes long.
+    /// Works it out, if it may be another. Where there is nothing to be measured no model is made.
     pub(super) fn look(&mut self, history: &History) {
-        let method = history.method();
-        if self.method.as_ref() != Some(&method) {
-            let scene = || Scene { method: method.clone(), ..history.scene().clone() };
-            self.softness = if is_soft(history.world()) { of(&scene()) } else { None };
-            self.method = Some(method);
+        let world = history.world();
+        if !is_soft(world) {
+            *self = Relaxed::default();
+            return;
+        }
+        let now = Of {
+            method: history.method(),
+            substep: substep(world),
+            bonds: world.bonds().iter().collect(),
+            masses: world.masses().to_vec(),
+            pinned: world.pinned().to_vec(),
+        };
+        if self.of.as_ref() == Some(&now) {
+            self.seen = None;
+            return;
+        }
+        let is_over = self.of.is_none() || now.bonds.len() <= AT_ONCE || self.seen.as_ref() == Some(&now);
+        if is_over {
+            self.softness = of(history, now.substep);
+            (self.of, self.seen) = (Some(now), None);
+        } else {
+            self.seen = Some(now);
         }
     }
 
@@ -35,11 +70,39 @@ fn is_soft(world: &dyn Dynamics) -> bool {
     world.point_count() <= MOST_SOFT && world.bonds().iter().any(|bond| takes_a_share(bond.kind))
 }
 
-fn of(scene: &Scene) -> Option<Softness> {
-    match scene.dimensions() {
-        2 => softness(&scene.model::<2>().ok()?),
-        _ => softness(&scene.model::<3>().ok()?),
+/// The substep of what sweeps relaxed bonds `[s]`, said by the scene or not.
+fn substep(world: &dyn Dynamics) -> f64 {
+    let swept = world.parts().iter().find(|part| part.solver == Solver::Relaxation);
+    swept.map_or(world.substep(), |part| part.substep)
+}
+
+fn of(history: &History, substep: f64) -> Option<Softness> {
+    match history.world().save()? {
+        SavedWorld::Plane(saved) => softness(&as_it_is(saved, history.scene().model::<2>().ok(), substep)),
+        SavedWorld::Space(saved) => softness(&as_it_is(saved, history.scene().model::<3>().ok(), substep)),
     }
+}
+
+/// A world as a model by its present method. Its points are where they are at the start, where bonds have their lengths, if no bond joins others than there:
+/// then they are where they are now.
+fn as_it_is<const D: usize>(saved: Saved<D>, start: Option<Model<D>>, substep: f64) -> Model<D> {
+    let Saved { mut model, gone, .. } = saved;
+    // Nothing holds what is gone; its mass is no matter.
+    for point in gone {
+        if let Some(mass) = model.mass.get_mut(point.index()) {
+            *mass = 1.0;
+        }
+    }
+    let joined = |bond: Bond| (bond.a.min(bond.b), bond.a.max(bond.b));
+    if let Some(start) = start {
+        let known: BTreeSet<(PointId, PointId)> = start.bonds.iter().map(joined).collect();
+        if model.bonds.iter().all(|bond| known.contains(&joined(bond))) {
+            model.position.iter_mut().zip(start.position).for_each(|(place, at_start)| *place = at_start);
+        }
+    }
+    model.method.substep = model.method.substep.or(Some(substep));
+    model.method.iterations = model.method.iterations.or(Some(1));
+    model
 }
 
 #[cfg(test)]
@@ -47,7 +110,9 @@ fn of(scene: &Scene) -> Option<Softness> {
 mod tests {
     use super::*;
     use crate::app::player::movers::with;
-    use crate::history::Start;
+    use crate::history::{Do, OneOrEach, SetKeys, Start};
+    use crate::scene::Scene;
+    use crate::sim::Cursor;
 
     #[test]
     fn more_sweeps_make_relaxed_bonds_stiffer_by_the_formula() {
@@ -67,5 +132,49 @@ mod tests {
         let mut none = Relaxed::default();
         none.look(&History::new(rigid).unwrap());
         assert_eq!(none.stiffness(), None);
+    }
+
+    #[test]
+    fn what_is_done_to_bonds_and_masses_is_seen_at_once_and_what_moves_changes_nothing() {
+        let text = r#"{"wobble": 1, "gravity": [0, -9.81], "points": {"position": [[0, 0], [0.5, 0], [1, 0]], "mass": 0.2, "pinned": [0]},
+            "bonds": [{"a": 0, "b": 1, "kind": "relaxed", "relaxation": 0.1}, {"a": 1, "b": 2, "kind": "relaxed", "relaxation": 0.1}],
+            "method": {"substep": 0.005, "iterations": 1}}"#;
+        let mut history = History::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        let mut relaxed = Relaxed::default();
+        let mut look = |history: &History| {
+            relaxed.look(history);
+            relaxed.stiffness().unwrap()
+        };
+        let first = look(&history);
+        (0..20).for_each(|_| history.step());
+        assert_eq!(look(&history), first);
+        // Of the bond between two free ends of m/2, K = mu/h^2 (1 - q)/q.
+        let stiffness = |mass: f64, share: f64| 0.5 * mass / 0.005_f64.powi(2) * share / (1.0 - share);
+        assert!((first / stiffness(0.2, 0.1) - 1.0).abs() < 0.2, "{first}");
+        let set = |keys: SetKeys| Do::Set(Box::new(keys));
+        history
+            .give(
+                vec![set(SetKeys { points: Some(vec![1, 2]), mass: Some(OneOrEach::One(0.4)), ..SetKeys::default() })],
+                Some("mass"),
+            )
+            .unwrap();
+        let heavy = look(&history);
+        assert!((heavy / first - 2.0).abs() < 0.05, "twice the mass: {first}, {heavy}");
+        history
+            .give(
+                vec![set(SetKeys {
+                    bonds: Some(vec![0, 1]),
+                    relaxation: Some(OneOrEach::One(0.4)),
+                    ..SetKeys::default()
+                })],
+                Some("k"),
+            )
+            .unwrap();
+        let stiff = look(&history);
+        assert!(stiff > 4.0 * heavy, "{heavy}, {stiff}");
+        history
+            .give(vec![Do::Cut { from: Cursor::at([0.25, -9.0]), to: Cursor::at([0.25, 9.0]) }], Some("cut"))
+            .unwrap();
+        assert_ne!(look(&history), stiff, "what is left is another bond");
     }
 }

@@ -1,7 +1,9 @@
 //! What plots are made of, measured on the stepping thread and only while somebody looks at it.
 
+use std::collections::VecDeque;
+
 use crate::history::History;
-use crate::sim::{Bond, BondKind, Dynamics, Energies, Limit, PointId};
+use crate::sim::{Bond, BondKind, Book, Dynamics, Energies, Limit, PointId};
 
 /// What a probe is put on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,6 +12,8 @@ pub enum Probe {
     Point(PointId),
     /// A bond, by its number.
     Bond(u32),
+    /// The angle at the second of three points, from the first to the third, in the plane.
+    Corner([PointId; 3]),
 }
 
 impl From<PointId> for Probe {
@@ -18,15 +22,15 @@ impl From<PointId> for Probe {
     }
 }
 
-/// Points and bonds that are probed, each in a place of its own, which it keeps.
+/// What is probed, each in a place of its own, which it keeps.
 pub type Probes = [Option<Probe>; 2];
 
-/// The state of a point, or of a bond.
+/// The state of a point, of a bond or of an angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Probed {
     /// Which one.
     pub probe: Probe,
-    /// Position of the point, or of the middle of the bond `[m]`, z = 0 in the plane.
+    /// Position of the point, of the middle of the bond, or of the point that the angle is at `[m]`, z = 0 in the plane.
     pub position: [f64; 3],
     /// The velocity of that `[m/s]`.
     pub velocity: [f64; 3],
@@ -35,9 +39,44 @@ pub struct Probed {
     /// By which the bond pulls its ends together, below 0 where it pushes `[N]`: of springs without a drive, and of rigid bonds where the
     /// state tells.
     pub force: Option<f64>,
+    /// The ends of the bond, and the way from the first to the second `[m]`.
+    pub span: Option<([PointId; 2], [f64; 3])>,
+    /// From 0 to 360, anticlockwise: of a bond from the first axis to where its second end lies of its first one, or of the angle that is probed
+    /// `[degrees]`; in the plane.
+    pub angle: Option<f64>,
+    /// How far the first world beside this one has the point from here `[m]`, once that is known.
+    pub error: Option<f64>,
 }
 
 impl Probed {
+    /// What is known of a probe in a place with a velocity, and nothing else `[m]`, `[m/s]`.
+    pub(in crate::app) fn new(probe: Probe, [position, velocity]: [[f64; 3]; 2]) -> Self {
+        Probed { probe, position, velocity, strain: None, force: None, span: None, angle: None, error: None }
+    }
+
+    /// The length of a bond `[m]`.
+    pub fn length(&self) -> Option<f64> {
+        self.span.map(|(_, way)| norm(way))
+    }
+
+    /// How far it is from another one `[m]`.
+    pub fn distance(&self, other: &Probed) -> f64 {
+        norm(less(other.position, self.position))
+    }
+
+    /// The angle from a bond to another one, anticlockwise from 0 to 360 `[degrees]`, in the plane: at the point that they share, or else as the bonds
+    /// go from their first ends.
+    pub fn angle_to(&self, other: &Probed) -> Option<f64> {
+        let ((from, way), (to, other_way)) = (self.span?, other.span?);
+        let shared = |end: &PointId| from.contains(end) && to.contains(end);
+        let joint = from.iter().copied().find(shared);
+        let out_of_joint = |ends: [PointId; 2], way: [f64; 3]| match joint {
+            Some(joint) if ends[1] == joint => way.map(|part| -part),
+            _ => way,
+        };
+        Some(turn(out_of_joint(from, way), out_of_joint(to, other_way)))
+    }
+
     /// The length of its velocity `[m/s]`.
     pub fn speed(&self) -> f64 {
         norm(self.velocity)
@@ -51,10 +90,23 @@ pub struct Measured {
     pub time: f64,
     /// Of the points that are not pinned `[J]`.
     pub energies: Energies,
+    /// The largest |length/rest - 1| of the bonds that act `[1]`.
+    pub strain: f64,
+    /// Where energy came from and went, where the world keeps a ledger.
+    pub book: Option<Book>,
     /// The probed points and bonds that are there.
     pub probes: [Option<Probed>; 2],
     /// It is the present at no fixed time, and goes once there is a later one.
     pub is_passing: bool,
+}
+
+/// How far points that are probed are from where the first world beside this one has them, at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Apart {
+    /// Time `[s]`, of something that was measured.
+    pub time: f64,
+    /// Of each probe `[m]`; `None` where that is no point of both worlds.
+    pub distances: [Option<f64>; 2],
 }
 
 /// A world with more points and bonds than this is measured half as often, with twice as many a third as often: a measurement reads
@@ -73,6 +125,16 @@ pub const EVERY: f64 = 1.0 / 60.0;
 /// Of a step: so much the sums of times may be off by.
 const ROUNDING: f64 = 1e-6;
 
+/// So many measurements at most wait for the world beside to come along: of what it is later by, nothing is told.
+const MOST_WAITING: usize = 600;
+
+/// Where probed points were at a time `[s]`, `[m]`.
+#[derive(Clone, Copy, Debug)]
+struct Waiting {
+    time: f64,
+    points: [Option<(PointId, [f64; 3])>; 2],
+}
+
 /// Whether and which measurements are wanted, and those that were made.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Watch {
@@ -83,6 +145,10 @@ pub(super) struct Watch {
     list: Vec<Measured>,
     /// Frames until the present is measured again.
     wait: usize,
+    /// What the world beside has to be asked for, ascending in time.
+    waiting: VecDeque<Waiting>,
+    /// What it was found to have since that was handed out last.
+    apart: Vec<Apart>,
 }
 
 impl Watch {
@@ -92,6 +158,7 @@ impl Watch {
         if self.probes.is_none() {
             self.list.clear();
         }
+        self.forget_waiting();
         self.note(world);
     }
 
@@ -117,8 +184,54 @@ impl Watch {
         if let Some(probes) = self.probes
             && self.is_due(world)
         {
-            self.list.push(measured(world, probes));
+            let measured = measured(world, probes);
+            self.await_beside(&measured);
+            self.list.push(measured);
         }
+    }
+
+    /// The world went elsewhere: what was to be asked of the one beside it was of another past.
+    pub(super) fn forget_waiting(&mut self) {
+        self.waiting.clear();
+    }
+
+    /// Where a world beside this one has the probed points is asked for once it comes there.
+    fn await_beside(&mut self, measured: &Measured) {
+        let point = |probed: &Probed| match probed.probe {
+            Probe::Point(point) => Some((point, probed.position)),
+            Probe::Bond(_) | Probe::Corner(_) => None,
+        };
+        let points = measured.probes.map(|probed| probed.as_ref().and_then(point));
+        if points.iter().any(Option::is_some) {
+            self.waiting.push_back(Waiting { time: measured.time, points });
+            if self.waiting.len() > MOST_WAITING {
+                self.waiting.pop_front();
+            }
+        }
+    }
+
+    /// The first time before `end` that a world beside this one is asked for `[s]`.
+    pub(super) fn awaited(&self, end: f64) -> Option<f64> {
+        self.waiting.front().map(|first| first.time).filter(|time| *time <= end)
+    }
+
+    /// What was asked for first is known: where all points of the world beside are `[m]`, of so many dimensions; `None`: it was there and went on.
+    pub(super) fn tell(&mut self, places: Option<&[f64]>, dimensions: usize) {
+        let Some(Waiting { time, points }) = self.waiting.pop_front() else { return };
+        let Some(places) = places else { return };
+        let distance = |(point, here): (PointId, [f64; 3])| {
+            let at = point.index() * dimensions;
+            let there = places.get(at..at + dimensions)?;
+            let way = std::array::from_fn(|axis| there.get(axis).map_or(0.0, |there| there - here[axis]));
+            Some(norm(way)).filter(|distance| distance.is_finite())
+        };
+        self.apart.push(Apart { time, distances: points.map(|point| point.and_then(distance)) });
+    }
+
+    /// Puts what was found of the world beside into a list in place of what is there.
+    pub(super) fn hand_out_apart(&mut self, list: &mut Vec<Apart>) {
+        list.clear();
+        list.append(&mut self.apart);
     }
 
     /// Puts what was measured into a list in place of what is there, and the present.
@@ -154,19 +267,22 @@ fn size(world: &dyn Dynamics) -> usize {
 
 fn measured(world: &dyn Dynamics, probes: Probes) -> Measured {
     let probes = probes.map(|probe| probe.and_then(|probe| probed(world, probe)));
-    Measured { time: world.time(), energies: world.energies(), probes, is_passing: false }
+    let (energies, strain, book) = (world.energies(), world.max_strain(), world.book());
+    Measured { time: world.time(), energies, strain, book, probes, is_passing: false }
 }
 
 /// What is measured of a probe, unless it is gone, not there yet or without finite numbers.
 fn probed(world: &dyn Dynamics, probe: Probe) -> Option<Probed> {
     let found = match probe {
-        Probe::Point(point) => {
-            let [position, velocity] = state(world, point)?;
-            Probed { probe, position, velocity, strain: None, force: None }
-        }
+        Probe::Point(point) => Probed::new(probe, state(world, point)?),
         Probe::Bond(number) => {
             let place = world.bond_place(number)?;
             of_bond(world, (place, world.bonds().get(place)), probe)?
+        }
+        Probe::Corner([a, b, c]) => {
+            let ([from, _], at, [to, _]) = (state(world, a)?, state(world, b)?, state(world, c)?);
+            let angle = (world.dimensions() == 2).then(|| turn(less(from, at[0]), less(to, at[0])));
+            Probed { angle, ..Probed::new(probe, at) }
         }
     };
     let numbers = found.position.into_iter().chain(found.velocity).chain(found.strain).chain(found.force);
@@ -187,7 +303,7 @@ fn state(world: &dyn Dynamics, point: PointId) -> Option<[[f64; 3]; 2]> {
 fn of_bond(world: &dyn Dynamics, (place, bond): (usize, Bond), probe: Probe) -> Option<Probed> {
     let ([x, v], [y, w]) = (state(world, bond.a)?, state(world, bond.b)?);
     let half = |p: [f64; 3], q: [f64; 3]| std::array::from_fn(|axis| 0.5 * (p[axis] + q[axis]));
-    let [apart, parting]: [[f64; 3]; 2] = [[y, x], [w, v]].map(|[p, q]| std::array::from_fn(|axis| p[axis] - q[axis]));
+    let [apart, parting] = [[y, x], [w, v]].map(|[p, q]| less(p, q));
     let length = norm(apart);
     let rest = bond.rest_length;
     let acts = match bond.limit {
@@ -206,7 +322,18 @@ fn of_bond(world: &dyn Dynamics, (place, bond): (usize, Bond), probe: Probe) -> 
         BondKind::Relaxed { .. } => None,
     };
     let strain = (rest > 0.0).then(|| length / rest - 1.0);
-    Some(Probed { probe, position: half(x, y), velocity: half(v, w), strain, force })
+    let angle = (world.dimensions() == 2).then(|| turn([1.0, 0.0, 0.0], apart));
+    let span = Some(([bond.a, bond.b], apart));
+    Some(Probed { strain, force, span, angle, ..Probed::new(probe, [half(x, y), half(v, w)]) })
+}
+
+fn less(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|axis| p[axis] - q[axis])
+}
+
+/// The angle from one direction of the plane to another, anticlockwise from 0 to 360 `[degrees]`.
+fn turn([ax, ay, _]: [f64; 3], [bx, by, _]: [f64; 3]) -> f64 {
+    libm::atan2(ax * by - ay * bx, ax * bx + ay * by).to_degrees().rem_euclid(360.0)
 }
 
 fn norm([x, y, z]: [f64; 3]) -> f64 {

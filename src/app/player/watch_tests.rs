@@ -187,6 +187,81 @@ fn a_probe_of_a_bond_has_its_strain_and_its_force() {
 }
 
 #[test]
+fn a_bond_and_a_corner_have_their_angles() {
+    let mut stage = stage(
+        r#"{"wobble": 1, "gravity": [0, 0], "points": {"position": [[0, 0], [2, 0], [2, -3]], "pinned": [0, 1, 2]},
+        "bonds": [{"a": 0, "b": 1, "kind": "spring", "stiffness": 9}, {"a": 1, "b": 2, "kind": "spring", "stiffness": 9}]}"#,
+    );
+    stage.obey(Order::Watch(Some([Some(Probe::Bond(0)), Some(Probe::Bond(1))])));
+    let [level, down] = measured(&mut stage).unwrap().probes.map(Option::unwrap);
+    assert_eq!((level.length(), down.length()), (Some(2.0), Some(3.0)));
+    assert_eq!((level.angle, down.angle), (Some(0.0), Some(270.0)));
+    // At the point that both share one goes left and one down: a quarter of a turn anticlockwise.
+    assert_eq!((level.angle_to(&down), down.angle_to(&level)), (Some(90.0), Some(270.0)));
+    assert!((level.distance(&down) - 1.0_f64.hypot(1.5)).abs() < 1e-12);
+    stage.obey(Order::Watch(Some([Some(Probe::Corner([0, 1, 2].map(PointId))), None])));
+    let [corner, _] = measured(&mut stage).unwrap().probes;
+    let corner = corner.unwrap();
+    assert_eq!((corner.angle, corner.position, corner.length()), (Some(90.0), [2.0, 0.0, 0.0], None));
+}
+
+#[test]
+fn how_far_points_are_from_the_world_beside_is_told_of_the_times_of_measurements() {
+    // It falls by a method that is exact, and beside it by explicit Euler, which is behind by g h t/2.
+    let text = r#"{"wobble": 1, "gravity": [0, -10], "points": {"position": [[0, 0], [1, 0]]},
+        "method": {"solver": "verlet", "substep": 0.01},
+        "beside": [{"method": {"solver": "euler"}}]}"#;
+    let mut stage = stage(text);
+    stage.obey(Order::Watch(Some([Some(Probe::Point(PointId(1))), None])));
+    let (mut shown, mut seen) = (Shown::default(), Vec::new());
+    let mut plots = crate::app::plots::Plots::new(1.0);
+    plots.toggle(PointId(1), |_| false);
+    for _ in 0..30 {
+        stage.obey(Order::Advance { wall: 0.02, cursor: None, back: false });
+        stage.show(&mut shown);
+        plots.take(&shown);
+        seen.extend(shown.apart.iter().copied());
+    }
+    assert!(seen.len() > 20, "{seen:?}");
+    for apart in &seen {
+        let expected = 0.5 * 10.0 * 0.01 * apart.time;
+        assert!((apart.distances[0].unwrap() - expected).abs() < 1e-9, "{apart:?}: {expected}");
+        assert_eq!(apart.distances[1], None, "nothing is probed there");
+    }
+    let known =
+        plots.series().iter().filter(|measured| measured.probes[0].is_some_and(|probed| probed.error.is_some()));
+    assert!(known.count() > 20, "the curve has them");
+    stage.obey(Order::Watch(None));
+    stage.obey(Order::Advance { wall: 0.02, cursor: None, back: false });
+    stage.show(&mut shown);
+    assert!(shown.apart.is_empty());
+}
+
+#[test]
+fn energies_are_told_apart_by_their_kinds_and_a_ledger_where_one_is_kept() {
+    let text = |keys: &str| {
+        format!(
+            r#"{{"wobble": 1, "gravity": [0, -9.81], "drag_rate": 0.5, "points": {{"position": [[0, 0], [1, 0.2], [2, 0]], "velocity": [[0, 0], [0, 1], [0, 0]]}},
+            "bonds": [{{"a": 0, "b": 1, "kind": "spring", "stiffness": 200, "rest": 1}}, {{"a": 1, "b": 2, "kind": "spring", "stiffness": 200, "rest": 1}}],
+            "angles": [{{"points": [0, 1, 2], "stiffness": 5}}]{keys}}}"#
+        )
+    };
+    let look = |text: &str| {
+        let mut stage = stage(text);
+        stage.obey(Order::Watch(Some(Probes::default())));
+        (0..10).for_each(|_| frame(&mut stage));
+        (measured(&mut stage).unwrap(), stage.history().world().energy())
+    };
+    let (plain, energy) = look(&text(""));
+    let kinds = plain.energies;
+    assert!(kinds.springs > 0.0 && kinds.angles > 0.0 && kinds.areas == 0.0 && kinds.surfaces == 0.0, "{kinds:?}");
+    assert!((kinds.sum() - energy).abs() < 1e-12 && plain.strain > 0.0);
+    assert_eq!(plain.book, None, "nobody asked for one");
+    let (kept, _) = look(&text(r#", "method": {"ledger": true}"#));
+    assert!(kept.book.is_some_and(|book| book.drag > 0.01), "{kept:?}");
+}
+
+#[test]
 fn large_worlds_are_measured_in_some_frames_only() {
     let mut stage = stage(
         r#"{"wobble": 1, "bodies": [{"make": "rope", "count": 30000, "spacing": 0.01,

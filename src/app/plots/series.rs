@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::io::Write;
 
+use super::kinds::{BROUGHT, ENERGIES, TAKEN};
 use crate::app::player::{EVERY, Measured, Probe, REACH};
 
 /// So many are kept at most: seven for each pixel of a plot's width.
@@ -54,6 +55,19 @@ impl Series {
         self.list.push_back(measured);
         while self.list.len() > MOST || self.list.front().is_some_and(|first| first.time < now - self.span) {
             self.list.pop_front();
+        }
+        true
+    }
+
+    /// Of something that was measured at this time `[s]` it is known how far each probe is from where another world has it `[m]`. Returns whether
+    /// that is there still.
+    pub(super) fn know(&mut self, time: f64, distances: [Option<f64>; 2]) -> bool {
+        let place = self.list.partition_point(|measured| measured.time < time);
+        let Some(measured) = self.list.get_mut(place).filter(|measured| measured.time == time) else { return false };
+        for (probed, distance) in measured.probes.iter_mut().zip(distances) {
+            if let Some(probed) = probed {
+                probed.error = distance.or(probed.error);
+            }
         }
         true
     }
@@ -115,33 +129,48 @@ impl Series {
             let all = vector.into_iter().take(dimensions).map(|number| format!(",{number}"));
             all.collect::<String>()
         };
-        write!(to, "time_s,kinetic_J,elastic_J,gravity_J,sum_J")?;
+        let books = [("brought", &BROUGHT[..]), ("taken", &TAKEN[..])];
+        let has_ledger = self.list.iter().any(|measured| measured.book.is_some());
+        let works = || {
+            books.into_iter().filter(|_| has_ledger).flat_map(|(way, kinds)| kinds.iter().map(move |kind| (way, kind)))
+        };
+        write!(to, "time_s")?;
+        ENERGIES.iter().try_for_each(|kind| write!(to, ",{}_J", kind.name))?;
+        write!(to, ",largest_strain")?;
         for number in 1..=2 {
             write!(to, ",point_{number},bond_{number}")?;
             axes().try_for_each(|axis| write!(to, ",{axis}_{number}_m"))?;
             write!(to, ",speed_{number}_m/s")?;
             axes().try_for_each(|axis| write!(to, ",v{axis}_{number}_m/s"))?;
-            write!(to, ",strain_{number},force_{number}_N")?;
+            write!(to, ",strain_{number},force_{number}_N,length_{number}_m,angle_{number}_degrees,beside_{number}_m")?;
         }
+        write!(to, ",distance_m")?;
+        works().try_for_each(|(way, kind)| write!(to, ",{way}_{}_J", kind.name))?;
         let at_their_times = self.list.iter().filter(|measured| !measured.is_passing);
-        for Measured { time, energies, probes, .. } in at_their_times {
-            let sum = energies.sum();
-            write!(to, "\n{time},{},{},{},{sum}", energies.kinetic, energies.springs, energies.gravity)?;
-            for probe in probes {
+        for measured in at_their_times {
+            write!(to, "\n{}", measured.time)?;
+            ENERGIES.iter().try_for_each(|kind| write!(to, ",{}", (kind.of)(measured)))?;
+            write!(to, ",{}", measured.strain)?;
+            let said = |number: Option<f64>| number.map_or(String::new(), |number| number.to_string());
+            for probe in &measured.probes {
                 match probe {
                     Some(probed) => {
                         let [position, velocity] = [probed.position, probed.velocity].map(components);
                         let names = match probed.probe {
-                            Probe::Point(point) => format!("{},", point.0),
+                            Probe::Point(point) | Probe::Corner([_, point, _]) => format!("{},", point.0),
                             Probe::Bond(number) => format!(",{number}"),
                         };
-                        let said = |number: Option<f64>| number.map_or(String::new(), |number| number.to_string());
-                        let [strain, force] = [probed.strain, probed.force].map(said);
-                        write!(to, ",{names}{position},{}{velocity},{strain},{force}", probed.speed())?;
+                        let others = [probed.strain, probed.force, probed.length(), probed.angle, probed.error];
+                        write!(to, ",{names}{position},{}{velocity}", probed.speed())?;
+                        others.into_iter().try_for_each(|number| write!(to, ",{}", said(number)))?;
                     }
-                    None => write!(to, "{}", ",".repeat(5 + 2 * dimensions))?,
+                    None => write!(to, "{}", ",".repeat(8 + 2 * dimensions))?,
                 }
             }
+            let [first, second] = &measured.probes;
+            let apart = first.as_ref().zip(second.as_ref()).map(|(first, second)| first.distance(second));
+            write!(to, ",{}", said(apart))?;
+            works().try_for_each(|(_, kind)| write!(to, ",{}", (kind.of)(measured)))?;
         }
         writeln!(to)
     }

@@ -57,7 +57,11 @@ fn ascends(times: &[f64]) -> bool {
 }
 
 fn at(time: f64) -> Measured {
-    Measured { time, energies: Energies { kinetic: time, springs: 1.0, gravity: -1.0 }, ..Measured::default() }
+    Measured {
+        time,
+        energies: Energies { kinetic: time, springs: 1.0, gravity: -1.0, ..Energies::default() },
+        ..Measured::default()
+    }
 }
 
 #[test]
@@ -203,6 +207,35 @@ fn a_probe_opens_on_what_changes_of_it() {
 }
 
 #[test]
+fn what_is_of_two_is_one_curve_and_goes_with_either_of_them() {
+    let mut plots = Plots::new(1.0);
+    plots.toggle(Probe::Bond(0), |_| false);
+    assert!(!plots.quantities().any(Quantity::is_of_both), "of one alone");
+    plots.toggle(Probe::Bond(1), |_| false);
+    plots.choose(Quantity::Between);
+    assert_eq!([0, 1].map(|place| plots.has_curve(place)), [true, false]);
+    plots.oppose();
+    assert_eq!((plots.subject, plots.quantity), (Subject::Phase, Quantity::default()));
+    plots.choose(Quantity::Distance);
+    assert_eq!(plots.subject, Subject::Probes, "one number is against nothing");
+    plots.toggle(Probe::Bond(1), |_| false);
+    assert_eq!(plots.quantity, Quantity::default());
+}
+
+#[test]
+fn an_angle_goes_on_beyond_a_turn() {
+    let mut plots = Plots::new(1.0);
+    let corner = Probe::Corner([0, 1, 2].map(PointId));
+    plots.toggle(corner, |_| false);
+    plots.choose(Quantity::Angle);
+    for (time, angle) in [(0.0, 300.0), (1.0, 350.0), (2.0, 20.0), (3.0, 340.0)] {
+        let probed = Probed { angle: Some(angle), ..Probed::new(corner, [[0.0; 3]; 2]) };
+        plots.series.push(Measured { probes: [Some(probed), None], ..at(time) });
+    }
+    assert_eq!(plots.over_time(0), [[0.0, 300.0], [1.0, 350.0], [2.0, 380.0], [3.0, 340.0]]);
+}
+
+#[test]
 fn what_was_measured_of_another_point_is_not_taken() {
     let mut played = Played::new();
     played.toggle(0);
@@ -224,7 +257,8 @@ fn a_table_has_a_header_and_a_row_for_each_measurement() {
     let text = String::from_utf8(bytes).unwrap();
     let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(rows.len(), 1 + played.times().len());
-    assert_eq!(rows[0][..6], ["time_s", "kinetic_J", "elastic_J", "gravity_J", "sum_J", "point_1"]);
+    let energies = ["kinetic_J", "springs_J", "angles_J", "areas_J", "surfaces_J", "gravity_J", "sum_J"];
+    assert_eq!(rows[0][..10], [&["time_s"], &energies[..], &["largest_strain", "point_1"]].concat());
     assert!(rows.iter().all(|row| row.len() == rows[0].len()), "{text}");
     for (row, measured) in rows[1..].iter().zip(played.plots.series().iter()) {
         assert_eq!(
@@ -232,19 +266,19 @@ fn a_table_has_a_header_and_a_row_for_each_measurement() {
             [measured.time, measured.energies.kinetic]
         );
         let Some(probed @ Probed { velocity, .. }) = measured.probes[0] else {
-            assert_eq!(row[5..], [""; 18]);
+            assert_eq!(row[9..], [""; 25]);
             continue;
         };
-        assert_eq!((row[5], row[9].parse()), ("1", Ok(probed.speed())));
-        let components: Vec<f64> = row[10..12].iter().map(|word| word.parse().unwrap()).collect();
+        assert_eq!((row[9], row[13].parse()), ("1", Ok(probed.speed())));
+        let components: Vec<f64> = row[14..16].iter().map(|word| word.parse().unwrap()).collect();
         assert_eq!(components, velocity[..2], "the plane has no third one");
     }
     let mut space = Vec::new();
     played.plots.series().write_csv(3, &mut space).unwrap();
     let space = String::from_utf8(space).unwrap();
-    assert!(space.contains(",z_1_m,") && space.contains(",vz_2_m/s,") && !text.contains('z'), "{space}");
+    assert!(space.contains(",z_1_m,") && space.contains(",vz_2_m/s,") && !text.contains("z_1"), "{space}");
     assert!(space.lines().all(|line| line.split(',').count() == rows[0].len() + 4), "{space}");
-    assert!(rows[1][5].is_empty() && !rows[rows.len() - 1][5].is_empty());
+    assert!(rows[1][9].is_empty() && !rows[rows.len() - 1][9].is_empty());
 }
 
 #[test]

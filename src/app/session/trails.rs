@@ -58,6 +58,7 @@ impl Session {
         let points = |(_, probe)| match probe {
             Probe::Point(point) => vec![point],
             Probe::Bond(number) => scenery.bond_ends(number).map(Vec::from).unwrap_or_default(),
+            Probe::Corner(points) => points.to_vec(),
         };
         self.probes().flat_map(points).collect()
     }

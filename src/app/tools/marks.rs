@@ -158,6 +158,12 @@ pub(in crate::app) fn probe(scope: Scope<'_>, place: usize, probe: Probe) -> Vec
             let ends = [a, b].map(|end| Mark::Ring(role, end, 0.6 * off));
             (0.5 * (a + b), std::iter::once(Mark::Line(role, a, b, 0.5 * off)).chain(ends).collect())
         }
+        Probe::Corner([a, b, c]) => {
+            let ends = scope.pixel(a).zip(scope.pixel(c));
+            let Some((at, (a, c))) = scope.pixel(b).zip(ends) else { return Vec::new() };
+            let legs = [a, c].map(|end| Mark::Line(role, at, end, 0.5 * off));
+            (at, std::iter::once(Mark::Ring(role, at, off)).chain(legs).collect())
+        }
     };
     marks.push(Mark::Words(at + DVec2::new(1.6 * off, -0.6 * off), (place + 1).to_string()));
     marks

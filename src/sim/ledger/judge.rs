@@ -86,7 +86,7 @@ pub fn judge(entries: &[Ledger]) -> Verdict {
 /// was brought, and what gravity gave `[J]`.
 fn available(entries: &[Ledger]) -> Vec<f64> {
     let Some(first) = entries.first() else { return Vec::new() };
-    let [start, height] = [first.now.kinetic + first.now.springs, first.now.gravity];
+    let [start, height] = [first.now.kinetic + first.now.elastic(), first.now.gravity];
     let given = |entry: &Ledger| entry.book.brought() + height - entry.now.gravity;
     let mut most: f64 = 0.0;
     let until = |entry| {

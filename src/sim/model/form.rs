@@ -97,6 +97,15 @@ impl<const D: usize> Model<D> {
         self.form_energy_of(|_| true, position, stops)
     }
 
+    /// The same, of angles and of areas.
+    pub(crate) fn form_energies(
+        &self,
+        position: impl Fn(usize) -> [f64; D],
+        stops: impl Fn(usize) -> bool,
+    ) -> [f64; 2] {
+        self.form_energies_of(|_| true, position, stops)
+    }
+
     /// The same of those alone whose three points `counts` names.
     pub(crate) fn form_energy_of(
         &self,
@@ -104,6 +113,15 @@ impl<const D: usize> Model<D> {
         position: impl Fn(usize) -> [f64; D],
         stops: impl Fn(usize) -> bool,
     ) -> f64 {
+        self.form_energies_of(counts, position, stops).into_iter().sum()
+    }
+
+    fn form_energies_of(
+        &self,
+        counts: impl Fn(&[PointId; 3]) -> bool,
+        position: impl Fn(usize) -> [f64; D],
+        stops: impl Fn(usize) -> bool,
+    ) -> [f64; 2] {
         use crate::sim::force::angle::Hinge;
         use crate::sim::force::area::Patch;
         let at = |points: [PointId; 3]| points.map(|point| position(point.index()));
@@ -116,7 +134,9 @@ impl<const D: usize> Model<D> {
         let patch = |(corners, rest)| Patch { corners: [0, 1, 2], rest, stiffness }.energy(at(corners));
         let is_elastic = stiffness > 0.0 && stiffness.is_finite();
         let areas = self.patches().filter(|(corners, _)| is_elastic && counts(corners)).map(patch).sum::<f64>();
-        self.angles.list.iter().filter(|angle| counts(&angle.points)).map(hinge).sum::<f64>() + areas
+        let angles = self.angles.list.iter().filter(|angle| counts(&angle.points)).map(hinge).sum::<f64>();
+        // A sum of nothing may be a zero with a sign.
+        [angles + 0.0, areas + 0.0]
     }
 
     /// Whether the areas of triangles at rest have to be known: where they resist, and where bodies meet, which are not to turn inside out.

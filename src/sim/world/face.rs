@@ -15,7 +15,7 @@ use crate::sim::force::angle::Angle;
 use crate::sim::force::mouse::{self, Cursor, MouseForce, Track};
 use crate::sim::force::steady::Force;
 use crate::sim::group::Group;
-use crate::sim::ledger::Energies;
+use crate::sim::ledger::{Book, Energies};
 use crate::sim::measure;
 use crate::sim::model::{Driving, Method, Model};
 use crate::sim::moved::MovedBy;
@@ -229,10 +229,15 @@ impl<S: Real, const D: usize> Dynamics for World<S, D> {
             }
         };
         let (position, velocity) = (of(|points| &points.position), of(|points| &points.velocity));
-        let mut energies = measure::energies(position, velocity, &self.inverse_mass, &self.bonds, self.around.gravity);
-        energies.springs += self.model.form_energy(position, |i| self.stops_by_spring(i));
-        energies.springs += self.model.penalty_energy(self.free_places(&position));
-        energies
+        self.energies_of(position, velocity)
+    }
+
+    fn book(&self) -> Option<Book> {
+        self.ledger.is_some().then(|| World::book(self))
+    }
+
+    fn max_strain(&self) -> f64 {
+        measure::max_strain(|i| self.place(i), &self.bonds, (self.timeline.time(), &self.around.keys))
     }
 
     fn tension(&self, place: usize) -> Option<f64> {

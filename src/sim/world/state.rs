@@ -2,7 +2,7 @@
 
 use super::World;
 use crate::sim::dynamics::Sample;
-use crate::sim::ledger::Totals;
+use crate::sim::ledger::{Energies, Totals};
 use crate::sim::measure;
 use crate::sim::plan::NOWHERE;
 use crate::sim::points::{Points, State};
@@ -83,6 +83,19 @@ impl<S: Real, const D: usize> World<S, D> {
         gathered.extend(plan.slots.iter().map(of));
     }
 
+    /// Energies by their kinds of points at these places `[m]` that move so `[m/s]`.
+    pub(super) fn energies_of(
+        &self,
+        position: impl Fn(usize) -> [f64; D] + Copy,
+        velocity: impl Fn(usize) -> [f64; D],
+    ) -> Energies {
+        let [angles, areas] = self.model.form_energies(position, |i| self.stops_by_spring(i));
+        let surfaces = self.model.penalty_energy(self.free_places(&position));
+        let gravity = self.around.gravity;
+        let others = measure::energies(position, velocity, &self.inverse_mass, &self.bonds, gravity);
+        Energies { angles, areas, surfaces, ..others }
+    }
+
     /// The state now, in `f64`.
     pub(super) fn present(&self) -> Sample {
         let state = self.state_of(0..self.count());
@@ -90,11 +103,7 @@ impl<S: Real, const D: usize> World<S, D> {
         let velocity: Vec<[f64; D]> = state.velocity.iter().map(|&v| widen(v)).collect();
         let is_gone = |i: usize| self.slot(i).is_none();
         let said = |(i, x): (usize, [f64; D])| if is_gone(i) { [f64::NAN; 3] } else { embed(x) };
-        let gravity = self.around.gravity;
-        let mut energies =
-            measure::energies(|i| position[i], |i| velocity[i], &self.inverse_mass, &self.bonds, gravity);
-        energies.springs += self.model.form_energy(|i| position[i], |i| self.stops_by_spring(i));
-        energies.springs += self.model.penalty_energy(self.free_places(&|i| position[i]));
+        let energies = self.energies_of(|i| position[i], |i| velocity[i]);
         let time = self.timeline.time();
         Sample {
             time,
@@ -102,7 +111,7 @@ impl<S: Real, const D: usize> World<S, D> {
             ledger: self
                 .ledger
                 .map(|totals| Totals { book: self.book(), ..totals }.at(time, energies, S::EPSILON.to_f64())),
-            max_strain: measure::max_strain(&position, &self.bonds, (time, &self.around.keys)),
+            max_strain: measure::max_strain(|i| position[i], &self.bonds, (time, &self.around.keys)),
             position: position.into_iter().enumerate().map(said).collect(),
             velocity: velocity.into_iter().enumerate().map(said).collect(),
         }

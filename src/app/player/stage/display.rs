@@ -111,6 +111,7 @@ impl Stage {
         (shown.base, shown.settings, shown.driving) = (self.base, world.settings(), world.driving());
         shown.figures = self.figures(world);
         self.pace.watch.hand_out((self.history.world(), moves), &mut shown.measured);
+        self.pace.watch.hand_out_apart(&mut shown.apart);
         shown.matter.clone_from(&self.matter);
         shown.labels = Arc::clone(self.history.labels());
         let has_beside = !self.history.companions().is_empty();

@@ -356,6 +356,7 @@ impl Stage {
             self.topology = None;
             self.rungs.have_gone();
             self.escort.have_gone();
+            self.pace.watch.forget_waiting();
             // What was warned of there was told when it was done.
             self.warned = self.history.world().warnings().to_vec();
             (self.has_gone, self.figures_at) = (true, None);
@@ -364,7 +365,7 @@ impl Stage {
             self.look_for_ways();
         }
         if comes {
-            self.escort.come(&mut self.history, &self.pace, 0.0);
+            self.escort.come(&mut self.history, &mut self.pace, 0.0);
         }
         if self.pace.is_taken && !was_taken {
             self.base = self.history.base_strength();

@@ -22,7 +22,7 @@ impl Stage {
         let (start, before) = (Instant::now(), self.history.world().time());
         let substeps = self.pace.advance(&mut self.history, wall, cursor, || start.elapsed().as_secs_f64());
         self.substeps += u64::from(substeps);
-        let beside = self.escort.come(&mut self.history, &self.pace, wall);
+        let beside = self.escort.come(&mut self.history, &mut self.pace, wall);
         let (steps, gone) = (start.elapsed().as_secs_f64(), self.history.world().time() - before);
         if substeps > 0 {
             self.steps.push(steps);
