@@ -141,7 +141,7 @@ impl History {
 
     /// What redo would bring again is called; `None`: there is nothing to redo.
     pub fn redoes(&self) -> Option<String> {
-        let undone = self.undone.last().map(Redo::name);
+        let undone = self.undone.last().map(|redo| redo.name().to_owned());
         undone.or_else(|| self.to_come().map(|first| self.name(self.branch, first)))
     }
 
