@@ -84,3 +84,35 @@ fn a_ragdoll_that_lies_on_itself_comes_to_rest() {
         assert_eq!(fastest, 0.0, "that fell at {angle}");
     }
 }
+
+/// A seat on two ropes with a load on it is a pendulum: drag alone, of a rate c, takes its amplitude, by exp(-c t / 2).
+#[test]
+fn a_swing_with_a_load_swings_on() {
+    let spring = |mass: f64| json!({"kind": "spring", "stiffness": 40_000, "damping": 5, "mass": mass});
+    let rope = |x: f64| {
+        json!({"make": "rope", "count": 15, "origin": [x, 3.1], "to": [0, -1.8], "pinned": [0],
+            "material": {"kind": "rigid", "mass": 0.3}})
+    };
+    let scene = json!({"wobble": 1, "contact": {"friction": 0.5}, "gravity": [0, -9.81], "drag_rate": 0.1,
+        "bodies": [
+            {"make": "lattice", "columns": 13, "rows": 3, "spacing": 0.15, "origin": [-0.9, 1], "velocity": [0.4, 0],
+                "material": spring(6.0)},
+            rope(-0.75), rope(0.75),
+            {"make": "lattice", "columns": 4, "rows": 3, "spacing": 0.15, "origin": [-0.2, 1.36], "velocity": [0.4, 0],
+                "material": spring(3.0)}],
+        "bonds": [{"a": 27, "b": 53, "rest": 0}, {"a": 37, "b": 68, "rest": 0}]});
+    let mut world = super::world(&scene);
+    let mut farthest = |from: f64, to: f64| {
+        let mut most = 0.0_f64;
+        while world.time() < to {
+            world.step();
+            let sample = world.sample(world.time());
+            let x = sample.position[..39].iter().map(|x| x[0]).sum::<f64>() / 39.0;
+            most = if world.time() < from { most } else { most.max(x.abs()) };
+        }
+        most
+    };
+    let (first, last) = (farthest(0.0, 3.0), farthest(12.0, 15.0));
+    let expected = f64::exp(-0.05 * 12.0);
+    assert!(first > 0.1 && (0.6 * expected..1.2 * expected).contains(&(last / first)), "{first} m, {last} m");
+}
