@@ -20,6 +20,7 @@ mod dial;
 mod drives;
 mod fewer;
 mod finding;
+mod focus;
 mod folded;
 mod gallery;
 mod held;

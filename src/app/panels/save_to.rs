@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use egui::{Button, DragValue, Label, RichText, Role, TextEdit, WidgetInfo};
+use egui::{Button, DragValue, Label, Response, RichText, Role, TextEdit, WidgetInfo};
 
 use super::open_from::{meant, select};
 use super::theme::colors;
@@ -83,12 +83,15 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         ui.set_width(sheet::fitting(context, [WIDE, 0.0])[0]);
         let was = state.save_to.kind;
         let kind = &mut state.save_to.kind;
-        ticks::one_of(ui, kind, Saved::Moment, MOMENT)
-            .on_hover_text("opened, it goes on from here, without what was done before");
-        ticks::one_of(ui, kind, Saved::All, ALL).on_hover_text("a recording: opened, it is replayed from its start");
-        ticks::one_of(ui, kind, Saved::Clip, CLIP)
-            .on_hover_text("the last seconds as they are seen, without panels: for others to look at");
+        let rings = [
+            (Saved::Moment, MOMENT, "opened, it goes on from here, without what was done before"),
+            (Saved::All, ALL, "a recording: opened, it is replayed from its start"),
+            (Saved::Clip, CLIP, "the last seconds as they are seen, without panels: for others to look at"),
+        ];
+        let rings = rings.map(|(own, words, more)| ticks::one_of(ui, kind, own, words).on_hover_text(more));
         let has_changed = *kind != was;
+        // On a ring that is chosen already Enter chooses nothing.
+        let is_on_ring = rings.iter().any(Response::has_focus) && !has_changed;
         if *kind == Saved::Clip {
             clip(ui, &mut state.save_to.clip);
         }
@@ -109,7 +112,8 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         if field.response.changed() {
             state.save_to.begin();
         }
-        let is_entered = sheet::entered(ui, &field.response);
+        let is_entered =
+            sheet::entered(ui, &field.response) || is_on_ring && ui.input(|input| input.key_pressed(egui::Key::Enter));
         // Its line is there before it is, so that the buttons stay where they are.
         let fault = state.save_to.fault.as_deref().unwrap_or(" ");
         ui.add(Label::new(RichText::new(fault).color(colors(ui).away)).wrap());

@@ -241,8 +241,9 @@ impl Session {
         self.hear(news);
     }
 
-    /// Makes a scene of a picture, which opens when it is there.
+    /// Makes a scene of the picture that the program was opened with: it takes the place of what is there until then.
     pub(in crate::app) fn load(&mut self, path: &Path) {
+        self.stands_in = true;
         self.loading = Some(Loading::scene(path, self.wake_up()));
         self.touch();
     }
