@@ -164,6 +164,9 @@ impl Import {
     pub(super) fn show(&mut self, context: &egui::Context, can_add: bool) -> Option<Answer> {
         let before = self.wish;
         let answer = panel::show(self, context, can_add);
+        if let Some(painting) = &mut self.painting {
+            painting.set_own(self.wish.of.map_or(painting::INK, Preset::color));
+        }
         let painted = self.painting.as_mut().and_then(Painting::take_changed);
         let is_new = painted.is_some() || self.wish != before;
         if let Some(picture) = painted {

@@ -23,7 +23,7 @@ const LINE: f32 = 24.0;
 /// Height of that part at least `[points]`.
 const LEAST_TALL: f32 = 60.0;
 /// Height of a canvas's tools `[points]`.
-const TOOLS: f32 = 60.0;
+const TOOLS: f32 = 94.0;
 /// Width of margins and of the bar that scrolls `[points]`.
 const MARGINS: f32 = 48.0;
 

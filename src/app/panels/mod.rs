@@ -9,7 +9,7 @@ mod beside_tests;
 mod bonds;
 mod brush;
 mod choosing;
-mod color;
+pub(super) mod color;
 #[cfg(test)]
 mod column_tests;
 mod complaint;
