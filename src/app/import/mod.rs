@@ -116,6 +116,11 @@ impl Import {
         Ok(Some(Import { body: Some(body), ..Import::new(scene.name().to_owned(), picture, wake, wish) }))
     }
 
+    /// What is wrong with the picture, in the words of the panel.
+    pub(super) fn worded(&self, fault: String) -> String {
+        panel::worded(fault, &self.wish.settings)
+    }
+
     /// Whether it is a canvas.
     pub(super) fn is_canvas(&self) -> bool {
         self.painting.is_some()

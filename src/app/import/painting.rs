@@ -360,7 +360,7 @@ mod tests {
     fn strokes_have_the_colour_that_is_chosen_and_the_first_ink_that_of_the_matter() {
         let mut painting = Painting::new(None).unwrap();
         let place = Rect::from_min_size(Pos2::ZERO, egui::vec2(512.0, 512.0));
-        let mut dab = |painting: &mut Painting, color: Option<[u8; 3]>, x: f32| {
+        let dab = |painting: &mut Painting, color: Option<[u8; 3]>, x: f32| {
             painting.color = color;
             let at = Pos2::new(x, 100.0);
             painting.paint(&[button(at, true), button(at, false)], place, |_| true);
