@@ -48,21 +48,20 @@ fn cut(ui: &Ui, layer: LayerId, from: usize, clip: Rect) {
     });
 }
 
-/// Where words stand that have all that is wanted in them, or where there are none any of it, among the shapes of a layer from one on.
+/// Where words stand that have all that is wanted in them, among the shapes of a layer from one on.
 fn found(ui: &Ui, (layer, from): (LayerId, usize), wanted: &[String]) -> Vec<Rect> {
-    let texts: Vec<(String, Rect)> = ui.ctx().graphics(|graphics| {
+    let is_wanted = |text: &str| {
+        let text = text.to_lowercase();
+        wanted.iter().all(|word| text.contains(word))
+    };
+    ui.ctx().graphics(|graphics| {
         let shapes = graphics.get(layer).into_iter().flat_map(|list| list.all_entries().skip(from));
-        let texts = shapes.filter_map(|shape| match &shape.shape {
-            Shape::Text(text) => Some((text.galley.text().to_lowercase(), text.visual_bounding_rect())),
+        let places = shapes.filter_map(|shape| match &shape.shape {
+            Shape::Text(text) if is_wanted(text.galley.text()) => Some(text.visual_bounding_rect()),
             _ => None,
         });
-        texts.collect()
-    });
-    let with = |is_in: &dyn Fn(&str) -> bool| {
-        texts.iter().filter(|(text, _)| is_in(text)).map(|(_, place)| *place).collect::<Vec<_>>()
-    };
-    let all = with(&|text| wanted.iter().all(|word| text.contains(word)));
-    if all.is_empty() { with(&|text| wanted.iter().any(|word| text.contains(word))) } else { all }
+        places.collect()
+    })
 }
 
 #[cfg(test)]
@@ -103,6 +102,6 @@ mod tests {
         frame(&context, "LINE 31", false);
         let (marks, seen) = frame(&context, "LINE 31", false);
         assert!(marks.len() == 1 && seen.contains_rect(marks[0]), "{marks:?} in {seen}");
-        assert_eq!(frame(&context, "31 nowhere", false).0, marks, "a word of it alone");
+        assert!(frame(&context, "31 nowhere", false).0.is_empty(), "a word of it alone");
     }
 }
