@@ -16,9 +16,9 @@ pub(super) enum Keyboard {
 }
 
 impl Keyboard {
-    /// Of a field that has the focus and a menu that is open: a menu lies over its field.
-    pub(super) fn of(is_writing: bool, has_menu: bool) -> Self {
-        match (has_menu, is_writing) {
+    /// Of a field that has the focus, or anything in a sheet that has it, and a menu that is open: a menu lies over its field.
+    pub(super) fn of((is_writing, is_on_sheet): (bool, bool), has_menu: bool) -> Self {
+        match (has_menu, is_writing || is_on_sheet) {
             (true, _) => Keyboard::Menu,
             (false, true) => Keyboard::Field,
             (false, false) => Keyboard::Scene,
@@ -58,10 +58,20 @@ mod tests {
     #[test]
     fn a_menu_hears_the_keys_that_choose_in_it_and_buttons_hear_none_of_the_scene() {
         let [enter, arrow] = [NamedKey::Enter, NamedKey::ArrowDown].map(Key::Named);
-        assert!(Keyboard::of(false, true).tells_panels(&enter), "a list that dropped down");
-        assert!(Keyboard::of(true, false).tells_panels(&enter));
-        let scene = Keyboard::of(false, false);
+        let (field, nothing) = ((true, false), (false, false));
+        assert!(Keyboard::of(nothing, true).tells_panels(&enter), "a list that dropped down");
+        assert!(Keyboard::of(field, false).tells_panels(&enter));
+        let scene = Keyboard::of(nothing, false);
         assert!(!scene.tells_panels(&enter) && scene.tells_panels(&arrow));
-        assert_eq!(Keyboard::of(true, true), Keyboard::Menu, "a picker of colours with its field");
+        assert_eq!(Keyboard::of(field, true), Keyboard::Menu, "a picker of colours with its field");
+    }
+
+    #[test]
+    fn a_button_of_a_sheet_that_tab_has_reached_hears_enter_and_tab_leads_on() {
+        let on_button = Keyboard::of((false, true), false);
+        for key in [NamedKey::Enter, NamedKey::Space, NamedKey::Tab].map(Key::Named) {
+            assert!(on_button.tells_panels(&key), "{key:?}");
+        }
+        assert!(!on_button.lets(Action::Finish) && on_button.lets(Action::Cancel));
     }
 }

@@ -70,6 +70,16 @@ impl Pictures {
     }
 }
 
+/// How the names of pictures begin that are in no file.
+const KEPT: &str = "drawing-";
+
+/// Whether a picture of that name is in no file.
+pub(super) fn is_kept(name: &str) -> bool {
+    name.strip_prefix(KEPT)
+        .and_then(|rest| rest.strip_suffix(".png"))
+        .is_some_and(|number| number.parse::<u32>().is_ok())
+}
+
 impl Source {
     /// A picture that the scene names: a path relative to its file, one of the gallery's, or the picture itself.
     ///
@@ -169,7 +179,7 @@ impl Source {
     /// Keeps a picture that is in no file, by a name that nothing else has.
     pub(super) fn keep(&self, picture: Arc<Picture>) -> String {
         let mut kept = self.pictures.kept();
-        let name = format!("drawing-{}.png", kept.pictures.len());
+        let name = format!("{KEPT}{}.png", kept.pictures.len());
         kept.pictures.push((name.clone(), picture));
         name
     }

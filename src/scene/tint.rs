@@ -3,6 +3,7 @@
 use super::check;
 use super::error::{Fault, SceneError, Within};
 use super::keys::{BodyKeys, ColorKey, MakerName, Material, Scene, SkinKeys};
+use super::pictures::is_kept;
 use crate::picture::{Coat, Tint};
 
 impl Scene {
@@ -27,7 +28,7 @@ impl Scene {
         let mut names = vec![None; self.hanging(explicit).into_iter().max().map_or(0, |last| last as usize + 1)];
         for keys in &self.bodies {
             let copies = check::copies(keys) as usize;
-            names.extend(std::iter::repeat_n(name(keys), copies));
+            names.extend(std::iter::repeat_n(name(keys, self.name()), copies));
         }
         Ok(names)
     }
@@ -68,8 +69,8 @@ impl Scene {
     }
 }
 
-/// What a body is called that these keys make.
-fn name(keys: &BodyKeys) -> Option<String> {
+/// What a body is called that these keys make, in a scene that is called so: a picture that is in no file as that is.
+fn name(keys: &BodyKeys, scene: &str) -> Option<String> {
     let name = match keys.make {
         MakerName::Points => return None,
         MakerName::RandomGraph => "net",
@@ -81,6 +82,9 @@ fn name(keys: &BodyKeys) -> Option<String> {
         MakerName::Disc => "disc",
         MakerName::Ragdoll => "figure",
         MakerName::Picture => {
+            if keys.file.as_deref().is_some_and(is_kept) {
+                return Some(scene.to_owned());
+            }
             let file = keys.file.as_deref().filter(|file| !file.starts_with("data:"));
             file.and_then(|file| std::path::Path::new(file).file_stem()?.to_str()).unwrap_or("picture")
         }

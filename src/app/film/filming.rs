@@ -5,11 +5,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
-use super::{Film, Gif, Shot};
+use super::{Film, Gif, Shot, scale_factor};
 use crate::app::aside::Aside;
 use crate::history::Reel;
 use crate::output::replace;
-use crate::render::Gpu;
+use crate::render::{Color, Gpu, Look};
 
 /// Pictures a second.
 const FPS: f64 = 25.0;
@@ -55,6 +55,15 @@ impl ClipSettings {
         let count = ((to - from) / apart + 1.0).floor().clamp(1.0, most) as u32;
         (0..count).map(|k| (to - f64::from(count - 1 - k) * apart).max(from)).collect()
     }
+}
+
+/// How worlds look in the pictures of a clip of this size `[px]`: as in the window, without the numbers of the grid and without the region of a force
+/// that is the hand's; one that goes along a track of the scene is seen.
+pub(in crate::app) fn look_of_clip(look: Look, size: [u32; 2], is_of_hand: bool) -> Look {
+    let clear = |[red, green, blue, _]: Color| [red, green, blue, 0.0];
+    let region = if is_of_hand { clear(look.region) } else { look.region };
+    // Nothing stands at the left edge there.
+    Look { number: clear(look.number), region, scale_factor: scale_factor(size), inset: 0.0, ..look }
 }
 
 /// What became of a clip.
@@ -197,12 +206,11 @@ mod tests {
     use image::codecs::gif::GifDecoder;
 
     use super::*;
-    use crate::app::film::scale_factor;
     use crate::app::opening;
     use crate::history::History;
-    use crate::render::{Look, Overlay, Palette, Tiles, View};
+    use crate::render::{Capture, Overlay, Palette, Tiles, View};
     use crate::scene::Scene;
-    use crate::sim::PointId;
+    use crate::sim::{Cursor, MouseForce, PointId, Profile, Region, Track};
 
     const SIZE: [u32; 2] = [96, 64];
 
@@ -296,6 +304,30 @@ mod tests {
         assert_eq!(film.beside.time(), Some(0.0));
         assert_eq!(film.approach(1.0, &mut |share| share < 0.5).map_err(|error| error.to_string()), Ok(false));
         assert!(film.beside.time().is_some_and(|time| (0.4..0.5).contains(&time)), "{:?}", film.beside.time());
+    }
+
+    #[test]
+    fn a_clip_shows_neither_the_circle_of_the_hand_nor_the_numbers_of_the_grid() {
+        let look = Look::in_palette(Palette::Dark);
+        let clips = [true, false].map(|is_of_hand| look_of_clip(look, SIZE, is_of_hand));
+        assert!(clips.iter().all(|clip| clip.number[3] == 0.0 && clip.has_grid && clip.inset == 0.0));
+        assert_eq!(clips.map(|clip| clip.region[3]), [0.0, look.region[3]], "one on a track of the scene is seen");
+        let Some(gpu) = Gpu::of_test() else { return };
+        let (history, Shot { camera, .. }) = falling();
+        let force = MouseForce {
+            strength: 60.0,
+            radius: 1.0,
+            region: Region::default(),
+            profile: Profile::default(),
+            track: Track::default(),
+        };
+        let picture = |look: &Look, has_force: bool| {
+            let mouse = has_force.then(|| (&force, Cursor::at([0.0, 1.0])));
+            let view = View { mouse, ..View::of(history.world()) };
+            Capture::on(gpu.clone(), SIZE, 2).unwrap().picture(&view, &camera, look).unwrap()
+        };
+        assert_ne!(picture(&look, true), picture(&look, false), "it is seen in the window");
+        assert_eq!(picture(&clips[0], true), picture(&clips[0], false));
     }
 
     #[test]

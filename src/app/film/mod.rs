@@ -14,7 +14,7 @@ use crate::history::{Do, Entry, HistoryError, Recording, Replay};
 use crate::render::{Camera, Capture, Gpu, Look, Overlay, Palette, Pane, RenderError, Tiles, Trails, View};
 use crate::scene::BesideKeys;
 use crate::sim::{Dynamics, PointId};
-pub(super) use filming::{ClipSettings, Filmed, Filming};
+pub(super) use filming::{ClipSettings, Filmed, Filming, look_of_clip};
 pub use gif::Gif;
 use worlds::{Moment, Neighbors};
 

@@ -119,6 +119,11 @@ impl Import {
         Ok(Some(Import { body: Some(body), ..Import::new(scene.name().to_owned(), picture, wake, wish) }))
     }
 
+    /// What is wrong with the picture, in the words of the panel.
+    pub(super) fn worded(&self, fault: String) -> String {
+        panel::worded(fault, &self.wish.settings)
+    }
+
     /// Whether it is a canvas.
     pub(super) fn is_canvas(&self) -> bool {
         self.painting.is_some()
@@ -167,6 +172,9 @@ impl Import {
     pub(super) fn show(&mut self, context: &egui::Context, can_add: bool) -> Option<Answer> {
         let before = self.wish;
         let answer = panel::show(self, context, can_add);
+        if let Some(painting) = &mut self.painting {
+            painting.set_own(self.wish.of.map_or(painting::INK, Preset::color));
+        }
         let painted = self.painting.as_mut().and_then(Painting::take_changed);
         let is_new = painted.is_some() || self.wish != before;
         if let Some(picture) = painted {

@@ -3,13 +3,13 @@
 use egui::{Color32, ColorImage, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, Slider, Stroke};
 use egui::{TextureHandle, TextureId, TextureOptions};
 
-use crate::app::panels::ranged;
+use crate::app::panels::{color, ranged};
 use crate::picture::{Brush, Mask, Mirror, Picture, PictureError};
 
 /// Side of an empty canvas `[px]`.
 const SIDE: u32 = 512;
-/// Colour of the ink: that of the drawn body.
-const INK: [u8; 3] = [242, 150, 84];
+/// Colour of the ink where no matter by name says another: that of the drawn body.
+pub(super) const INK: [u8; 3] = [242, 150, 84];
 
 /// Coverage of a pixel from which on it is painted.
 const HALF: u8 = 127;
@@ -30,6 +30,12 @@ pub(super) struct Painting {
     tool: Tool,
     /// Radius of the brush `[px]`.
     radius: f64,
+    /// The colour that is painted with; `None`: that of the body's matter.
+    color: Option<[u8; 3]>,
+    /// What the numbers of inks stand for, the colour of the matter first.
+    inks: Vec<[u8; 3]>,
+    /// That one is another since the picture was handed out.
+    is_recolored: bool,
     /// A stroke is being drawn.
     is_down: bool,
     /// The version of the mask that was last handed out.
@@ -52,6 +58,9 @@ impl Painting {
             mask,
             tool: Tool::Paint,
             radius: 16.0,
+            color: None,
+            inks: vec![INK],
+            is_recolored: false,
             is_down: false,
             seen,
             place: Rect::NOTHING,
@@ -66,15 +75,41 @@ impl Painting {
         Picture { width, height, rgba }
     }
 
-    /// The colour of a pixel, with its coverage as opacity: ink as far as there is more of it than there was.
+    /// Another matter has another colour, and so has what is painted in that.
+    pub(super) fn set_own(&mut self, color: [u8; 3]) {
+        if std::mem::replace(&mut self.inks[0], color) != color {
+            (self.is_recolored, self.texture) = (true, None);
+        }
+    }
+
+    /// The number of the ink that is painted with; where there are no more, it is of the colour that is nearest.
+    fn ink(&mut self) -> u8 {
+        let Some(color) = self.color else { return 0 };
+        if let Some(known) = self.inks[1..].iter().position(|ink| *ink == color) {
+            return known as u8 + 1;
+        }
+        if self.inks.len() <= usize::from(u8::MAX) {
+            self.inks.push(color);
+            return (self.inks.len() - 1) as u8;
+        }
+        let off = |ink: &[u8; 3]| (0..3).map(|k| u32::from(ink[k].abs_diff(color[k]))).sum::<u32>();
+        (1..=u8::MAX).min_by_key(|number| off(&self.inks[usize::from(*number)])).unwrap_or(0)
+    }
+
+    /// The colour of a pixel, with its coverage as opacity: that of its ink; of the first one as far as there is more of it than there was.
     fn rgba(&self, pixel: usize) -> [u8; 4] {
         let alpha = self.mask.coverage()[pixel];
+        let number = self.mask.inks().get(pixel).copied().unwrap_or(0);
+        let ink = self.inks[usize::from(number)];
+        if number > 0 {
+            return [ink[0], ink[1], ink[2], alpha];
+        }
         let own = self.under.as_ref().map(|(picture, covered)| (&picture.rgba[4 * pixel..], covered[pixel].min(alpha)));
         let Some((color, covered)) = own.filter(|(_, covered)| *covered > 0) else {
-            return [INK[0], INK[1], INK[2], alpha];
+            return [ink[0], ink[1], ink[2], alpha];
         };
         let [all, old] = [alpha, covered].map(u32::from);
-        let mixed = |k: usize| ((old * u32::from(color[k]) + (all - old) * u32::from(INK[k]) + all / 2) / all) as u8;
+        let mixed = |k: usize| ((old * u32::from(color[k]) + (all - old) * u32::from(ink[k]) + all / 2) / all) as u8;
         [mixed(0), mixed(1), mixed(2), alpha]
     }
 
@@ -90,7 +125,8 @@ impl Painting {
 
     /// The same, if it has changed since the last call.
     pub(super) fn take_changed(&mut self) -> Option<Picture> {
-        (self.mask.version() != self.seen).then(|| {
+        let is_recolored = std::mem::take(&mut self.is_recolored);
+        (is_recolored || self.mask.version() != self.seen).then(|| {
             self.seen = self.mask.version();
             self.picture()
         })
@@ -127,7 +163,7 @@ impl Painting {
         ColorImage::new([width, height], colors.collect())
     }
 
-    /// The tools, in two rows.
+    /// The tools, in three rows.
     pub(super) fn tools(&mut self, ui: &mut egui::Ui) {
         ui.horizontal_wrapped(|ui| {
             for (tool, label) in [(Tool::Paint, "Paint"), (Tool::Erase, "Erase"), (Tool::Fill, "Fill")] {
@@ -162,6 +198,17 @@ impl Painting {
                 ui.selectable_value(&mut self.mask.mirror, mirror, label);
             }
         });
+        ui.horizontal_wrapped(|ui| {
+            let label = ui.label("colour").id;
+            let own = ui.selectable_label(self.color.is_none(), "of the matter");
+            if own.on_hover_text("the colour of what the body is made of").clicked() {
+                self.color = None;
+            }
+            let said = "a colour of its own, for eyes, fins, stripes";
+            if let Some((_, chosen)) = color::button(ui, self.color.unwrap_or(self.inks[0]), label, said) {
+                self.color = Some(chosen);
+            }
+        });
     }
 
     /// What the pointer did to the canvas, which lies at `place` on the screen now: each of its events since the last frame counts,
@@ -176,6 +223,8 @@ impl Painting {
         for event in events {
             match *event {
                 Event::PointerButton { pos, button: PointerButton::Primary, pressed: true, .. } if is_here(pos) => {
+                    let ink = self.ink();
+                    self.mask.set_ink(ink);
                     if self.tool == Tool::Fill {
                         self.mask.fill(brush, at(pos));
                     } else {
@@ -305,6 +354,35 @@ mod tests {
         let erased = painting.take_changed().unwrap();
         assert_eq!(erased.rgba[4 * (10 * 40 + 18) + 3], 0);
         assert_eq!(erased.rgba[..80], picture.rgba[..80], "elsewhere it stays");
+    }
+
+    #[test]
+    fn strokes_have_the_colour_that_is_chosen_and_the_first_ink_that_of_the_matter() {
+        let mut painting = Painting::new(None).unwrap();
+        let place = Rect::from_min_size(Pos2::ZERO, egui::vec2(512.0, 512.0));
+        let dab = |painting: &mut Painting, color: Option<[u8; 3]>, x: f32| {
+            painting.color = color;
+            let at = Pos2::new(x, 100.0);
+            painting.paint(&[button(at, true), button(at, false)], place, |_| true);
+            painting.take_changed().unwrap()
+        };
+        dab(&mut painting, None, 100.0);
+        let blue = [0x2f, 0x7a, 0xd9];
+        let picture = dab(&mut painting, Some(blue), 106.0);
+        let at = |picture: &Picture, x: usize| [0, 1, 2].map(|k| picture.rgba[4 * (100 * 512 + x) + k]);
+        assert_eq!([at(&picture, 86), at(&picture, 106)], [INK, blue], "over what is there already, too");
+        painting.set_own([1, 2, 3]);
+        let picture = painting.take_changed().unwrap();
+        assert_eq!([at(&picture, 86), at(&picture, 106)], [[1, 2, 3], blue]);
+        painting.set_own([1, 2, 3]);
+        assert!(painting.take_changed().is_none());
+        painting.undo();
+        assert_eq!(at(&painting.take_changed().unwrap(), 106), [1, 2, 3]);
+        for k in 0..300_u32 {
+            painting.color = Some([k as u8, (k / 200) as u8, 7]);
+            painting.ink();
+        }
+        assert_eq!(painting.inks.len(), 256, "no more numbers than there are");
     }
 
     #[test]

@@ -7,6 +7,7 @@ use super::{Answer, Import, preview, wishes};
 use crate::app::count::counted;
 use crate::app::loading;
 use crate::app::panels::{said_below, sheet, theme};
+use crate::picture::{PictureError, Settings, Threshold};
 use crate::scene::Matter;
 
 /// What takes less time than this is not worth a bar; and the time between two looks at it.
@@ -23,7 +24,7 @@ const LINE: f32 = 24.0;
 /// Height of that part at least `[points]`.
 const LEAST_TALL: f32 = 60.0;
 /// Height of a canvas's tools `[points]`.
-const TOOLS: f32 = 60.0;
+const TOOLS: f32 = 94.0;
 /// Width of margins and of the bar that scrolls `[points]`.
 const MARGINS: f32 = 48.0;
 
@@ -105,9 +106,24 @@ fn refusal(import: &Import) -> Option<(String, bool)> {
         Some(Err(error)) if import.is_canvas() && error.starts_with("there is nothing in the picture") => {
             Some(("draw something on the canvas".to_owned(), false))
         }
-        Some(Err(error)) => Some((error.clone(), true)),
+        Some(Err(error)) => Some((worded(error.clone(), &import.wish.settings), true)),
         _ => None,
     }
+}
+
+/// What is wrong with a picture in the words of the panel: in those of a scene file its least area is a key, and where all of a picture is taken
+/// the panel has none.
+pub(super) fn worded(fault: String, settings: &Settings) -> String {
+    let dropped = PictureError::Dropped { min_area: settings.min_area }.to_string();
+    if !fault.contains(&dropped) {
+        return fault;
+    }
+    let least = settings.min_area;
+    let words = match settings.threshold {
+        Threshold::Whole => format!("the picture is too small: {least} px² are the least"),
+        _ => format!("nothing in the picture is as large as {least} px²: lower the least area"),
+    };
+    fault.replace(&dropped, &words)
 }
 
 fn words(ui: &mut egui::Ui, forecast: Option<&Result<Forecast, String>>) {
@@ -225,6 +241,16 @@ mod tests {
                 "{size:?}: no strip beside them: {name}, {before}"
             );
         }
+    }
+
+    #[test]
+    fn what_is_too_small_is_said_in_the_words_of_the_panel() {
+        let cut = Settings { min_area: 12.0, threshold: Threshold::Otsu, ..Settings::default() };
+        let fault = || PictureError::Dropped { min_area: 12.0 }.to_string();
+        assert_eq!(worded(fault(), &cut), "nothing in the picture is as large as 12 px²: lower the least area");
+        let whole = Settings { threshold: Threshold::Whole, ..cut };
+        assert_eq!(worded(fault(), &whole), "the picture is too small: 12 px² are the least", "its slider is off");
+        assert_eq!(worded("another".to_owned(), &cut), "another");
     }
 
     #[test]

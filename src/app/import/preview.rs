@@ -48,7 +48,13 @@ pub(super) fn show(ui: &mut egui::Ui, import: &mut Import, side: f32) {
     let taken = cut.filter(|_| import.painting.is_none()).map(|forecast| Arc::clone(&forecast.mesh));
     painter.rect_filled(place, 0.0, BEHIND);
     let whole = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));
-    painter.image(texture, place, whole, if taken.is_some() { LEFT } else { UNKNOWN });
+    // What is painted is seen as it comes out.
+    let light = match (&import.painting, &taken) {
+        (Some(_), _) => Color32::WHITE,
+        (None, Some(_)) => LEFT,
+        (None, None) => UNKNOWN,
+    };
+    painter.image(texture, place, whole, light);
     if let Some(mesh) = taken {
         painter.add(bright(&mesh, texture, place));
     }

@@ -242,3 +242,18 @@ fn a_matter_by_name_is_weighed_as_it_is_cut_out_now_not_as_it_was_last() {
     let mass: f64 = stage.history().world().masses()[1..].iter().sum();
     assert!((mass / after - 1.0).abs() < 1e-3, "{mass} kg of {after} kg");
 }
+
+#[test]
+fn a_piece_of_a_picture_is_called_as_the_picture_is() {
+    let mut picture = Picture::filled(120, 60, [0; 4]);
+    for (i, pixel) in picture.rgba.chunks_exact_mut(4).enumerate() {
+        let [x, y] = [i % 120, i / 120];
+        if (5..55).contains(&y) && ((5..55).contains(&x) || (65..115).contains(&x)) {
+            pixel.copy_from_slice(&[20, 20, 20, 255]);
+        }
+    }
+    let mut import = Import::of_picture("cat".to_owned(), Arc::new(picture), || ());
+    assert_eq!(import.scene().unwrap().body_names().unwrap(), [Some("cat".to_owned())]);
+    import.wish.apart = true;
+    assert_eq!(import.scene().unwrap().body_names().unwrap(), vec![Some("cat".to_owned()); 2]);
+}

@@ -157,7 +157,7 @@ pub fn by_mouse() -> [[&'static str; 2]; 11] {
     [
         ["left button on a body, or with one in the circle", "grab it; let go and it flies"],
         ["left button on a pin", "lead it elsewhere; pins that bonds join go as one bar, with Shift it turns"],
-        ["left button beside all bodies", "push through them"],
+        ["left button beside all bodies", "push through them, where the scene has a push of the mouse"],
         ["select: drag beside all bodies", "select what the box touches; with Alt what a free stroke goes around"],
         ["select: double click or Ctrl+click", "take one bond or one point; with Shift beside what is selected"],
         ["select: drag a corner", "scale it; with Shift in proportion"],

@@ -43,7 +43,7 @@ const STEPS: usize = 24;
 const KEY: f32 = 0.02;
 
 /// A button in a colour, beside its label, which opens them. Returns what a click or a drag changed it to, and by what.
-pub(super) fn button(ui: &mut Ui, color: Rgb, label: Id, said: &str) -> Option<(Response, Rgb)> {
+pub(in crate::app) fn button(ui: &mut Ui, color: Rgb, label: Id, said: &str) -> Option<(Response, Rgb)> {
     let (rect, button) = ui.allocate_exact_size(ui.spacing().interact_size, Sense::click());
     let [red, green, blue] = color;
     let hex = format!("#{red:02x}{green:02x}{blue:02x}");

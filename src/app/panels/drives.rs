@@ -58,9 +58,13 @@ pub(super) fn show(
     }
 }
 
+/// How muscles make something go.
+const TO_WALK: &str = "To let a body crawl, drag along its underside with \"along the stroke\" ticked: it goes the way of the drag. To let it \
+                       walk, make muscles of its legs, one after another in phase: the Snake and the Walker of the gallery are made so";
+
 fn of_muscle(ui: &mut Ui, drives: &mut Drives) {
     let muscle = &mut drives.muscle;
-    ui.label(RichText::new("click a bond, or drag over some").color(colors(ui).weak));
+    ui.label(RichText::new("click a bond, or drag over some").color(colors(ui).weak)).on_hover_text(TO_WALK);
     slider(ui, "stretch", &mut muscle.amplitude, -MOST[0]..=MOST[0], "");
     let follows = muscle.has_wave || muscle.key.is_none();
     ui.horizontal(|ui| {
@@ -99,7 +103,7 @@ fn of_motor(ui: &mut Ui, drives: &mut Drives, hinge: Option<bool>) {
         _ if hinge == Some(true) => HAS_ONE,
         Some(false) if hinge == Some(false) => HAS_NONE_OFF,
         _ if hinge == Some(false) => HAS_NONE,
-        None => "if this is left alone, a wheel on the background gets one, and two bodies are only hinged",
+        None => "left as it is: a body hinged to the background gets a motor, two bodies get a hinge alone",
         Some(true) => "whatever is hinged next gets one, and so does a hinge that is there, by a click on it",
         Some(false) => "nothing that is hinged next gets one, and a hinge that is there loses it by a click on it",
     };
@@ -211,7 +215,7 @@ mod tests {
             assert_eq!(facts.drives.motor.is_on, is_on, "to point at one ticks nothing");
             texts.iter().find(|(text, _)| text == "speed").map(|(_, at)| at.y)
         };
-        let alone = "if this is left alone, a wheel on the background gets one, and two bodies are only hinged";
+        let alone = "left as it is: a body hinged to the background gets a motor, two bodies get a hinge alone";
         let first = speed_at(None, None, alone);
         assert!(first.is_some());
         for is_on in [None, Some(true)] {

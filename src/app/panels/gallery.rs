@@ -18,10 +18,17 @@ const BEING_DRAWN: &str = "is being drawn …";
 const WORDS: f32 = 440.0;
 /// Room between cards `[points]`.
 const GAP: f32 = 14.0;
+/// Cards in a row at most.
+const MOST: usize = 4;
+
+/// How many cards a row has where there is so much room, and how wide it is with them: all of the room, shared evenly `[points]`.
+fn columns(room: f32) -> (usize, f32) {
+    (((room / (THUMBNAIL[0] + GAP)).floor() as usize).clamp(1, MOST), room)
+}
 
 pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, facts: &Facts, wishes: &mut Vec<Wish>) {
-    let columns = (((room.width() - 60.0) / (THUMBNAIL[0] + GAP)).floor() as usize).clamp(1, 4);
-    let width = columns as f32 * (THUMBNAIL[0] + GAP);
+    let (columns, width) = columns(sheet::fitting(context, [MOST as f32 * (THUMBNAIL[0] + GAP), 0.0])[0]);
+    let card_width = width / columns as f32 - GAP;
     let stays = sheet::show(context, "gallery", "Gallery", |ui| {
         ui.set_width(width);
         let hint = RichText::new("search …").italics();
@@ -54,7 +61,7 @@ pub(super) fn show(context: &egui::Context, room: Rect, state: &mut PanelState, 
                     ui.spacing_mut().item_spacing.x = GAP;
                     for (column, entry) in row.iter().enumerate() {
                         let is_chosen = number * columns + column == state.chosen;
-                        let card = card(ui, entry, state, (entry.title == facts.title, is_chosen));
+                        let card = card(ui, card_width, (entry, state), (entry.title == facts.title, is_chosen));
                         if is_chosen && is_moved {
                             card.scroll_to_me(None);
                         }
@@ -122,13 +129,18 @@ fn choose(ui: &egui::Ui, state: &mut PanelState, count: usize, columns: usize) -
     std::mem::replace(&mut state.chosen, chosen) != chosen
 }
 
-/// A scene, which may be open, and chosen by the keys.
-fn card(ui: &mut egui::Ui, entry: &Entry, state: &PanelState, (is_open, is_chosen): (bool, bool)) -> egui::Response {
+/// A scene on a card so wide `[points]`, which may be open, and chosen by the keys.
+fn card(
+    ui: &mut egui::Ui,
+    width: f32,
+    (entry, state): (&Entry, &PanelState),
+    (is_open, is_chosen): (bool, bool),
+) -> egui::Response {
     let card = ui.scope_builder(egui::UiBuilder::new().sense(Sense::click()), |ui| {
-        ui.set_width(THUMBNAIL[0]);
+        ui.set_width(width);
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
-            let (rect, _) = ui.allocate_exact_size(vec2(THUMBNAIL[0], THUMBNAIL[1]), Sense::hover());
+            let (rect, _) = ui.allocate_exact_size(vec2(width, width * THUMBNAIL[1] / THUMBNAIL[0]), Sense::hover());
             let painter = ui.painter();
             painter.rect_filled(rect, 8.0, ui.visuals().extreme_bg_color);
             if let Some(texture) = state.thumbnails.get(entry.name) {
@@ -164,6 +176,30 @@ fn card(ui: &mut egui::Ui, entry: &Entry, state: &PanelState, (is_open, is_chose
 mod tests {
     use super::*;
     use crate::scene::gallery;
+
+    #[test]
+    fn cards_take_all_of_the_room_that_the_sheet_has() {
+        for (room, count) in [(436.0, 1), (656.0, 2), (700.0, 3), (920.0, 4)] {
+            assert_eq!(columns(room), (count, room));
+        }
+        let context = egui::Context::default();
+        let mut state = PanelState { sheet: Some(super::super::Sheet::Gallery), ..PanelState::default() };
+        // A window that was wide before, and is narrow now.
+        for width in [1280.0, 700.0] {
+            let room = Rect::from_min_size(egui::Pos2::ZERO, vec2(width, 1000.0));
+            for _ in 0..6 {
+                let input = egui::RawInput { screen_rect: Some(room), ..Default::default() };
+                let mut output = context.run_ui(input, |ui| {
+                    show(ui.ctx(), room, &mut state, &Facts::default(), &mut Vec::new());
+                });
+                output.textures_delta.clear();
+            }
+            let sheet = context.memory(|memory| memory.area_rect(egui::Id::unique("gallery")));
+            let field = context.read_response(search_id());
+            let beside = sheet.zip(field).map(|(sheet, field)| sheet.right() - field.rect.right());
+            assert!(width > 1000.0 || beside.is_some_and(|beside| beside < 60.0), "{width}: {beside:?}");
+        }
+    }
 
     #[test]
     fn what_is_in_view_is_known_so_that_it_is_drawn_first() {

@@ -9,6 +9,10 @@ use super::theme::{colors, floating};
 /// Their width before they were shown `[points]`.
 const WIDTH: f32 = 146.0;
 
+/// The row of what stepping takes, and what is said of it.
+const STEPPING: &str = "stepping";
+const OF_STEPPING: &str =
+    "what stepping 1/60 s at its pace takes, by the clock: where that is more than a frame has, time goes slower";
 /// The row of the energy, and what is said of it.
 const ENERGY: &str = "energy";
 /// That of how far what keeps its length is stretched, which is marked from this strain on `[1]`.
@@ -35,6 +39,7 @@ pub(super) fn show(context: &egui::Context, places: &mut Places, facts: &Facts) 
                     let label = ui.weak(name);
                     tops.push(label.rect.top());
                     match name {
+                        STEPPING => said.push((label.rect, OF_STEPPING)),
                         ENERGY => said.push((label.rect, OF_ENERGY)),
                         STRETCH => said.push((label.rect, OF_STRETCH)),
                         RELAXED => said.push((label.rect, OF_RELAXED)),
@@ -72,7 +77,7 @@ fn rows(facts: &Facts) -> Vec<(&'static str, String)> {
     let time = |words: String| if is_idle { "idle".to_owned() } else { words };
     let rows = [
         ("frame", time(format!("{:.1} ms", 1e3 * facts.frame))),
-        ("stepping", time(format!("{:.2} ms", 1e3 * figures.step))),
+        (STEPPING, time(format!("{:.2} ms", 1e3 * figures.work))),
         ("points", figures.points.to_string()),
         ("bonds", figures.bonds.to_string()),
         (ENERGY, energy(figures.energy)),
@@ -115,7 +120,7 @@ fn energy(value: f64) -> String {
 mod tests {
     use egui::{Id, Rect};
 
-    use super::{Facts, Places, RELAXED, energy, percent, rows, show};
+    use super::{Facts, Places, RELAXED, STEPPING, energy, percent, rows, show};
     use crate::app::player::Figures;
 
     #[test]
@@ -140,6 +145,13 @@ mod tests {
         let [with, without] = [Some(0.0), None].map(low);
         assert!(with[0] > without[0] + 10.0, "they are a row higher: {with:?} {without:?}");
         assert!((with[1] - without[1]).abs() < 0.5, "{with:?} {without:?}");
+    }
+
+    #[test]
+    fn stepping_takes_what_the_line_below_says_of_slow_motion() {
+        let figures = Figures { playing: true, pace: 0.5, step: 0.002, work: 0.036, ..Figures::default() };
+        let rows = rows(&Facts { figures, ..Facts::default() });
+        assert!(rows.contains(&(STEPPING, "36.00 ms".to_owned())), "{rows:?}");
     }
 
     #[test]

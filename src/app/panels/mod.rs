@@ -9,7 +9,7 @@ mod beside_tests;
 mod bonds;
 mod brush;
 mod choosing;
-mod color;
+pub(super) mod color;
 #[cfg(test)]
 mod column_tests;
 mod complaint;
@@ -20,6 +20,7 @@ mod dial;
 mod drives;
 mod fewer;
 mod finding;
+mod focus;
 mod folded;
 mod gallery;
 mod held;

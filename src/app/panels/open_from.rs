@@ -15,6 +15,8 @@ use crate::app::fetch::ENDINGS;
 const NO_NAME: &str = "write a name first, or choose one from the list";
 /// Said below the buttons.
 const HINT: &str = "Tab completes; a file can be dropped on the window too";
+/// Said of a file that is there and ends otherwise than those that are listed.
+const UNLISTED: &str = "its ending is that of no picture, scene or recording";
 /// So many files are listed at most.
 const MOST: usize = 200;
 /// Height of the list, and of the rest of the sheet `[points]`.
@@ -145,8 +147,10 @@ fn list(ui: &mut egui::Ui, (names, high): (&[String], f32), state: &mut PanelSta
                     take(state, path, stays);
                 }
             }
-            if names.is_empty() {
-                ui.label(RichText::new("nothing there begins so").color(colors(ui).weak));
+            // What is written may be the whole name of what is not listed; why it cannot be opened says more.
+            if names.is_empty() && state.open_from.fault.is_none() {
+                let words = if meant(&state.path).is_file() { UNLISTED } else { "nothing there begins so" };
+                ui.label(RichText::new(words).color(colors(ui).weak));
             }
         })
     });

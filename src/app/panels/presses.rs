@@ -5,6 +5,7 @@
 //! gets the focus, is written in and is left in one frame never had it.
 
 use super::choosing::Choosing;
+use super::focus::Focus;
 use super::typed::Numbers;
 use egui::{Context, Event, Key, Plugin, RawInput, Ui};
 
@@ -13,6 +14,7 @@ pub(in crate::app) fn listen(context: &Context) {
     context.add_plugin(Presses::default());
     context.add_plugin(Numbers);
     context.add_plugin(Choosing::default());
+    context.add_plugin(Focus);
     // A press and its release are a frame apart, which may take long: however long, they are a click where the pointer stays.
     context.options_mut(|options| options.input_options.max_click_duration = f64::INFINITY);
 }

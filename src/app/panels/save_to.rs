@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use egui::{Button, DragValue, Label, RichText, Role, TextEdit, WidgetInfo};
+use egui::{Button, DragValue, Label, Response, RichText, Role, TextEdit, WidgetInfo};
 
 use super::open_from::{meant, select};
 use super::theme::colors;
@@ -107,12 +107,14 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         ui.set_width(sheet::fitting(context, [WIDE, 0.0])[0]);
         let was = state.save_to.kind;
         let kind = &mut state.save_to.kind;
-        match kind {
-            Saved::Table => _ = ui.label(TABLE),
-            Saved::Figure => _ = ui.label(FIGURE),
+        let has_focus = match kind {
+            Saved::Table => ui.label(TABLE).has_focus(),
+            Saved::Figure => ui.label(FIGURE).has_focus(),
             _ => kinds(ui, kind),
-        }
+        };
         let has_changed = *kind != was;
+        // On a ring that is chosen already Enter chooses nothing.
+        let is_on_ring = has_focus && !has_changed;
         if *kind == Saved::Clip {
             clip(ui, &mut state.save_to.clip);
         }
@@ -133,7 +135,8 @@ pub(super) fn show(context: &egui::Context, state: &mut PanelState, wishes: &mut
         if field.response.changed() {
             state.save_to.begin();
         }
-        let is_entered = sheet::entered(ui, &field.response);
+        let is_entered =
+            sheet::entered(ui, &field.response) || is_on_ring && ui.input(|input| input.key_pressed(egui::Key::Enter));
         // Its line is there before it is, so that the buttons stay where they are.
         let fault = state.save_to.fault.as_deref().unwrap_or(" ");
         ui.add(Label::new(RichText::new(fault).color(colors(ui).away)).wrap());
@@ -172,13 +175,15 @@ const CLIP: &str = "a clip, as an animated picture (.gif)";
 const TABLE: &str = "what is plotted, as a table (.csv)";
 const FIGURE: &str = "the plot as it is seen, as a figure (.svg)";
 
-/// What of the scene is saved.
-fn kinds(ui: &mut egui::Ui, kind: &mut Saved) {
-    ticks::one_of(ui, kind, Saved::Moment, MOMENT)
-        .on_hover_text("opened, it goes on from here, without what was done before");
-    ticks::one_of(ui, kind, Saved::All, ALL).on_hover_text("a recording: opened, it is replayed from its start");
-    ticks::one_of(ui, kind, Saved::Clip, CLIP)
-        .on_hover_text("the last seconds as they are seen, without panels: for others to look at");
+/// What of the scene is saved. Returns whether one of its rings has the keyboard.
+fn kinds(ui: &mut egui::Ui, kind: &mut Saved) -> bool {
+    let rings = [
+        (Saved::Moment, MOMENT, "opened, it goes on from here, without what was done before"),
+        (Saved::All, ALL, "a recording: opened, it is replayed from its start"),
+        (Saved::Clip, CLIP, "the last seconds as they are seen, without panels: for others to look at"),
+    ];
+    let rings = rings.map(|(own, words, more)| ticks::one_of(ui, kind, own, words).on_hover_text(more));
+    rings.iter().any(Response::has_focus)
 }
 
 /// How long a clip is, and how wide.

@@ -143,6 +143,33 @@ mod tests {
     }
 
     #[test]
+    fn enter_saves_from_the_field_and_from_what_is_chosen_above_it_and_presses_a_button_that_has_the_focus() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("mine.json");
+        let (context, mut state) = clicked_beside(Sheet::SaveTo, &path.display().to_string());
+        let goes = |state: &mut PanelState, modifiers: Modifiers| {
+            let key = Event::Key { key: Key::Tab, physical_key: None, pressed: true, repeat: false, modifiers };
+            frame(&context, state, vec![key]);
+            frame(&context, state, Vec::new());
+            assert!(context.memory(|memory| memory.focused()).is_some() && !context.text_edit_focused());
+        };
+        // Back to the last of the rings above the field: it is chosen, then it is saved.
+        goes(&mut state, Modifiers::SHIFT);
+        assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), []);
+        assert_eq!(frame(&context, &mut state, Vec::new()), []);
+        assert_eq!(state.save_to.kind, save_to::Saved::Clip);
+        let clip = folder.path().join("mine.gif");
+        assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), [Wish::SaveTo(clip)]);
+        // On from the field: to the button that saves, and the one that asks for a place.
+        let (context, mut state) = clicked_beside(Sheet::SaveTo, &path.display().to_string());
+        for wish in [Wish::SaveTo(path), Wish::BrowseToSave] {
+            frame(&context, &mut state, vec![key(Key::Tab)]);
+            frame(&context, &mut state, Vec::new());
+            assert_eq!(frame(&context, &mut state, vec![key(Key::Enter)]), [wish]);
+        }
+    }
+
+    #[test]
     fn what_is_typed_ahead_of_a_sheet_is_entered_there() {
         let context = Context::default();
         super::super::listen(&context);

@@ -143,9 +143,12 @@ fn state(facts: &Facts) -> (String, bool) {
     let is_slow = !figures.asleep && figures.pace > 0.0 && figures.pace < 0.95;
     match (figures.playing, figures.asleep) {
         (false, _) => (at_end(figures).unwrap_or_else(|| "paused".to_owned()), true),
-        // One that is known to be slow is told how slow, however long its steps are.
-        (true, _) if facts.is_busy && !is_slow => ("computing a long step".to_owned(), false),
+        // What sleeps takes no step, however long nobody has heard of it.
         (true, true) => ("at rest".to_owned(), false),
+        // Back in time, and on to where it was, it is worked out from the nearest moment that is kept.
+        (true, false) if facts.is_busy && figures.time < figures.end => ("working out that moment".to_owned(), false),
+        // One that is known to be slow is told how slow, however long its steps are.
+        (true, false) if facts.is_busy && !is_slow => ("computing a long step".to_owned(), false),
         (true, false) if figures.follows => ("replay: press to take over".to_owned(), true),
         (true, false) if is_slow => (slow_motion(facts), false),
         (true, false) if figures.yielded.is_some() => ("computed more roughly, to keep up".to_owned(), false),
@@ -283,7 +286,10 @@ mod tests {
             "half speed: 41 ms of work a frame",
             "how slow it is says more than that a step is long"
         );
-        assert_eq!(long(&Figures { pace: 1.0, ..figures.clone() }), "computing a long step");
+        let quick = Figures { pace: 1.0, ..figures.clone() };
+        assert_eq!(long(&quick), "computing a long step");
+        assert_eq!(long(&Figures { time: 2.0, end: 5.0, ..quick.clone() }), "working out that moment");
+        assert_eq!(long(&Figures { asleep: true, ..quick }), "at rest");
     }
 
     #[test]

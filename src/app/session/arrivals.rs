@@ -1,5 +1,6 @@
 //! What comes into a session from outside: files that are dropped, chosen or pasted, pictures on their way into the world.
 
+use std::io::Read as _;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -63,7 +64,7 @@ impl Session {
         if is_picture && (self.wearer.is_some() || !holds_scene(path)) {
             return Ok(Coming::Picture);
         }
-        let start = Start::load(&path.to_string_lossy()).map_err(|error| error.to_string())?;
+        let start = Start::load(&path.to_string_lossy()).map_err(|error| refused(path, &error.to_string()))?;
         Ok(Coming::Scene(Box::new(start)))
     }
 
@@ -242,8 +243,9 @@ impl Session {
         self.hear(news);
     }
 
-    /// Makes a scene of a picture, which opens when it is there.
+    /// Makes a scene of the picture that the program was opened with: it takes the place of what is there until then.
     pub(in crate::app) fn load(&mut self, path: &Path) {
+        self.stands_in = true;
         self.loading = Some(Loading::scene(path, self.wake_up()));
         self.touch();
     }
@@ -257,6 +259,7 @@ impl Session {
             Ok(Loaded::Scene(scene)) => self.open((*scene).into()),
             Ok(Loaded::Picture(picture, spacing, why)) => {
                 let import = Import::of_picture(name, picture, self.wake_up());
+                let why = why.map(|why| import.worded(why));
                 self.bring_in(if let Some(spacing) = spacing { import.spaced(spacing) } else { import });
                 if let Some(why) = why {
                     self.complain(&why);
@@ -347,6 +350,20 @@ impl Session {
     }
 }
 
+/// Why a file is not opened: what does not begin as scenes and recordings do is none, whatever its first letters are.
+fn refused(path: &Path, why: &str) -> String {
+    let mut first = Vec::new();
+    let read = std::fs::File::open(path).and_then(|file| file.take(FIRST).read_to_end(&mut first));
+    let begins = first.trim_ascii_start().strip_prefix("\u{feff}".as_bytes()).unwrap_or(first.trim_ascii_start());
+    match read.is_ok() && !begins.starts_with(b"{") {
+        true => format!("this is no picture, scene or recording: {why}"),
+        false => why.to_owned(),
+    }
+}
+
+/// So much of a file is looked at for that `[bytes]`.
+const FIRST: u64 = 256;
+
 /// The largest part of a box that has its middle there; of a place outside the box nothing but that.
 fn about(at: [f64; 2], [low, high]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     let half = [0, 1].map(|axis| (at[axis] - low[axis]).min(high[axis] - at[axis]).max(0.0));
@@ -355,7 +372,21 @@ fn about(at: [f64; 2], [low, high]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::about;
+    use super::{about, refused};
+
+    #[test]
+    fn a_text_is_called_no_scene_and_a_scene_with_a_fault_is_told_of_that_alone() {
+        let Ok(folder) = tempfile::tempdir() else { return };
+        for (text, is_other) in
+            [("hello", true), ("", true), (" \n[1]", true), (" {\"wobble\": 1,}", false), ("\u{feff}{", false)]
+        {
+            let path = folder.path().join("text.txt");
+            assert!(std::fs::write(&path, text).is_ok());
+            let words = if is_other { "this is no picture, scene or recording: why" } else { "why" };
+            assert_eq!(refused(&path, "why"), words, "{text:?}");
+        }
+        assert_eq!(refused(&folder.path().join("none"), "why"), "why");
+    }
 
     #[test]
     fn a_drawing_is_looked_for_room_about_its_place() {

@@ -129,6 +129,7 @@ impl Session {
             frames: 0,
             looks_again: None,
             came: None,
+            stands_in: false,
             opening_since: None,
             teaches: None,
             taught: None,

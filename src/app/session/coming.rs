@@ -47,8 +47,8 @@ impl Session {
         if is_unfolding {
             last.player.stay_folded();
         }
-        // What nobody has seen yet is not gone back to, unless something is to be kept of it.
-        if self.opening_since.is_none() || recorded.is_some() || is_unfolding {
+        let stands_in = std::mem::take(&mut self.stands_in);
+        if is_gone_back_to(&last.player, (self.opening_since.is_some(), stands_in)) || is_unfolding {
             self.shelf.keep(last);
         }
         self.await_it();
@@ -185,6 +185,12 @@ impl Session {
     }
 }
 
+/// Whether undo goes back to a history that is left: not to one that nobody has seen yet, or that only stood there until a picture came, unless
+/// something is to be kept of it.
+fn is_gone_back_to(player: &Player, (is_unseen, stands_in): (bool, bool)) -> bool {
+    player.record().is_some() || !is_unseen && (!stands_in || player.is_unsaved())
+}
+
 /// The place in the gallery of a scene that is in it: not of another one that is called so.
 fn place_of(scene: &Scene) -> Option<usize> {
     let place = gallery().iter().position(|entry| entry.name == scene.name())?;
@@ -215,8 +221,23 @@ fn listed(warnings: &[&str]) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::fresh::rolled;
-    use super::{gallery, listed, place_of};
+    use super::{gallery, is_gone_back_to, listed, place_of};
+    use crate::app::player::{Keeping, Player};
+    use crate::history::Do;
     use crate::scene::Scene;
+    use crate::sim::PointId;
+
+    #[test]
+    fn undo_goes_back_to_no_history_that_only_stood_there_until_a_picture_came() {
+        let text = r#"{"wobble": 1, "points": {"position": [[0, 0]]}}"#;
+        let Ok(scene) = Scene::parse(text, "x.json") else { return };
+        let mut player = Player::open(scene.into(), Keeping::default(), || {});
+        let [seen, unseen] = [false, true];
+        assert!(is_gone_back_to(&player, (seen, false)) && !is_gone_back_to(&player, (unseen, false)));
+        assert!(!is_gone_back_to(&player, (seen, true)), "nothing was done there");
+        player.give(vec![Do::Pin(vec![PointId(0)])], Some("pin"));
+        assert!(is_gone_back_to(&player, (seen, true)), "what was built there is not lost");
+    }
 
     #[test]
     fn a_scene_that_is_called_as_one_of_the_gallery_is_none_of_it() {

@@ -4,9 +4,9 @@ use std::path::PathBuf;
 use std::sync::mpsc::channel;
 
 use super::Session;
-use crate::app::film::{Filmed, Filming, Followers, Shot, scale_factor};
+use crate::app::film::{Filmed, Filming, Followers, Shot, look_of_clip};
 use crate::app::player::Order;
-use crate::render::{Look, Overlay, Trails};
+use crate::render::{Overlay, Trails};
 
 impl Session {
     /// Draws the last seconds as they are seen, without panels, while the window goes on, and writes them there.
@@ -36,8 +36,7 @@ impl Session {
         let tiles = self.tiles.at_scale(f64::from(size[1]) / f64::from(self.area[1]));
         let mut camera = self.own_camera();
         camera.resize(tiles.pane(size));
-        // Nothing stands at the left edge there.
-        let look = Look { scale_factor: scale_factor(size), inset: 0.0, ..self.look };
+        let look = look_of_clip(self.look, size, self.live_force().is_some());
         Shot {
             tiles,
             camera,

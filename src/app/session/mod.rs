@@ -245,6 +245,8 @@ pub(super) struct Session {
     looks_again: Option<Camera>,
     /// Which way along the shelf, and how far, the history lies that is being worked out anew.
     came: Option<(Way, usize)>,
+    /// The history is there only until the picture is that the program was opened with.
+    stands_in: bool,
     /// A history is being made that was never there: since when.
     opening_since: Option<Instant>,
     /// The step of a lesson that it is opened for.

@@ -39,7 +39,7 @@ impl Session {
     /// The hover force gets stronger and larger by these factors.
     pub(super) fn change_force(&mut self, stronger: f64, larger: f64) {
         let Some(force) = self.live_force() else {
-            return self.say("this scene has no push of the mouse".to_owned());
+            return self.say("this scene has no push of the mouse: the settings (G) add one".to_owned());
         };
         let radius = force.radius * larger;
         let base = self.hand.strength().unwrap_or(force.strength) * stronger;

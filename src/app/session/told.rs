@@ -53,7 +53,8 @@ impl Session {
         let context = self.egui.egui_ctx();
         // Lines to read are no menu: nothing in them is chosen by keys.
         let has_menu = egui::Popup::is_any_open(context) && !panels::are_lines_open(context);
-        Keyboard::of(self.is_writing(), has_menu)
+        let is_on_sheet = self.panels.sheet.is_some() && context.memory(|memory| memory.focused().is_some());
+        Keyboard::of((self.is_writing(), is_on_sheet), has_menu)
     }
 
     /// A key is pressed: lines that were opened to be read close. Returns whether that is all that it does.

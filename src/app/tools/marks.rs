@@ -90,7 +90,7 @@ const ALONG: &str = "its pins move too; the Select tool (6) can turn it";
 const WITH_PINS: &str = "paused: a drag moves it with its pins";
 const ALONE: &str = "paused: a drag moves the pin, its body stays";
 /// Said of an obstacle in space before it is dragged.
-const IN_SPACE: &str = "drag: it moves in the plane that faces you, as deep as it is";
+const IN_SPACE: &str = "drag: it moves up, down and sideways as you see it, no nearer and no farther";
 /// Bonds of a body that are drawn at most.
 const MOST: usize = 4000;
 

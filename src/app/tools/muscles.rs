@@ -50,6 +50,10 @@ pub(in crate::app) struct MuscleChoice {
     pub(in crate::app) rate: f64,
 }
 
+/// Said of bonds that are muscles as of those that are none: over a body that moves the pointer is now on one, now on the other. The colour of the
+/// mark says which it is.
+const CLICK: &str = "a click makes it a muscle, or none again; a drag makes more of them";
+
 impl Default for MuscleChoice {
     fn default() -> Self {
         let (has_wave, runs) = (true, true);
@@ -248,9 +252,9 @@ impl MuscleChoice {
         let (role, words) = match no_muscle(scope, &bond, &OnceCell::new()) {
             // Nothing would become of it: nothing is marked.
             Some(why) => return vec![said(why)],
-            None if self.takes_away(&bond) => (Role::Away, "a muscle: a click takes it away"),
+            None if self.takes_away(&bond) => (Role::Away, CLICK),
             None if bond.drive.is_some() => (Role::Come, "another muscle: a click makes it as in the panel"),
-            None => (Role::Come, "no muscle yet: a click makes it one, a drag more of them"),
+            None => (Role::Come, CLICK),
         };
         let line = scope.pixel(a).zip(scope.pixel(b)).map(|(a, b)| Mark::Line(role, a, b, 4.0 * scope.scale));
         line.into_iter().chain([said(words.to_owned())]).collect()

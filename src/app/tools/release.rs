@@ -13,6 +13,10 @@ use crate::history::Do;
 
 /// What a drag is called when it is undone, with what it threw.
 const DRAG: &str = "drag";
+/// Said of a drag through bodies that began beside them, where nothing pushes; a body is looked for at so many places along the drag.
+const NO_PUSH: &str =
+    "this scene has no push of the mouse: press on a body to grab it, or add a push in the settings (G)";
+const LOOKS: u32 = 24;
 
 impl Hand {
     /// The left button was let go at a pixel.
@@ -71,8 +75,18 @@ impl Hand {
                     false => Deed { painted: Some(among), ..Deed::default() },
                 }
             }
+            Doing::Pushing if self.has_no_push(scope, at) => Deed::words(NO_PUSH.to_owned()),
             _ => Deed::default(),
         }
+    }
+
+    /// Whether a drag that is let go at a pixel went over a body that nothing pushed, since the scene has no push of the mouse.
+    fn has_no_push(&self, scope: Scope<'_>, at: DVec2) -> bool {
+        let is_dragged = self.is_dragged || is_drag(scope, [self.pressed, at]);
+        if !is_dragged || scope.shown.mouse.is_some() || scope.starts_at(self.pressed) {
+            return false;
+        }
+        (1..=LOOKS).any(|k| !scope.grip(self.pressed.lerp(at, f64::from(k) / f64::from(LOOKS))).is_empty())
     }
 
     /// Whether the button, which is about to be let go at a pixel, clicked with the hand on something that it would have led.

@@ -159,6 +159,23 @@ fn a_button_that_cuts_does_so_whatever_tool_is_taken_and_gives_that_back() {
 }
 
 #[test]
+fn a_drag_through_bodies_says_where_nothing_pushes_how_to_get_a_push() {
+    let mut net = opened("tearable-net");
+    let [from, to] = [DVec2::new(3.0, 350.0), DVec2::new(500.0, 350.0)];
+    let dragged = |net: &(Shown, Camera, Scene), to: DVec2| {
+        let mut hand = Hand::default();
+        assert!(hand.press(scope(net), from).is_empty() && hand.is_pushing());
+        hand.trace(scope(net), to);
+        hand.release(scope(net), to).words
+    };
+    assert!(dragged(&net, to).is_some_and(|words| words.contains("settings (G)")));
+    assert_eq!([from, from + DVec2::new(0.0, 300.0)].map(|to| dragged(&net, to)), [None, None], "beside all bodies");
+    net.0.mouse = opened("net").0.mouse;
+    assert!(net.0.mouse.is_some());
+    assert_eq!(dragged(&net, to), None);
+}
+
+#[test]
 fn only_the_hand_pushes() {
     let mut hand = Hand::default();
     hand.set_strength(Some(3000.0));

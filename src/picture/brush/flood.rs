@@ -60,6 +60,10 @@ impl Flood<'_> {
 
     fn set(&mut self, row: usize, from: usize, to: usize) {
         let value = 255 ^ self.flip;
+        if self.flip == 0 {
+            // The rims of strokes keep theirs.
+            self.surface.dye(row, from..to, |_, old| old < INK);
+        }
         self.surface.change(row, from..to, |run| {
             run.fill(value);
             true

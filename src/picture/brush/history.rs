@@ -134,8 +134,8 @@ impl History {
         }
     }
 
-    /// Ends the step under way. One that changed nothing is none, and leaves those that were taken back.
-    pub(super) fn commit(&mut self, grid: Grid, values: &[u8]) {
+    /// Ends the step under way; whether there is one. One that changed nothing is none, and leaves those that were taken back.
+    pub(super) fn commit(&mut self, grid: Grid, values: &[u8]) -> bool {
         let mut step = Vec::new();
         for tile in self.touched.drain(..) {
             let before = self.before[tile].take().filter(|before| {
@@ -145,13 +145,19 @@ impl History {
             step.extend(before.map(|pixels| (tile, Tile::new(pixels))));
         }
         if step.is_empty() {
-            return;
+            return false;
         }
         let step = Step(step);
-        self.bytes -= self.future.drain(..).map(|step| step.bytes()).sum::<usize>();
+        self.forget_ahead();
         self.bytes += step.bytes();
         self.past.push_back(step);
         self.drop_oldest();
+        true
+    }
+
+    /// Steps that were taken back are not done again.
+    pub(super) fn forget_ahead(&mut self) {
+        self.bytes -= self.future.drain(..).map(|step| step.bytes()).sum::<usize>();
     }
 
     /// Takes the last step back; returns the tiles that changed.

@@ -23,6 +23,9 @@ pub const LEAST_RADIUS: f64 = 0.5;
 /// Thickest brush `[px]`.
 pub const WIDEST_RADIUS: f64 = 512.0;
 
+/// Coverage from which on the ink of a stroke hides what is below it.
+const HALF: u8 = 128;
+
 /// Farthest place of a pointer, either way `[px]`: farther ones are moved here, where a pixel's fraction is still exact
 /// to nine digits.
 const FARTHEST: f64 = 1e6;
@@ -130,6 +133,18 @@ impl Mask {
     /// Coverage of each pixel, row by row from the top.
     pub fn coverage(&self) -> &[u8] {
         self.surface.values()
+    }
+
+    /// The number of the ink that strokes and fills have from now on, 0 at first: what colours numbers stand for is for whoever shows them.
+    pub fn set_ink(&mut self, number: u8) {
+        self.surface.ink = number;
+    }
+
+    /// The number of each pixel's ink, as [`Mask::coverage`]; empty: 0 everywhere.
+    ///
+    /// Model: a pixel is of the last ink that covered half of it, or more of it than was covered before.
+    pub fn inks(&self) -> &[u8] {
+        self.surface.inks()
     }
 
     /// A number that increases with every change.
@@ -259,6 +274,10 @@ impl Mask {
                 }
                 let row = if y_turned { height - 1 - row } else { row };
                 let columns = if x_turned { width - columns.end..width - columns.start } else { columns.clone() };
+                if !erases {
+                    let line = &self.line;
+                    self.surface.dye(row, columns.clone(), |k, old| line[k] >= HALF || line[k] > old);
+                }
                 self.surface.change(row, columns, |run| join(run, &self.line));
             }
         }

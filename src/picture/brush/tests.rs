@@ -74,6 +74,43 @@ fn many_small_segments_make_the_bits_of_a_long_one_twice_too() {
 }
 
 #[test]
+fn inks_lie_where_they_were_painted_last_and_are_taken_back_with_their_strokes() {
+    let mut mask = Mask::new(100, 100).unwrap();
+    let ink = |mask: &Mask, x: usize, y: usize| mask.inks().get(100 * y + x).copied().unwrap_or(0);
+    stroke(&mut mask, INK(20.0), &[[50.0, 50.0]]);
+    assert!(mask.inks().is_empty(), "one ink alone takes no memory");
+    let (covered, version) = (mask.coverage().to_vec(), mask.version());
+    mask.set_ink(3);
+    stroke(&mut mask, INK(4.0), &[[50.0, 50.0]]);
+    assert!(mask.coverage() == covered && mask.version() > version, "an eye covers no more");
+    assert_eq!([ink(&mask, 50, 50), ink(&mask, 58, 50)], [3, 0]);
+    stroke(&mut mask, INK(4.0), &[[50.0, 50.0]]);
+    mask.set_ink(5);
+    stroke(&mut mask, INK(6.0), &[[70.0, 50.0], [90.0, 50.0]]);
+    assert_eq!([ink(&mask, 85, 50), ink(&mask, 68, 50), ink(&mask, 50, 50)], [5, 5, 3]);
+    let rim = (0..10_000).filter(|&k| mask.coverage()[k] > 0 && covered[k] == 0);
+    assert!(rim.into_iter().all(|k| mask.inks()[k] == 5), "the rim of a fin is of its ink");
+    assert!(mask.undo() && ink(&mask, 85, 50) == 0 && mask.coverage() == covered);
+    assert!(mask.undo() && ink(&mask, 50, 50) == 0 && mask.coverage() == covered, "the same stroke twice is one step");
+    assert!(mask.undo() && !mask.can_undo() && area(&mask) == 0.0);
+    assert!(mask.redo() && mask.redo() && ink(&mask, 50, 50) == 3 && mask.can_redo());
+    // A step of coverage alone forgets the inks that were taken back, too.
+    stroke(&mut mask, ERASER(4.0), &[[50.0, 50.0]]);
+    assert!(!mask.can_redo() && mask.undo() && ink(&mask, 50, 50) == 3);
+}
+
+#[test]
+fn a_fill_is_of_its_ink_and_leaves_the_stroke_around_it_its_own() {
+    let mut mask = Mask::new(256, 256).unwrap();
+    mask.set_ink(1);
+    ring(&mut mask, INK(6.0), 60.0);
+    mask.set_ink(2);
+    mask.fill(INK(6.0), [128.0, 128.0]);
+    let ink = |x: usize| mask.inks()[256 * 128 + x];
+    assert_eq!([ink(128), ink(128 + 50), ink(128 + 60), ink(10)], [2, 2, 1, 0]);
+}
+
+#[test]
 fn mirrored_strokes_are_symmetric_bit_for_bit() {
     for (width, height) in [(101, 64), (64, 33)] {
         for mirror in [Mirror::Vertical, Mirror::Horizontal, Mirror::Both] {

@@ -270,11 +270,11 @@ pub(super) fn of_method(ui: &mut Ui, method: &Method, facts: &Facts, sink: &mut 
     }
     of_order(ui, method, sink);
     let strain = (method.max_strain.map(|strain| 100.0 * strain), 1.0, 1e-4..=50.0);
-    if let Some((by, to)) = chosen(ui, ("strain of rods", " %"), strain, |x| format!("{} %", shown(x, 4))) {
+    if let Some((by, to)) = chosen(ui, ("stretch of rigid bonds", " %"), strain, |x| format!("{} %", shown(x, 4))) {
         sink.method(&by, MethodSetting::MaxStrain(to.map(|percent| 0.01 * percent)));
     }
     let budget = (method.budget.filter(|ms| *ms < NO_BOUND), 6.0, 0.1..=1000.0);
-    if let Some((by, to)) = chosen(ui, ("work a frame", " ms"), budget, |x| format!("{} ms", shown(x, 1))) {
+    if let Some((by, to)) = chosen(ui, ("work in a frame, at most", " ms"), budget, |x| format!("{} ms", shown(x, 1))) {
         sink.method(&by, MethodSetting::Budget(to));
     }
     let (mut sleeps, mut settles) = (method.sleeps, method.settles);
@@ -292,7 +292,7 @@ pub(super) fn of_method(ui: &mut Ui, method: &Method, facts: &Facts, sink: &mut 
 /// In which order a sweep takes the bonds.
 fn of_order(ui: &mut Ui, method: &Method, sink: &mut Sink<'_>) {
     let words = |order: Order| match order {
-        Order::Auto => "as the rules choose",
+        Order::Auto => "automatic",
         Order::Fixed => "as they are listed",
         Order::Symmetric => "forth, then back",
         Order::Coloured => "by colours",
@@ -330,9 +330,9 @@ const TOLERANCES: [(f64, &str); 5] =
 
 /// What is fixed when a history begins: another one begins at this moment.
 fn of_fixed(ui: &mut Ui, (precision, tolerance): (PrecisionName, Option<f64>), sink: &mut Sink<'_>) {
-    let told = "it goes on from this moment as a history of its own; Ctrl+Z goes back";
+    let told = "Another choice begins a new scene at this moment; Ctrl+Z goes back to this one";
     let words = |name: PrecisionName| match name {
-        PrecisionName::Auto => "as the rules choose",
+        PrecisionName::Auto => "automatic",
         PrecisionName::F32 => "32 bits",
         PrecisionName::F64 => "64 bits",
     };
@@ -356,8 +356,8 @@ fn of_fixed(ui: &mut Ui, (precision, tolerance): (PrecisionName, Option<f64>), s
             }
         }
     });
-    let more = "`wobble simulate` looks for the cheapest setting that keeps it; here nothing sleeps under one, or is handed over";
-    shown.response.on_hover_text(format!("{more}; {told}"));
+    let more = "the error that the motion may have. While one is chosen bodies never fall asleep, and each keeps its own method however long that takes; `wobble simulate` finds the cheapest method that keeps it";
+    shown.response.on_hover_text(format!("{more}. {told}"));
 }
 
 /// Counted work of a frame from which on none is a bound `[ms]`.
@@ -372,7 +372,7 @@ fn chosen(
 ) -> Option<(Response, Option<f64>)> {
     let mut is_given = value.is_some();
     ui.horizontal(|ui| {
-        let switch = ticks::check(ui, &mut is_given, name).on_hover_text("off: as the rules choose");
+        let switch = ticks::check(ui, &mut is_given, name).on_hover_text("off: it is chosen automatically");
         if switch.changed() {
             return Some((switch, is_given.then_some(first)));
         }

@@ -2,6 +2,7 @@
 
 mod fields;
 mod labels;
+mod marked;
 mod names;
 mod push;
 mod sections;
@@ -167,7 +168,7 @@ fn panel(
     let shown = area.show(context, |ui| {
         floating(ui).show(ui, |ui| {
             ui.set_width(width);
-            let mut entered: Option<Response> = None;
+            let (mut entered, mut is_new): (Option<Response>, bool) = (None, false);
             ui.horizontal(|ui| {
                 as_high_as_buttons(ui);
                 ui.label(RichText::new("Settings").color(colors(ui).text).strong());
@@ -187,6 +188,7 @@ fn panel(
                         field.request_focus();
                     }
                     let field = field.on_hover_text(described("search the settings", Action::FindSetting));
+                    is_new = field.changed();
                     let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(egui::Key::Enter));
                     entered = is_entered.then_some(field);
                 });
@@ -196,7 +198,7 @@ fn panel(
             entered.iter().filter(|_| found.is_empty()).for_each(Response::request_focus);
             let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
             scroll.auto_shrink([true, !is_fixed]).show(ui, |ui| {
-                all(ui, facts, &found, &mut sink);
+                marked::show(ui, (search, is_new), |ui| all(ui, facts, &found, &mut sink));
                 if found.is_empty() {
                     ui.label(RichText::new("no setting found: try another word").color(colors(ui).weak));
                 }
