@@ -2,17 +2,19 @@
 
 use super::Live;
 use super::cluster::Cluster;
-use super::ground::grounded;
+use super::ground::supported;
 use crate::sim::environment::Environment;
 use crate::sim::measure;
 use crate::sim::points::Points;
 use crate::sim::real::Real;
 use crate::sim::vector::{dot, zero};
 
-/// How long a cluster stays where it is before it sleeps `[s]`.
+/// How long a cluster stays where it is before it sleeps `[s]`; and so long what touches something while all of it hangs, which swings: at its
+/// turning points it is slow for less.
 const STILL_TIME: f64 = 0.5;
+const HANGING_TIME: f64 = 4.0;
 /// How far its points may get from where they were within that time, in mean edges of their skins: of bodies that touch something, hops
-/// apart, and of others, which nothing stops: they fly, or hang and swing.
+/// apart, and of others, which nothing stops.
 const STILL_WAY: [f64; 2] = [0.1, 5e-4];
 /// The same at most `[m]`: 1 cm/s.
 const MOST_WAY: f64 = 5e-3;
@@ -33,9 +35,8 @@ const MOST_DRAG: f64 = 10.0;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Rest {
     pub(super) is_asleep: bool,
-    /// It touched something in the last step, but neither it nor what it touches lies on the ground.
+    /// It touched something in the last step.
     pub(super) touches: bool,
-    hangs: bool,
     /// Since when its points are about where they are `[s]`.
     since: Option<f64>,
     /// How long it has been slow and touched something, hops apart `[s]`, and how long of that it did not slide.
@@ -43,8 +44,9 @@ pub(super) struct Rest {
     calm: f64,
     /// How long more of its contacts have slid than held `[s]`.
     slid: f64,
-    /// How long it has touched nothing `[s]`.
+    /// How long it has touched nothing `[s]`, and how long it has been unsupported.
     aloft: f64,
+    hung: f64,
     /// Its share of the energy that its cluster owes `[J]`.
     pub(super) debt: f64,
     /// How it lies in others, and whether pins hold it there.
@@ -142,7 +144,7 @@ impl<S: Real> Live<S> {
         for on in cluster.on_planes.iter().filter(|on| on.contact.pressed > S::ZERO) {
             note(on.p, on.slips);
         }
-        let lies = grounded(cluster);
+        let supported = supported(cluster, around.gravity);
         let all = cluster.bodies.iter().map(|&body| self.bodies.list[body].points.len() as f64).sum::<f64>();
         for (k, &body) in cluster.bodies.iter().enumerate() {
             let range = cluster.bases[k] as usize..cluster.bases[k + 1] as usize;
@@ -164,17 +166,16 @@ impl<S: Real> Live<S> {
             };
             rest.is_tethered = cluster.sunk[k] && cluster.tethers.holds(k);
             rest.touches = sticks + slips > 0;
-            // What hops has left the ground for a moment.
-            rest.hangs = if rest.touches { !lies[k] } else { rest.hangs };
             rest.aloft = if rest.touches { 0.0 } else { rest.aloft + h };
+            rest.hung = if rest.touches && supported[k] { 0.0 } else { rest.hung + h };
             let slow = S::from_f64(SLOW[usize::from(cluster.is_rigid(k as u32))]);
-            let is_slow = square < slow * slow && rest.aloft < HOP && self.settles && !driven.contains(&body);
+            let is_slow = square < slow * slow && rest.hung < HOP && self.settles && !driven.contains(&body);
             // What hops settles where it touches, and what slides on is slowed down by friction alone.
             let goes_on = if rest.touches { h } else { 0.0 };
             rest.slow = if is_slow { rest.slow + goes_on } else { 0.0 };
             rest.calm = if is_slow && slips <= sticks { rest.calm + goes_on } else { 0.0 };
             rest.slid = if slips > sticks { rest.slid + h } else { 0.0 };
-            let drag = if rest.touches && !rest.hangs { GROWTH * (rest.calm - CALM) } else { 0.0 };
+            let drag = if rest.touches { GROWTH * (rest.calm - CALM) } else { 0.0 };
             self.settling[body] = S::from_f64(drag.clamp(0.0, MOST_DRAG));
         }
     }
@@ -212,8 +213,10 @@ impl<S: Real> Live<S> {
         let of = &self.bodies.list[body];
         let scale = if of.edge_length > S::ZERO { of.edge_length } else { S::from_f64(0.1) };
         let rest = self.rests[body];
-        let lies = rest.aloft < HOP && !rest.hangs;
-        let share = S::from_f64(STILL_WAY[usize::from(!lies)]);
+        let lies = rest.hung < HOP;
+        let hangs = !lies && rest.aloft < HOP;
+        let share = S::from_f64(STILL_WAY[usize::from(!lies && !hangs)]);
+        let time = if hangs { HANGING_TIME } else { STILL_TIME };
         let slots = &self.bodies.order[of.points.range()];
         let is_speedless = || slots.iter().all(|&slot| points.velocity[slot as usize] == zero());
         let is_lazy = lies && ((rest.slow > LONG && rest.slid < HOP) || is_speedless());
@@ -224,7 +227,7 @@ impl<S: Real> Live<S> {
             |(&slot, at): (&u32, &[S; 2])| (0..2).all(|k| (points.position[slot as usize][k] - at[k]).abs() <= most);
         let rest = &mut self.rests[body];
         match rest.since {
-            Some(since) if slots.iter().zip(anchor.iter()).all(is_near) => t - since >= STILL_TIME,
+            Some(since) if slots.iter().zip(anchor.iter()).all(is_near) => t - since >= time,
             _ => {
                 slots.iter().zip(anchor).for_each(|(&slot, at)| *at = points.position[slot as usize]);
                 rest.since = Some(t);

@@ -31,16 +31,20 @@ pub(super) fn look_at_obstacles<S: Real>(state: &mut Cluster<S>, common: &Common
     }
     let mut touches = std::mem::take(&mut state.touches);
     touches.clear();
-    let farthest = state.promised_far.iter().fold(S::ZERO, |most, &promised| most.max(promised));
+    // Bonds and contacts lead a point by as much within a substep as the fastest goes.
+    let led = state.pushed().max(state.fastest() * state.span);
+    let farthest = led + state.promised_far.iter().fold(S::ZERO, |most, &promised| most.max(promised));
     let is_free = |i: &usize| state.w[*i] != S::ZERO;
     for (number, surface) in common.planes.iter().enumerate() {
-        for i in (0..state.now.len()).filter(is_free).filter(|&i| surface.gap(state.now[i]) < state.promised_far[i]) {
+        for i in
+            (0..state.now.len()).filter(is_free).filter(|&i| surface.gap(state.now[i]) < led + state.promised_far[i])
+        {
             touches.push(Touch::new(Kind::Plane(number as u32), [i as u32; 3], common));
         }
     }
     let Some(extent) = crate::sim::measure::extent(&state.now) else { return };
     for (number, solid) in common.solids.iter().enumerate().filter(|(_, solid)| solid.is_near(extent, farthest)) {
-        near_solid(state, common, (number as u32, solid), &mut touches);
+        near_solid(state, common, (number as u32, solid, led), &mut touches);
     }
     // Points last: what they say holds exactly.
     touches.sort_by_key(|touch| (std::cmp::Reverse(rank(touch.kind)), touch.points));
@@ -61,14 +65,14 @@ fn rank(kind: Kind) -> u32 {
     }
 }
 
-/// What of skins is near a ball or a box.
+/// What of skins is near a ball or a box, points of it led by so much within a substep `[m]`.
 fn near_solid<S: Real>(
     state: &Cluster<S>,
     common: &Common<S>,
-    (number, solid): (u32, &Solid<S>),
+    (number, solid, led): (u32, &Solid<S>, S),
     touches: &mut Vec<Touch<S>>,
 ) {
-    let reach = |points: &[u32]| points.iter().fold(S::ZERO, |most, &i| most.max(state.promised_far[i as usize]));
+    let reach = |points: &[u32]| led + points.iter().fold(S::ZERO, |most, &i| most.max(state.promised_far[i as usize]));
     let is_near = |points: &[u32]| {
         let mut extent = [[S::INFINITY; 3], [-S::INFINITY; 3]];
         for x in points.iter().map(|&i| state.now[i as usize]) {
