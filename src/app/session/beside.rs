@@ -179,7 +179,7 @@ impl Session {
         let first = of(0, &format!("this scene: {}", shown.title), rests(shown.rests).to_owned());
         let others = shown.beside.iter().zip(1..).map(|(world, place)| {
             let apart = world.farthest.map(|most| apart(unit, most, size));
-            let all: Vec<&str> = apart.as_deref().into_iter().chain([rests(world.rests)]).collect();
+            let all: Vec<&str> = apart.as_deref().into_iter().chain([rests(world.rests), &world.kept]).collect();
             let words = all.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join(", ");
             of(place, &world.title, if world.words.is_empty() { words } else { world.words.clone() })
         });
