@@ -53,6 +53,8 @@ impl Autosave {
                 continue;
             }
             lock.lock()?;
+            // What another session of that name has left is not of this log.
+            besides(&path).iter().try_for_each(|file| remove(file))?;
             let (last, redo) = (LastState::new(&path), RedoFile::new(&path));
             return Ok(Autosave { lines: Lines::new(path), last, redo, lock, lock_path, due: f64::NEG_INFINITY });
         }
@@ -137,8 +139,13 @@ fn called_of(log: &Path) -> PathBuf {
 
 /// Removes a session's files, the one that it is found by last but for the lock.
 fn remove_all(path: &Path, lock_path: &Path) -> io::Result<()> {
-    let [state, new] = last::files(path);
-    [&new, &state, &called_of(path), &redo_file::file(path), path, lock_path].into_iter().try_for_each(remove)
+    besides(path).iter().map(PathBuf::as_path).chain([path, lock_path]).try_for_each(remove)
+}
+
+/// The files beside a log, which mean nothing without it.
+fn besides(log: &Path) -> [PathBuf; 4] {
+    let [state, new] = last::files(log);
+    [new, state, called_of(log), redo_file::file(log)]
 }
 
 fn remove(path: &Path) -> io::Result<()> {

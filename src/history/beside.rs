@@ -37,6 +37,7 @@ pub struct Companion {
     /// Positions before the last step, and when that began `[s]`.
     previous: (Vec<f64>, f64),
     refused: Option<String>,
+    kept_own: Option<String>,
 }
 
 /// What of a log a companion follows: so many commands of a branch.
@@ -79,7 +80,8 @@ impl Companion {
         keyframes.bound(MOST_BYTES, frame.world.time());
         keyframes.keep(0, frame.clone(), false);
         let (kept, previous) = (Kept::at(&frame), (flat(&*frame.world), frame.world.time()));
-        Ok(Companion { entry: entry.clone(), title, scene, frame, branch: 0, keyframes, kept, previous, refused: None })
+        let (entry, branch, refused, kept_own) = (entry.clone(), 0, None, None);
+        Ok(Companion { entry, title, scene, frame, branch, keyframes, kept, previous, refused, kept_own })
     }
 
     /// What stands above it.
@@ -117,9 +119,14 @@ impl Companion {
         self.frame.dress.tints()
     }
 
-    /// The last command that it could not do, or that it passed over for what is its own, with its time: what it shows since is of another log.
+    /// The last command that it could not do, with its time: what it shows since is of another log.
     pub fn refused(&self) -> Option<&str> {
         self.refused.as_deref()
+    }
+
+    /// What it kept of its own at the last command that sets some of that, with the time.
+    pub fn kept_own(&self) -> Option<&str> {
+        self.kept_own.as_deref()
     }
 
     /// Where its points are at `time` `[s]`, which lies in its last step, on straight lines between its ends `[m]`, as many numbers a
@@ -181,7 +188,7 @@ impl Companion {
         }
         self.previous = (flat(&*self.frame.world), self.frame.world.time());
         self.kept = Kept::at(&self.frame);
-        self.refused = None;
+        (self.refused, self.kept_own) = (None, None);
     }
 
     fn step(&mut self) {
@@ -203,7 +210,7 @@ impl Companion {
                     self.apply(&Do::Set(Box::new(left)), entry.at);
                 }
                 if !kept.is_empty() {
-                    self.refused = Some(format!("at {:.2} s it kept its own {}", entry.at, kept.join(" and ")));
+                    self.kept_own = Some(format!("at {:.2} s it kept its own {}", entry.at, kept.join(" and ")));
                 }
             }
             // A step that is longer than the cursor's way ends after it.

@@ -59,11 +59,16 @@ impl Own<'_> {
     /// What a command that sets something sets here, if anything: nothing of the method, nothing that is its own. Then what of it is kept, in words.
     pub(super) fn left_of(&self, keys: &SetKeys) -> (Option<SetKeys>, Vec<&'static str>) {
         let mut left = SetKeys { method: None, ..keys.clone() };
-        let is_listed = |bond: &u32| (*bond as usize) < self.listed;
-        if self.entry.owns("bonds") && left.bonds.iter().flatten().any(is_listed) {
-            return (None, vec!["bonds"]);
-        }
         let mut kept = Vec::new();
+        let bonds = left.bonds.as_ref().filter(|_| self.entry.owns("bonds"));
+        let stays: Vec<bool> = bonds.into_iter().flatten().map(|bond| *bond as usize >= self.listed).collect();
+        if stays.contains(&false) {
+            kept.push("bonds");
+            if !stays.contains(&true) {
+                return (None, kept);
+            }
+            left = left.among(&stays);
+        }
         let mut keep = |key: &str, is_set: bool, words: &'static str| {
             let is_kept = is_set && self.entry.owns(key);
             if is_kept {
@@ -84,5 +89,29 @@ impl Own<'_> {
             left.bounds = None;
         }
         (Some(left).filter(|left| *left != SetKeys::default()), kept)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::history::OneOrEach;
+    use crate::scene::BondList;
+
+    #[test]
+    fn of_bonds_that_are_set_those_that_the_scene_lists_keep_their_own_numbers() {
+        let entry = BesideKeys { bonds: Some(BondList::default()), ..BesideKeys::default() };
+        let own = Own { entry: &entry, listed: 2 };
+        let set = |bonds: &[u32], stiffness: &[f64]| SetKeys {
+            bonds: Some(bonds.to_vec()),
+            stiffness: Some(OneOrEach::Each(stiffness.to_vec())),
+            over: Some(0.5),
+            ..SetKeys::default()
+        };
+        let of_some = own.left_of(&set(&[3, 0, 2, 1], &[30.0, 0.5, 20.0, 10.0]));
+        assert_eq!(of_some, (Some(set(&[3, 2], &[30.0, 20.0])), vec!["bonds"]));
+        assert_eq!(own.left_of(&set(&[0, 1], &[1.0, 2.0])), (None, vec!["bonds"]));
+        let later = set(&[2, 3], &[1.0, 2.0]);
+        assert_eq!(own.left_of(&later), (Some(later.clone()), Vec::new()));
     }
 }

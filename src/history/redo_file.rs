@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! {"wobble_redo": 1, "after": c,             of the log's commands the first c are done before these
+//!  "last": {"at": t, "do": kind},            the last of them, so that it is told from another log; null: there is none
 //!  "commands": [...],                        what was undone, and what was done between
 //!  "steps": [{"place": p, "name": words}]}   redo leads to after p commands in all, the last step first
 //! ```
@@ -14,6 +15,7 @@ use serde_json::{Value, json};
 use super::branch::Spot;
 use super::command::Entry;
 use super::session::History;
+use super::start::{Recording, Start};
 use super::undo::Redo;
 use super::write::write_entry;
 use crate::output;
@@ -26,10 +28,37 @@ const VERSION: u64 = 1;
 pub(super) struct Undone {
     /// How many commands of the log are done before these.
     pub(super) after: usize,
+    /// The last one of those.
+    pub(super) last: Option<Last>,
     /// All that the first of the steps comes to, times ascending.
     pub(super) commands: Vec<Entry>,
     /// How many commands are done in all after each step of redo, and what it is called; the last one comes next.
     pub(super) steps: Vec<(usize, String)>,
+}
+
+/// What a command is known by: when it is done `[s]`, and of which kind it is.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Last {
+    at: f64,
+    kind: String,
+}
+
+impl Last {
+    /// The last one of some commands; `None`: there is none.
+    fn of(commands: &[Entry]) -> Option<Self> {
+        let last = commands.last()?;
+        let kind = last.to_object().get("do").and_then(Value::as_str).unwrap_or_default().to_owned();
+        Some(Last { at: last.at, kind })
+    }
+
+    /// As a file has it. `None`: it is damaged.
+    fn read(value: &Value) -> Option<Option<Self>> {
+        if value.is_null() {
+            return Some(None);
+        }
+        let (at, kind) = (value.get("at")?.as_f64()?, value.get("do")?.as_str()?.to_owned());
+        Some(Some(Last { at, kind }))
+    }
 }
 
 /// Where the steps of redo lead: the commands that they share with the log, and branches with so many of their commands.
@@ -75,8 +104,10 @@ impl RedoFile {
         let Some(undone) = history.undone_steps().filter(|_| self.written != reaches) else { return Ok(()) };
         let step = |(place, name): &(usize, String)| json!({ "place": place, "name": name });
         let steps: Vec<Value> = undone.steps.iter().map(step).collect();
+        let last = undone.last.as_ref().map(|last| json!({ "at": last.at, "do": last.kind }));
+        let last = last.unwrap_or(Value::Null);
         let written = output::replace(&self.path, |to| {
-            write!(to, "{{\"wobble_redo\":{VERSION},\"after\":{},\"commands\":[", undone.after)?;
+            write!(to, "{{\"wobble_redo\":{VERSION},\"after\":{},\"last\":{last},\"commands\":[", undone.after)?;
             for (number, entry) in undone.commands.iter().enumerate() {
                 to.write_all(if number == 0 { b"\n" } else { b",\n" })?;
                 write_entry(&mut *to, entry, history.scene())?;
@@ -99,6 +130,7 @@ pub(super) fn read(log: &Path, commands: &[Entry]) -> Option<Undone> {
     let step = |step: &Value| Some((place(step.get("place")?)?, step.get("name")?.as_str()?.to_owned()));
     let undone = Undone {
         after: place(value.get("after")?)?,
+        last: Last::read(value.get("last")?)?,
         commands: value
             .get("commands")?
             .as_array()?
@@ -111,12 +143,13 @@ pub(super) fn read(log: &Path, commands: &[Entry]) -> Option<Undone> {
 }
 
 impl Undone {
-    /// Whether it goes on after the first commands of a log, and its steps lead backwards along it.
+    /// Whether it goes on after the first commands of a log, of which the last is the one that it knows, and its steps lead backwards along it.
     fn fits(&self, log: &[Entry]) -> bool {
         let Some(shared) = log.get(..self.after) else { return false };
         let times: Vec<f64> = shared.last().into_iter().chain(&self.commands).map(|entry| entry.at).collect();
         let end = self.after + self.commands.len();
-        times.is_sorted()
+        Last::of(shared) == self.last
+            && times.is_sorted()
             && self.steps.first().is_some_and(|(place, _)| *place == end)
             && self.steps.iter().all(|(place, _)| *place > self.after)
             && self.steps.windows(2).all(|pair| pair[1].0 < pair[0].0)
@@ -125,8 +158,8 @@ impl Undone {
 
 impl History {
     /// The steps of redo that lead on from the log of the present branch, the last one first to come. What leads elsewhere, as back to before a
-    /// start was gone to, is not among them.
-    fn steps_on(&self) -> &[Redo] {
+    /// start was gone to, is not among them, nor is what leads nowhere, as a branch that is discarded again.
+    fn steps_on(&self) -> Vec<&Redo> {
         let (branch, count) = self.log();
         let shared = |of: usize| self.tree.common(of, branch).min(count);
         let leads_on = |redo: &Redo| {
@@ -138,10 +171,12 @@ impl History {
             let Some(((of, place), (of_next, next_place))) = redo.reaches().zip(next.reaches()) else { return false };
             next_place > place && self.tree.common(of, of_next) >= place && shared(of) == shared(of_next)
         };
-        let first = (0..self.undone.len()).rev().take_while(|&k| {
-            leads_on(&self.undone[k]) && self.undone.get(k + 1).is_none_or(|redo| goes_on(redo, &self.undone[k]))
-        });
-        first.last().map_or(&[], |first| &self.undone[first..])
+        let steps: Vec<&Redo> = self.undone.iter().filter(|redo| redo.spot().is_some()).collect();
+        let first = (0..steps.len())
+            .rev()
+            .take_while(|&k| leads_on(steps[k]) && steps.get(k + 1).is_none_or(|redo| goes_on(redo, steps[k])))
+            .last();
+        first.map_or_else(Vec::new, |first| steps[first..].to_vec())
     }
 
     /// Where those steps lead; `None`: there are none.
@@ -149,7 +184,7 @@ impl History {
         let steps = self.steps_on();
         let (branch, count) = self.log();
         let (of, _) = steps.first()?.reaches()?;
-        Some((self.tree.common(of, branch).min(count), steps.iter().filter_map(Redo::reaches).collect()))
+        Some((self.tree.common(of, branch).min(count), steps.iter().filter_map(|redo| redo.reaches()).collect()))
     }
 
     /// Those steps with the commands that they bring; `None`: there are none.
@@ -158,16 +193,23 @@ impl History {
         let steps = self.steps_on();
         let (of, end) = steps.first()?.reaches()?;
         let commands = (after..end).filter_map(|place| self.tree.entry(of, place)).cloned().collect();
+        let shared = after.checked_sub(1).and_then(|last| self.tree.entry(of, last));
         Some(Undone {
             after,
+            last: shared.and_then(|last| Last::of(std::slice::from_ref(last))),
             commands,
             steps: steps.iter().filter_map(|redo| Some((redo.reaches()?.1, redo.name().to_owned()))).collect(),
         })
     }
 
+    /// What goes on with a recording of it: redo brings again there what it does here.
+    pub fn resumed_by(&self, recording: Recording) -> Start {
+        Start::from(recording).with_undone(self.undone_steps())
+    }
+
     /// Redo brings again what was undone before the session was cut off.
     pub(super) fn bring(&mut self, undone: Undone) {
-        let Undone { after, commands, steps } = undone;
+        let Undone { after, commands, steps, .. } = undone;
         let (Some(first), Some(last)) = (commands.first().map(|entry| entry.at), commands.last().map(|entry| entry.at))
         else {
             return;

@@ -83,6 +83,44 @@ fn a_disk_that_cannot_be_written_is_a_note_and_what_was_undone_is_not_saved() {
 }
 
 #[test]
+fn what_another_session_of_its_name_has_left_is_not_offered_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = Autosave::begin(folder.path()).unwrap();
+    let beside = ["redo", "state", "called"].map(|ending| first.path().with_extension(ending));
+    let path = first.path().to_owned();
+    first.end().unwrap();
+    beside.iter().for_each(|file| std::fs::write(file, "{}").unwrap());
+    let again = Autosave::begin(folder.path()).unwrap();
+    assert_eq!(again.path(), path);
+    assert!(!beside.iter().any(|file| file.exists()));
+    again.end().unwrap();
+}
+
+#[test]
+fn a_branch_that_redo_discards_again_takes_nothing_else_from_redo() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut live = history("rim");
+    let mut saved = Autosave::begin(folder.path()).unwrap();
+    play(&mut live, 50);
+    live.give(vec![strength(50.0)], Some("first")).unwrap();
+    play(&mut live, 50);
+    live.go_to(0.0);
+    live.give(vec![strength(60.0)], Some("second")).unwrap();
+    play(&mut live, 50);
+    live.give(vec![strength(70.0)], Some("third")).unwrap();
+    assert_eq!(live.undo().unwrap().name, "third");
+    let other = live.branches().into_iter().find(|view| !view.is_present).unwrap();
+    live.discard_branch(other.number).unwrap();
+    assert!(live.undo().unwrap().name.starts_with("discard"));
+    saved.write(&live).unwrap();
+    drop(saved);
+    let left = Autosave::left(folder.path()).pop().unwrap();
+    let mut heir = History::new(left.start().unwrap()).unwrap();
+    heir.go_to(heir.end());
+    assert_eq!(heir.redo().unwrap().name, "third");
+}
+
+#[test]
 fn redo_brings_again_what_was_undone_before_a_session_was_cut_off() {
     let folder = tempfile::tempdir().unwrap();
     let mut live = history("rim");
@@ -133,7 +171,9 @@ fn redo_brings_again_what_was_undone_before_a_session_was_cut_off() {
     // What is damaged, or of another log, brings nothing, and the session is gone on with all the same.
     let text = std::fs::read_to_string(&beside).unwrap();
     let far = text.replacen("\"after\":", "\"after\":9", 1);
-    for damaged in [&text[..text.len() / 2], "", "{}", &far] {
+    let other = text.replacen("\"last\":{\"at\":", "\"last\":{\"at\":9", 1);
+    assert_ne!(other, text);
+    for damaged in [&text[..text.len() / 2], "", "{}", &far, &other] {
         std::fs::write(&beside, damaged).unwrap();
         let heir = again(&left);
         assert_eq!((hash(&heir), heir.redoes()), (end.clone(), None), "{damaged}");

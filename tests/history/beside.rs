@@ -248,7 +248,7 @@ fn a_command_that_sets_what_is_its_own_is_passed_over_and_told_and_any_other_is_
         (0..30).for_each(|_| history.step());
         bring(&mut history);
         let companion = &history.companions()[0];
-        (hash(&history), places(companion), companion.refused().map(str::to_owned))
+        (hash(&history), places(companion), companion.kept_own().map(str::to_owned))
     };
     let calm = after(None);
     assert_eq!(calm.2, None);

@@ -63,10 +63,11 @@ fn beside_each_loop_as_printed_is_the_right_world_of_its_points_which_moves_as_i
 fn beside_springs_as_printed_are_the_springs_of_the_gallery() {
     let scene = Scene::load("spring-damper-as-printed").unwrap();
     let right = Scene::load("spring-damper").unwrap();
-    // Where a hand leads a point hangs on the steps, so these are the same then.
+    // Where a hand leads a point hangs on the steps, so these are the same then. Rounding of 2,000 steps of some m/s is 1e-11 m; springs
+    // that are stiffer by a share of 1e-6 come to 1e-6 m in 2 s.
     let substep = scene.beside[0].method.substep;
     let as_short = Scene { method: MethodKeys { substep, ..right.method.clone() }, ..right.clone() };
-    for (commands, right, within) in [(Vec::new(), right, 1e-5), (handled(&scene), as_short, 1e-9)] {
+    for (commands, right, within) in [(Vec::new(), right, 1e-5), (handled(&scene), as_short, 1e-6)] {
         let recording = Recording { commands: commands.clone(), ..scene.clone().into() };
         let mut companion = Companion::new(&recording, &scene.beside[0]).unwrap();
         let alone = Recording { commands: commands.clone(), ..right.into() };

@@ -116,3 +116,40 @@ fn a_swing_with_a_load_swings_on() {
     let expected = f64::exp(-0.05 * 12.0);
     assert!(first > 0.1 && (0.6 * expected..1.2 * expected).contains(&(last / first)), "{first} m, {last} m");
 }
+
+/// The first time at which a world sleeps, until `most` `[s]`, and how it is then.
+fn asleep_within(scene: &Value, most: f64) -> (Option<f64>, f64) {
+    let mut world = super::world(scene);
+    while world.time() < most && !world.is_asleep() {
+        world.step();
+    }
+    (world.is_asleep().then(|| world.time()), super::fastest(&world.sample(world.time())))
+}
+
+/// Nothing of it lies on the ground: drag of a rate c takes its swings by exp(-c t / 2), from a sag of 0.4 m to 1 mm in 15 s.
+#[test]
+fn a_bridge_with_a_box_on_it_falls_asleep() {
+    let links = [[0, 5], [4, 9], [8, 13], [12, 17], [16, 21], [20, 1]];
+    let link = |[a, b]: [u32; 2]| json!({"a": a, "b": b, "kind": "spring", "stiffness": 20_000, "damping": 100});
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "drag_rate": 0.8, "contact": {"friction": 0.6, "radius": 0.01},
+        "points": {"position": [[-1.5, 0], [1.5, 0]], "pinned": [0, 1]}, "bonds": links.map(link),
+        "bodies": [
+            {"make": "box", "width": 0.5, "height": 0.12, "supports": 2, "origin": [-1.2, -0.06],
+                "material": {"kind": "rigid", "mass": 6}, "repeat": {"count": [5, 1], "step": [0.6, 0]}},
+            {"make": "box", "width": 0.4, "height": 0.4, "supports": 2, "origin": [0, 0.225],
+                "material": {"kind": "rigid", "mass": 10}}]});
+    let (at, fastest) = asleep_within(&scene, 30.0);
+    assert!(at.is_some(), "{fastest} m/s after 30 s");
+}
+
+/// Two pins hold the shelf below what the box lies on.
+#[test]
+fn a_box_on_a_shelf_that_two_pins_hold_falls_asleep() {
+    let scene = json!({"wobble": 1, "gravity": [0, -9.81], "contact": {"friction": 0.5},
+        "bodies": [
+            {"make": "lattice", "columns": 8, "rows": 2, "spacing": 0.25, "pinned": [0, 7], "material": {"kind": "rigid", "mass": 5}},
+            {"make": "box", "width": 0.4, "height": 0.4, "supports": 2, "origin": [0.9, 0.6],
+                "material": {"kind": "rigid", "mass": 2}}]});
+    let (at, fastest) = asleep_within(&scene, 10.0);
+    assert!(at.is_some(), "{fastest} m/s after 10 s");
+}

@@ -35,7 +35,7 @@ type Kind = (&'static str, &'static [(Where, &'static [&'static str])]);
 const KINDS: [Kind; 30] = [
     ("AngleKeys", &[(Tool, &["points"]), (Selected, &["rest", "stiffness", "damping", "min", "max", "drive"])]),
     ("AreaKeys", &[(Settings, &["kind", "least", "stiffness"])]),
-    ("BesideKeys", &[(Beside, &["method", "title"])]),
+    ("BesideKeys", &[(Beside, &["method"]), (File, &["title", "bonds", "gravity", "drag_rate", "wind", "bounds"])]),
     (
         "BodyKeys",
         &[

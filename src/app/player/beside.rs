@@ -44,8 +44,10 @@ pub struct Beside {
     pub distances: Vec<f32>,
     /// The largest of them `[m]`, where it is at the world's time.
     pub farthest: Option<f32>,
-    /// What is to be said of it beside its title.
+    /// What is to be said of it beside its title, in place of how far it is.
     pub words: String,
+    /// What it kept of its own, to be said after how far it is; empty: nothing.
+    pub kept: String,
     /// It came to rest.
     pub rests: bool,
 }
@@ -237,6 +239,7 @@ impl Escort {
                 to.words = self.words(companion, is_there, time);
             }
             to.rests = is_there && (companion.world().is_asleep() || self.still[place].look(&places, shown_time));
+            to.kept = companion.kept_own().unwrap_or_default().to_owned();
             to.places = Places::F64(places);
             to.motion = self.motion;
             to.title = companion.words();

@@ -78,8 +78,9 @@ fn a_world_that_keeps_what_is_its_own_says_so_until_that_is_undone() {
             is_so(&shown(&mut stage).beside[0])
         })
     };
-    assert!(comes(None, &|world| world.words.ends_with(" s it kept its own drag")));
-    assert!(comes(Some(Order::Undo(None)), &|world| world.farthest.is_some() && world.words.is_empty()));
+    let is_told = |world: &Beside| world.farthest.is_some() && world.words.is_empty();
+    assert!(comes(None, &|world| is_told(world) && world.kept.ends_with(" s it kept its own drag")));
+    assert!(comes(Some(Order::Undo(None)), &|world| is_told(world) && world.kept.is_empty()));
 }
 
 #[test]

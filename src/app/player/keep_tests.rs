@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::tests::{scene, strength, wait_for};
 use super::{Keeping, Note, Order, Player};
-use crate::history::{Autosave, Left, Log, Replay, hash_now};
+use crate::history::{Autosave, History, Left, Log, Replay, hash_now};
 use crate::sim::Cursor;
 
 fn kept_in(folder: &Path) -> Keeping {
@@ -58,6 +58,39 @@ fn what_was_done_outlives_a_killed_program_and_goes_when_its_heir_ends() {
     until(|| !path.exists() && std::fs::read_dir(folder.path()).unwrap().count() == 3);
     heir.end().unwrap();
     assert!(is_empty(folder.path()), "what ended as it should leaves nothing");
+}
+
+#[test]
+fn redo_brings_again_in_the_window_what_was_undone_before_a_program_was_killed() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut player = Player::open(scene().into(), kept_in(folder.path()), || {});
+    wait_for(&mut player, Player::is_open);
+    player.give(vec![strength(7.0)], Some("calm"));
+    player.give(vec![strength(9.0)], Some("stir"));
+    player.ask(Order::Undo(None));
+    let is_redo = |path: &Path| path.extension().is_some_and(|ending| ending == "redo");
+    let has_redo =
+        || std::fs::read_dir(folder.path()).is_ok_and(|mut all| all.any(|file| is_redo(&file.unwrap().path())));
+    until(has_redo);
+    player.leave();
+    drop(player);
+    let left = Autosave::left(folder.path()).pop().unwrap();
+    let (start, path) = (left.start().unwrap(), left.path().to_owned());
+    let mut heir = Player::resume(start, Keeping { heir_of: Some(left), ..kept_in(folder.path()) }, || {});
+    heir.play(false);
+    wait_for(&mut heir, Player::is_open);
+    assert_eq!(heir.shown().figures.redoes.as_deref(), Some("stir"));
+    // Folded and worked out again it has it too, and so has its own file.
+    heir.fold();
+    heir.play(false);
+    wait_for(&mut heir, |heir| heir.is_open() && !heir.is_unfolding());
+    assert_eq!(heir.shown().figures.redoes.as_deref(), Some("stir"));
+    until(|| !path.exists());
+    heir.leave();
+    drop(heir);
+    let again = Autosave::left(folder.path()).pop().unwrap();
+    let mut history = History::new(again.start().unwrap()).unwrap();
+    assert_eq!(history.redo().unwrap().name, "stir");
 }
 
 #[test]

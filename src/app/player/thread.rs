@@ -262,7 +262,7 @@ impl Seat {
         let mut stage = match (self, &order) {
             (seat @ Seat::Folded(_), Order::Fold) => return Some(seat),
             (Seat::Folded(folded), Order::Save(path)) => {
-                notes.push(save::recording(&folded.recording, path.clone()));
+                notes.push(save::recording(folded.start.recording(), path.clone()));
                 return Some(Seat::Folded(folded));
             }
             (Seat::Played(stage), Order::Fold) => {

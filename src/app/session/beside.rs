@@ -36,6 +36,20 @@ fn apart(unit: LengthUnit, most: f32, largest: f64) -> String {
     if most <= BLOWN_UP { format!("up to {} apart", unit.words(f64::from(most))) } else { "it has blown up".to_owned() }
 }
 
+fn rests(rests: bool) -> &'static str {
+    if rests { "at rest" } else { "" }
+}
+
+/// What is said of a world beside its title: how far it is from the first one, in words, whether it rests, and what it kept of its own; or why nothing is known of
+/// that.
+fn said(world: &Beside, apart: Option<&str>) -> String {
+    if !world.words.is_empty() {
+        return world.words.clone();
+    }
+    let all = apart.into_iter().chain([rests(world.rests), &world.kept]);
+    all.filter(|words| !words.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
 impl Session {
     /// How many worlds there are side by side.
     pub(super) fn worlds(&self) -> usize {
@@ -175,13 +189,10 @@ impl Session {
         let unit = LengthUnit::of(f64::from(largest));
         let coordinates = places_of(shown, MOST_SEEN).flatten().map(f64::abs).filter(|far| far.is_finite());
         let size = coordinates.fold(0.0, f64::max);
-        let rests = |rests: bool| if rests { "at rest" } else { "" };
         let first = of(0, &format!("this scene: {}", shown.title), rests(shown.rests).to_owned());
         let others = shown.beside.iter().zip(1..).map(|(world, place)| {
             let apart = world.farthest.map(|most| apart(unit, most, size));
-            let all: Vec<&str> = apart.as_deref().into_iter().chain([rests(world.rests)]).collect();
-            let words = all.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join(", ");
-            of(place, &world.title, if world.words.is_empty() { words } else { world.words.clone() })
+            of(place, &world.title, said(world, apart.as_deref()))
         });
         std::iter::once(first).chain(others).collect()
     }
@@ -209,7 +220,7 @@ impl Session {
 
 #[cfg(test)]
 mod tests {
-    use super::{LengthUnit, apart};
+    use super::{Beside, LengthUnit, apart, said};
 
     #[test]
     fn a_world_that_has_no_numbers_left_is_said_to_have_blown_up() {
@@ -227,5 +238,19 @@ mod tests {
         assert_eq!(said(0.0, 3.0), "the same to rounding");
         assert_ne!(said(8e-16, 0.1), "the same to rounding", "of a scene as small as that it is more");
         assert_ne!(said(1e-9, 3.0), "the same to rounding");
+    }
+
+    #[test]
+    fn what_a_world_kept_of_its_own_is_said_after_how_far_it_is() {
+        let kept = "at 0.20 s it kept its own drag".to_owned();
+        let mut world = Beside { rests: true, kept, ..Beside::default() };
+        assert_eq!(
+            said(&world, Some("up to 1.50 m apart")),
+            "up to 1.50 m apart, at rest, at 0.20 s it kept its own drag"
+        );
+        world.kept.clear();
+        assert_eq!(said(&world, None), "at rest");
+        world.words = "catches up: 1.0 of 2.0 s".to_owned();
+        assert_eq!(said(&world, Some("up to 1.50 m apart")), world.words);
     }
 }

@@ -111,8 +111,8 @@ pub struct Stage {
 
 /// A history without its worlds.
 pub struct Folded {
-    /// Start and log.
-    pub recording: Recording,
+    /// Start and log, and what redo brings again.
+    pub start: Start,
     /// Where it was `[s]`.
     time: f64,
     /// `None`: as the clock of the scene has it.
@@ -123,8 +123,7 @@ pub struct Folded {
 impl Folded {
     /// What was done of a start, at its end: it stands still there.
     pub fn at_end(start: &Start) -> Self {
-        let recording = start.recording().clone();
-        Folded { time: recording.end(), recording, rate: None, playing: false }
+        Folded { start: start.clone(), time: start.recording().end(), rate: None, playing: false }
     }
 }
 
@@ -196,10 +195,11 @@ impl Stage {
         Ok(stage)
     }
 
-    /// Start and log, to be played on from here some time.
+    /// Start and log, to be played on from here some time, with what redo brings again.
     pub fn folded(&self) -> Folded {
         let Pace { rate, playing, .. } = self.pace;
-        Folded { recording: self.recording(), time: self.history.world().time(), rate: Some(rate), playing }
+        let start = self.history.resumed_by(self.recording());
+        Folded { start, time: self.history.world().time(), rate: Some(rate), playing }
     }
 
     /// The same history again, where it was folded: worked out from its start, as long as `goes_on` says so, which is told how much of it
@@ -207,7 +207,7 @@ impl Stage {
     ///
     /// Errors: as of [`History::new`].
     pub fn unfolded(folded: &Folded, goes_on: impl FnMut(f64) -> bool) -> Result<Option<Self>, HistoryError> {
-        let mut stage = Stage::new(folded.recording.clone().into())?;
+        let mut stage = Stage::new(folded.start.clone())?;
         if stage.pace.go_to_while((&mut stage.history, folded.time), None, goes_on).is_err() {
             return Ok(None);
         }
