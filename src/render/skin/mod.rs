@@ -19,6 +19,7 @@ use bytemuck::{Pod, Zeroable};
 
 use super::buffers::WorldBuffers;
 use super::counters::RenderCounters;
+use super::cover::Strands;
 use super::error::RenderError;
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
@@ -238,7 +239,9 @@ impl Worn {
         let both = || whole.iter().zip(&through);
         let mut triangles: Vec<Corner> =
             both().flat_map(|(corners, &is)| corners.map(|point| corner(point, is))).collect();
-        let has_picture = |point: u32| (point.wrapping_sub(skin.first) as usize) < skin.texture.len();
+        let strands = Strands::of(skin, view.tints);
+        let is_of_skin = |point: u32| (point.wrapping_sub(skin.first) as usize) < skin.texture.len();
+        let has_picture = |point: u32| is_of_skin(point) && !strands.have(point);
         let mut edges = sides.edges(&skin.triangles, &whole, has_picture);
         let mut rind = Rind::default();
         if view.dimensions == 2 {
