@@ -1,11 +1,11 @@
-//! Notches that a cut leaves: triangles that lost a side are not drawn, so that an edge along a stroke has teeth. Where what lay in a notch was parted from
-//! all that is about it, a triangle between its three points closes it: the edge goes on straight, and moves with the body.
+//! Notches that a cut leaves: triangles that lost a side are not drawn, so that an edge along a stroke has teeth and steps. Triangles between points that are
+//! there close them: the edge goes on straight, and moves with the body.
 //!
 //! ```text
-//!   p ───── q     closed        Points p and q of the outline beside v are joined
-//!    ╲     ╱                    by a brace of triangles that are gone; or, where
-//!     ╲   ╱                     a mesh has no braces, the point that lay before
-//!       v                       v was cut off from p, v and q.
+//!   p ───── q     closed first  Points p and q of the outline beside v are joined by a brace of triangles that are
+//!    ╲     ╱                    gone; or the point that lay before v was cut off from p, v and q.
+//!     ╲   ╱       then          It is shallow, and p to v or v to q is a side of what was closed: the steps of a
+//!       v                       stroke that goes along no row of the mesh.
 //! ```
 
 use std::collections::BTreeSet;
@@ -14,72 +14,166 @@ use super::view::View;
 use crate::sim::Bond;
 use crate::sim::bond::lower_first;
 use crate::sim::triangles::{self, Side};
-use crate::sim::vector::{add, cross3, dot, sub};
+use crate::sim::vector::{add, cross3, dot, length, sub};
 
-/// Both ends of a bond.
+/// Both ends of a bond, or from which to which a side goes.
 type Ends = [u32; 2];
+
+/// Triangles from which on teeth are too small to be seen.
+const MOST: usize = 1 << 15;
+/// Depth of a notch beside its shorter side: what is less is straight, and what is more is none of the steps of a straight stroke `[1]`. Those of a
+/// triangular lattice are 0.33, the end of a slit is 0.87.
+const DEPTHS: [f64; 2] = [0.01, 0.5];
+/// The longest side that closes steps beside the shorter one there `[1]`.
+const LONGEST: f64 = 6.0;
+/// Where the outline comes back so near to a point after the one beside it, it goes round the end of a slit, beside the shorter side there `[1]`: of a straight
+/// edge it is no nearer than 1.73.
+const NEAR: f64 = 1.3;
+/// How often steps are closed at most: each time makes a side one step longer.
+const PASSES: usize = 8;
 
 /// Triangles that close the notches of what is left of a mesh, each gone along as those beside it are.
 ///
 /// Shapes: corners are points of the world. Valid range: points that the outline passes more than once have no notch, nor has one that is convex where the
 /// points are now. A brace across a hole, which has two, closes neither: a bond alone tore there.
 pub(super) fn closing(view: &View<'_>, triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    let sides = triangles::sides(triangles.iter().copied());
-    let is_side = |ends: Ends| sides.binary_search_by_key(&lower_first(ends), |side| side.ends).is_ok();
-    let mut corners = corners(&sides);
-    corners.retain(|&[p, _, q]| p != q && !is_side([p, q]));
-    let mut hollow = hollow(view, triangles, &corners).into_iter();
-    corners.retain(|_| hollow.next() == Some(true));
-    if corners.is_empty() {
+    if triangles.len() > MOST {
         return Vec::new();
     }
+    let mut edge = Edge::of(view, triangles);
+    let mut notches = edge.notches();
+    if notches.is_empty() {
+        return Vec::new();
+    }
+    let corners: Vec<[u32; 3]> = notches.iter().map(|notch| notch.corner).collect();
     let braces = Braces::new(triangles, &corners, view.bonds.ends().iter().map(|ends| ends.map(|end| end.0)));
     let torn = Torn::new(&corners, view.torn);
-    corners.retain(|&corner| match braces.are_at(corner) {
-        true => braces.span(corner),
-        false => torn.is_cut_off(corner),
-    });
-    let mut taken = BTreeSet::new();
-    // Two notches that share a side are not both closed.
-    corners.retain(|&[p, v, q]| {
-        let is_free = !taken.contains(&[p, v]) && !taken.contains(&[v, q]);
-        if is_free {
-            taken.extend([[p, v], [v, q]]);
+    notches.retain(|notch| braces.span(notch.corner) || torn.is_cut_off(notch.corner));
+    let mut closed = edge.close(notches);
+    for _ in 0..PASSES {
+        if edge.chords.is_empty() {
+            break;
         }
-        is_free
-    });
-    corners.into_iter().map(|[p, v, q]| [q, v, p]).collect()
+        let mut notches = edge.notches();
+        notches.retain(|notch| notch.is_shallow && edge.is_closed_beside(notch.corner));
+        let more = edge.close(notches);
+        if more.is_empty() {
+            break;
+        }
+        closed.extend(more);
+    }
+    closed
 }
 
-/// Of each corner whether what is covered goes round it by more than half: a triangle across it faces as those at it do.
-fn hollow(view: &View<'_>, triangles: &[[u32; 3]], corners: &[[u32; 3]]) -> Vec<bool> {
-    let dimensions = view.dimensions;
-    let place = |point: u32| -> [f64; 3] {
-        let at = |axis: usize| Some(dimensions * point as usize + axis).filter(|at| *at < view.current.len());
-        std::array::from_fn(
-            |axis| if axis < dimensions { at(axis).map_or(f64::NAN, |at| view.current.get(at)) } else { 0.0 },
-        )
-    };
-    let area = |corners: [u32; 3]| {
-        let [a, b, c] = corners.map(place);
-        cross3(sub(b, a), sub(c, a))
-    };
-    let mut facing = vec![[0.0; 3]; corners.len()];
-    for &triangle in triangles {
-        for point in triangle {
-            if let Ok(at) = corners.binary_search_by_key(&point, |corner| corner[1]) {
-                facing[at] = add(facing[at], area(triangle));
+/// Where what is covered goes round a point by more than half.
+struct Notch {
+    /// The point between those before and after it.
+    corner: [u32; 3],
+    is_shallow: bool,
+}
+
+/// The outline of what is covered, as far as it is closed.
+struct Edge<'a> {
+    view: &'a View<'a>,
+    /// Of the triangles that there were.
+    sides: Vec<Side>,
+    /// Sides with what is covered at their left, ascending.
+    outline: Vec<Ends>,
+    /// Points of the outline, ascending, each with where the triangles at it face, by their areas.
+    facing: Vec<(u32, [f64; 3])>,
+    /// Sides that closed a notch, the lower end first.
+    chords: BTreeSet<Ends>,
+}
+
+impl<'a> Edge<'a> {
+    fn of(view: &'a View<'a>, triangles: &[[u32; 3]]) -> Self {
+        let sides = triangles::sides(triangles.iter().copied());
+        let mut outline: Vec<Ends> = triangles::alone(&sides).map(|side| side.way).collect();
+        outline.sort_unstable();
+        let mut facing: Vec<(u32, [f64; 3])> = outline.iter().map(|way| (way[0], [0.0; 3])).collect();
+        facing.dedup_by_key(|entry| entry.0);
+        let mut edge = Edge { view, sides, outline, facing, chords: BTreeSet::new() };
+        for &corners in triangles {
+            let area = edge.area(corners);
+            for point in corners {
+                if let Ok(at) = edge.facing.binary_search_by_key(&point, |entry| entry.0) {
+                    edge.facing[at].1 = add(edge.facing[at].1, area);
+                }
             }
         }
+        edge
     }
-    corners.iter().zip(facing).map(|(&[p, v, q], facing)| dot(facing, area([q, v, p])) > 0.0).collect()
+
+    /// Where a point is `[m]`: nowhere if it is not there.
+    fn place(&self, point: u32) -> [f64; 3] {
+        let (dimensions, at) = (self.view.dimensions, self.view.current);
+        let first = dimensions * point as usize;
+        if first + dimensions > at.len() {
+            return [f64::NAN; 3];
+        }
+        std::array::from_fn(|axis| if axis < dimensions { at.get(first + axis) } else { 0.0 })
+    }
+
+    /// Twice the area of a triangle `[m²]`, along its normal.
+    fn area(&self, corners: [u32; 3]) -> [f64; 3] {
+        let [a, b, c] = corners.map(|corner| self.place(corner));
+        cross3(sub(b, a), sub(c, a))
+    }
+
+    /// Those that may be closed, ascending by their points: a triangle across one faces as what is at it does, and its third side is none yet. At the end
+    /// of a slit there is none.
+    fn notches(&self) -> Vec<Notch> {
+        let is_side = |ends: Ends| {
+            self.sides.binary_search_by_key(&ends, |side| side.ends).is_ok() || self.chords.contains(&ends)
+        };
+        let corners = corners(&self.outline);
+        let at = |point: u32| corners.binary_search_by_key(&point, |corner| corner[1]).ok().map(|at| corners[at]);
+        let long = |a: u32, b: u32| length(sub(self.place(b), self.place(a)));
+        let found = corners.iter().filter_map(|&corner| {
+            let [p, v, q] = corner;
+            if p == q || is_side(lower_first([p, q])) {
+                return None;
+            }
+            let facing = self.facing.binary_search_by_key(&v, |entry| entry.0).ok()?;
+            let area = self.area([q, v, p]);
+            let (shorter, across) = (long(p, v).min(long(v, q)), long(p, q));
+            let depth = length(area) / across / shorter;
+            let is_near = |point: u32| long(v, point) < NEAR * shorter;
+            let is_end = at(q).is_some_and(|next| is_near(next[2])) || at(p).is_some_and(|before| is_near(before[0]));
+            let is_notch = dot(self.facing[facing].1, area) > 0.0 && depth > DEPTHS[0] && !is_end;
+            is_notch.then_some(Notch { corner, is_shallow: depth <= DEPTHS[1] && across <= LONGEST * shorter })
+        });
+        found.collect()
+    }
+
+    fn is_closed_beside(&self, [p, v, q]: [u32; 3]) -> bool {
+        [[p, v], [v, q]].into_iter().any(|side| self.chords.contains(&lower_first(side)))
+    }
+
+    /// Closes notches, of two that share a side the first. Returns the triangles that do.
+    fn close(&mut self, notches: Vec<Notch>) -> Vec<[u32; 3]> {
+        let mut closed = Vec::new();
+        let mut gone = BTreeSet::new();
+        for Notch { corner: [p, v, q], .. } in notches {
+            if gone.contains(&[p, v]) || gone.contains(&[v, q]) {
+                continue;
+            }
+            gone.extend([[p, v], [v, q]]);
+            self.chords.insert(lower_first([p, q]));
+            closed.push([q, v, p]);
+        }
+        self.outline.retain(|way| !gone.contains(way));
+        self.outline.extend(closed.iter().map(|&[q, _, p]| [p, q]));
+        self.outline.sort_unstable();
+        closed
+    }
 }
 
-/// The points that the outline passes once, each between those before and after it, ascending by the middle ones.
-fn corners(sides: &[Side]) -> Vec<[u32; 3]> {
-    let mut from: Vec<Ends> = triangles::alone(sides).map(|side| side.way).collect();
+/// The points that an outline passes once, each between those before and after it, ascending by the middle ones.
+///
+/// Shapes: `from` ascends.
+fn corners(from: &[Ends]) -> Vec<[u32; 3]> {
     let mut to: Vec<Ends> = from.iter().map(|&[a, b]| [b, a]).collect();
-    from.sort_unstable();
     to.sort_unstable();
     let only = |list: &[Ends], point: u32| {
         let first = list.partition_point(|way| way[0] < point);
@@ -89,7 +183,7 @@ fn corners(sides: &[Side]) -> Vec<[u32; 3]> {
             _ => None,
         }
     };
-    from.iter().filter_map(|&[v, _]| Some([only(&to, v)?, v, only(&from, v)?])).collect()
+    from.iter().filter_map(|&[v, _]| Some([only(&to, v)?, v, only(from, v)?])).collect()
 }
 
 /// Bonds between far corners of two triangles that share a side.
@@ -123,13 +217,11 @@ impl Braces {
         Braces { ends, orphans }
     }
 
-    /// Whether the mesh has braces at a corner.
-    fn are_at(&self, corner: [u32; 3]) -> bool {
-        corner.iter().any(|point| self.ends.binary_search(point).is_ok())
-    }
-
-    fn span(&self, [p, _, q]: [u32; 3]) -> bool {
-        self.orphans.binary_search(&lower_first([p, q])).is_ok()
+    /// Whether one that lost its triangles goes across a corner, of a mesh that has others there.
+    fn span(&self, corner: [u32; 3]) -> bool {
+        let [p, _, q] = corner;
+        let is_braced = || corner.iter().any(|point| self.ends.binary_search(point).is_ok());
+        self.orphans.binary_search(&lower_first([p, q])).is_ok() && is_braced()
     }
 }
 
@@ -226,7 +318,14 @@ mod tests {
     #[test]
     fn teeth_along_a_cut_are_closed_with_and_without_braces_and_what_was_torn_need_not_be_known_where_they_are() {
         let (places, _) = lattice();
-        for (angle, before, after) in [(30.0, 0.4, 1e-9), (15.0, 0.7, 0.6), (40.0, 0.7, 0.55), (90.0, 0.4, 1e-9)] {
+        for (angle, before, after) in [
+            (7.0, 0.7, 0.25),
+            (15.0, 0.7, 0.4),
+            (30.0, 0.4, 1e-9),
+            (40.0, 0.7, 0.15),
+            (50.0, 0.7, 0.4),
+            (90.0, 0.4, 1e-9),
+        ] {
             for (is_braced, knows) in [(false, true), (true, true), (true, false)] {
                 let (mut whole, [kept, torn]) = cut(&places, is_braced, angle);
                 assert!(unevenness(&places, &whole, angle) > before, "{angle}");
@@ -244,6 +343,28 @@ mod tests {
                 let found = unevenness(&places, &whole, angle);
                 assert!(found < after, "{angle}, {is_braced}, {knows}: {found}");
             }
+        }
+    }
+
+    #[test]
+    fn a_slit_stays_open_up_to_its_end() {
+        let (places, triangles) = lattice();
+        // A stroke along the middle of a row of triangles, from the left side to the middle.
+        let is_torn = |[a, b]: &Ends| {
+            let [[x, y], [u, v]] = [a, b].map(|end| places[*end as usize]);
+            (y < 4.71) != (v < 4.71) && x + (4.71 - y) / (v - y) * (u - x) < 5.83
+        };
+        for is_braced in [false, true] {
+            let (torn, kept): (Vec<Ends>, Vec<Ends>) = bonds(&triangles, is_braced).into_iter().partition(is_torn);
+            let has = |[a, b]: Ends| torn.contains(&lower_first([a, b]));
+            let whole = triangles.iter().copied().filter(|&[a, b, c]| !(has([a, b]) || has([b, c]) || has([c, a])));
+            let closing = closed(&places, &whole.collect::<Vec<_>>(), &kept, &torn);
+            let crosses = |corners: &[u32; 3]| {
+                let is_above = corners.map(|corner| places[corner as usize][1] > 4.71);
+                is_above != [is_above[0]; 3]
+            };
+            // At its end alone a side goes from one row to the next.
+            assert!(closing.iter().filter(|corners| crosses(corners)).count() <= 1, "{closing:?}");
         }
     }
 
