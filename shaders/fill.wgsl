@@ -38,7 +38,7 @@ struct Fill {
     @location(1) color: vec4<f32>,
     // As of a stroke, then the kind.
     @location(2) @interpolate(flat) size: vec3<f32>,
-    // In a triangle: shares of its corners. In a shadow the first is its strength, in an outline how far its arc bulges out [px].
+    // In a triangle: shares of its corners. In an outline the first is how far its arc bulges out [px].
     @location(3) share: vec3<f32>,
     // Normal, and strain or distance.
     @location(4) shade: vec4<f32>,
@@ -253,8 +253,10 @@ fn thread(plain: Fill, corner: u32, primitive: Primitive) -> Fill {
 }
 
 // Reach of a shadow to both sides of its outline, and how far below the body it lies [widths of an outline].
-const SHADOW_REACH: vec2<f32> = vec2(2.0, 7.0);
+const SHADOW_REACH: vec2<f32> = vec2(2.0, 8.0);
 const SHADOW_FALL: f32 = 1.5;
+// Opacity of the darkest place of a shadow on a black ground and on a white one [1]: on that it takes light which the other has not.
+const DARKEST: vec2<f32> = vec2(0.45, 0.15);
 
 // A stretch of shadow beside a side: it ends where those of the sides before and after begin.
 fn shadow(plain: Fill, vertex: u32, a: vec3<f32>, b: vec3<f32>, before: vec3<f32>, after: vec3<f32>) -> Fill {
@@ -272,11 +274,25 @@ fn shadow(plain: Fill, vertex: u32, a: vec3<f32>, b: vec3<f32>, before: vec3<f32
     let along = select(own, normalize(sum), length(sum) > 1e-3);
     // Sharp corners reach out no more than twice as far.
     let far = select(-SHADOW_REACH.x, SHADOW_REACH.y, corner.y > 0.0) / max(dot(along, own), 0.5);
-    let pixel = at[place] + frame.outline_width * (along * far + vec2(0.0, SHADOW_FALL));
+    let fall = frame.outline_width * vec2(0.0, SHADOW_FALL);
+    let span = at[2] - at[1];
+    let long = length(span);
     var out = plain;
-    out.position = clip_of(pixel, vec4(0.0, 0.0, 0.5, 1.0));
-    out.share = vec3(select(1.0, 0.0, corner.y > 0.0), 0.0, 0.0);
+    out.position = clip_of(at[place] + frame.outline_width * along * far + fall, vec4(0.0, 0.0, 0.5, 1.0));
+    out.line = vec4(at[1] + fall, span / max(long, 1e-6));
+    out.size = vec3(long, frame.outline_width, f32(SHADOW));
     return out;
+}
+
+// A shadow fades with the distance from its side, round about corners, and ends without an edge.
+fn shadow_color(in: Fill) -> vec4<f32> {
+    let at = in.position.xy - in.line.xy;
+    let off = at - clamp(dot(at, in.line.zw), 0.0, in.size.x) * in.line.zw;
+    let side = select(-1.0, 1.0, dot(off, outward(in.line.zw)) >= 0.0);
+    let reach = SHADOW_REACH * in.size.y;
+    let fading = 1.0 - smoothstep(-reach.x, reach.y, side * length(off));
+    let darkest = mix(DARKEST.x, DARKEST.y, dot(frame.ground.rgb, vec3(0.3, 0.6, 0.1)));
+    return vec4(0.0, 0.0, 0.0, darkest * fading * frame.fill_opacity);
 }
 
 // The unit normal of a side on the screen, away from what is covered.
@@ -288,8 +304,6 @@ fn outward(side: vec2<f32>) -> vec2<f32> {
 const LIFT: vec2<f32> = vec2(0.55, 0.4);
 // How bright the rim of a limb is on a bright ground, beside its colour.
 const SHADE: f32 = 0.6;
-// Darkest place of a shadow [1].
-const DARKEST: f32 = 0.6;
 // Opacity of the sides of triangles, where a map is shown or in space, and the height of a triangle [px] from which on they are seen, and seen in full.
 const LINES: f32 = 0.13;
 const ROOM: vec2<f32> = vec2(7.0, 22.0);
@@ -348,7 +362,7 @@ fn flesh_color(in: Fill) -> vec3<f32> {
 fn line_color(in: Fill, kind: u32) -> vec4<f32> {
     let has_all = KINDS == 0u;
     if has_all && kind == SHADOW {
-        return vec4(0.0, 0.0, 0.0, DARKEST * in.share.x * in.share.x * frame.fill_opacity);
+        return shadow_color(in);
     }
     // Beside colours of strain a body's own would mean nothing.
     let bright = dot(in.color.rgb, vec3(0.3, 0.6, 0.1));

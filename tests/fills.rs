@@ -74,6 +74,26 @@ fn bodies_have_colours_of_their_own_and_lie_over_those_before_them_until_they_ar
 }
 
 #[test]
+fn a_shadow_is_light_on_a_light_ground_and_fades_evenly_and_round_about_corners() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let places = [-8., -8., 8., -8., 8., 8., -8., 8.];
+    let (bonds, triangles) = (Bonds::default(), [[0, 1, 2], [0, 2, 3]].map(|corners: [u32; 3]| corners.map(PointId)));
+    let tints = [Tint { color: Some([200, 0, 0]), ..Tint::new(0, 0) }];
+    let seen = View { triangles: &triangles, tints: &tints, ..view(&places, &bonds, 2) };
+    let mut capture = Capture::new([SIDE, SIDE], 2).unwrap();
+    let picture = capture.picture(&seen, &pixels(), &Look { ground: [1.0; 4], ..look() }).unwrap();
+    let below: Vec<u8> = (11..30).map(|y| at(&picture, 0.0, -f64::from(y))[1]).collect();
+    assert!((200..246).contains(&below[0]) && below[18] == 255, "{below:?}");
+    let steps = below.array_windows().map(|[near, far]| i32::from(*far) - i32::from(*near));
+    assert!(steps.clone().all(|step| (0..7).contains(&step)), "without bands: {below:?}");
+    // As far from the corner of what the shadow is of, which lies a little lower than the body, as from its lower side.
+    let [straight, diagonal] = [[0.0, -16.25], [12.24, -14.49]].map(|[x, y]| at(&picture, x, y)[1]);
+    assert!(straight.abs_diff(diagonal) <= 3, "{straight} {diagonal}");
+}
+
+#[test]
 fn within_its_rim_a_body_is_of_its_colour_and_shows_no_bonds_however_large_it_is_until_strain_is_shown() {
     if common::gpu().is_none() {
         return;

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use wobble::picture::{Picture, Settings, Size, Tint, Watch, encode, mesh_picture};
 use wobble::render::{Camera, Capture, Look, View};
 use wobble::scene::{BodyKeys, BudgetKeys, Matter, Meeting, PatternName, Scene, Vector, gallery};
-use wobble::sim::Bond;
+use wobble::sim::{Bond, Bonds, PointId};
 
 fn wobble(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_wobble")).args(arguments).output().unwrap()
@@ -247,6 +247,44 @@ fn a_skin_shows_its_picture_and_opens_where_it_is_torn() {
     let hole =
         open.enumerate_pixels().filter(|(x, y, pixel)| x.abs_diff(100) < 60 && y.abs_diff(100) < 60 && !near(pixel));
     assert!(hole.count() > 100);
+}
+
+/// Of a square that is cut upright through its middle each half ends in an edge as straight as its mesh: neither teeth are seen nor what is left of bonds
+/// between them, whether its bonds that tore are known or, as of a copy, not.
+#[test]
+fn a_cut_through_a_picture_has_straight_edges() {
+    if common::gpu().is_none() {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let colour = [200, 60, 30];
+    let square = picture([128, 128], colour, |x, y| (x - 64.0).abs() < 48.0 && (y - 64.0).abs() < 48.0);
+    let path = saved(folder.path(), "square.png", &square);
+    let settings = Settings { size: Size::Spacing(12.0), ..Settings::default() };
+    let keys = BodyKeys { pattern: Some(PatternName::Braced), ..BodyKeys::cut(&settings, 2.0, &square) };
+    let scene = Scene::of_picture(&path, keys, Matter::Soft).unwrap();
+    let (world, skins) = (scene.world(None).unwrap(), scene.skins().unwrap());
+    let at = |end: PointId| [0, 1].map(|axis| world.positions().get(2 * end.index() + axis));
+    // Rows of the mesh lie along x, so that an upright stroke leaves a tooth in each.
+    let is_cut = |bond: &Bond| (at(bond.a)[0] < 0.02) != (at(bond.b)[0] < 0.02);
+    let (torn, kept): (Vec<Bond>, Vec<Bond>) = world.bonds().iter().partition(is_cut);
+    let bonds: Bonds = kept.into_iter().collect();
+    let mut capture = Capture::new([400, 400], 2).unwrap();
+    let camera = Camera::fit([[-1.0, -1.0, 0.0], [1.0, 1.0, 0.0]], 2, [400, 400]);
+    let look = Look { has_grid: false, ..Look::default() };
+    for (topology, torn) in [(1, &torn[..]), (2, &[])] {
+        let view = View { bonds: &bonds, torn, topology, skins: &skins, ..View::of(&*world) };
+        let shown = capture.picture(&view, &camera, &look).unwrap();
+        let is_ink = |x: u32, y: u32| (0..3).all(|k| shown.get_pixel(x, y).0[k].abs_diff(colour[k]) <= 20);
+        // From deep inside each half to where it ends, in rows well within it.
+        let left: Vec<u32> = (120..280).map(|y| (100..300).find(|x| !is_ink(*x, y)).unwrap()).collect();
+        let right: Vec<u32> = (120..280).map(|y| (100..300).rev().find(|x| !is_ink(*x, y)).unwrap()).collect();
+        for edge in [left, right] {
+            let uneven = edge.iter().max().unwrap() - edge.iter().min().unwrap();
+            // Points of the mesh are out of line by a fifth of that: its teeth would be 20 px.
+            assert!(uneven <= 12, "{topology}: {uneven} px of cells of 37 px: {edge:?}");
+        }
+    }
 }
 
 /// A strip of 0.2 m by 1.6 m that is pulled at one end: the force over what it makes longer is E width/length.

@@ -3,7 +3,7 @@
 use super::forms::{BAR, MUSCLE, is_rope};
 use super::gpu_bond::GpuBond;
 use super::view::View;
-use crate::picture::Tint;
+use crate::picture::{Skin, Tint};
 use crate::sim::PointId;
 
 /// What each point lies under: 0 nothing, else the number of what one skin or triangles side by side cover.
@@ -15,10 +15,37 @@ pub(super) fn covered(view: &View<'_>, filled: &[[u32; 3]]) -> Vec<u32> {
     filled.iter().flatten().for_each(|&corner| cover[corner as usize] = 1 + pieces[corner as usize]);
     for (number, skin) in (0..).zip(view.skins) {
         let range = skin.first as usize..(skin.first as usize + skin.texture.len()).min(count);
-        let points = cover.get_mut(range).into_iter().flatten();
-        points.filter(|cover| **cover == 0).for_each(|cover| *cover = u32::MAX - number);
+        let strands = Strands::of(skin, view.tints);
+        let points = cover.get_mut(range).into_iter().flatten().zip(skin.first..);
+        let worn = points.filter(|(cover, point)| **cover == 0 && !strands.have(*point));
+        worn.for_each(|(cover, _)| *cover = u32::MAX - number);
     }
     cover
+}
+
+/// Strokes of a skin that are as wide as their ink was: they are drawn as bonds, whatever their picture has there.
+pub(super) struct Strands<'a> {
+    tints: &'a [Tint],
+    /// Corners of triangles, ascending.
+    corners: Vec<u32>,
+}
+
+impl<'a> Strands<'a> {
+    /// Those of a skin; nothing is looked for where no bond has a width of its own.
+    pub(super) fn of(skin: &Skin, tints: &'a [Tint]) -> Self {
+        if tints.iter().all(|tint| tint.width == 0.0) {
+            return Strands { tints: &[], corners: Vec::new() };
+        }
+        let mut corners: Vec<u32> = skin.triangles.iter().flatten().copied().collect();
+        corners.sort_unstable();
+        corners.dedup();
+        Strands { tints, corners }
+    }
+
+    /// Whether a point is of one: its bonds have a width of their own, and it is no corner of a triangle.
+    pub(super) fn have(&self, point: u32) -> bool {
+        Tint::of(self.tints, point).is_some_and(|tint| tint.width > 0.0) && self.corners.binary_search(&point).is_err()
+    }
 }
 
 /// Puts bonds and points that are not covered first, and returns how many there are of each. Pins are seen on skins too, and points
@@ -89,7 +116,7 @@ pub(super) fn pins(pinned: &[PointId], point_count: u32) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::{Picture, Skin};
+    use crate::picture::Picture;
     use crate::sim::{Bonds, Positions};
     use std::sync::Arc;
 
@@ -142,6 +169,19 @@ mod tests {
         assert_eq!(points, [1, 3, 4, 0, 2]);
         let cover = covered(&view, &[[1, 2, 3]]);
         assert_eq!(bare_first(&view, &cover, &mut [], &mut points), [0, 2], "the last is a pin, the first too");
+    }
+
+    #[test]
+    fn strokes_of_a_skin_that_have_a_width_are_drawn_as_bonds() {
+        let picture = Arc::new(Picture::filled(2, 2, [255; 4]));
+        let skin = Skin { picture, first: 0, triangles: vec![[0, 1, 2]], texture: vec![[0.0; 2]; 5] };
+        let (world, places) = (Bonds::default(), [0.0; 10]);
+        let at = Positions::F64(&places);
+        let tints = [Tint::new(0, 0), Tint { width: 0.1, ..Tint::new(2, 0) }, Tint::new(4, 0)];
+        let view = View { previous: at, current: at, skins: &[skin], ..View::empty(&world, 2) };
+        assert_eq!(covered(&view, &[]), [u32::MAX; 5]);
+        let cover = covered(&View { tints: &tints, ..view }, &[]);
+        assert_eq!(cover, [u32::MAX, u32::MAX, u32::MAX, 0, u32::MAX], "a corner of a triangle is covered");
     }
 
     #[test]

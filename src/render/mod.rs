@@ -23,6 +23,7 @@ mod growing;
 mod guides;
 mod kept;
 mod look;
+mod notch;
 mod numerals;
 mod obstacles;
 mod order;

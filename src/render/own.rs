@@ -30,8 +30,15 @@ pub(super) fn paint(view: &View<'_>, cover: &[u32], bonds: &mut [GpuBond]) -> Ow
         owns.widest = owns.widest.max(tint.width);
     }
     for bond in bonds {
+        let is_worn = [bond.a, bond.b].map(|end| cover[end as usize] != 0);
+        let widths = [bond.a, bond.b].map(|end| Tint::of(view.tints, end).map_or(0.0, |tint| tint.width));
+        // A stroke that begins at a body is drawn as the stroke is: what a bond has of its own is told by its first end.
+        if is_worn == [true, false] && widths[1] > 0.0 {
+            std::mem::swap(&mut bond.a, &mut bond.b);
+        }
         let Some(tint) = Tint::of(view.tints, bond.a) else { continue };
-        let is_covered = [bond.a, bond.b].iter().any(|&end| cover[end as usize] != 0);
+        let is_stroke = is_worn[0] != is_worn[1] && cover[bond.a as usize] == 0 && tint.width > 0.0;
+        let is_covered = is_worn.contains(&true) && !is_stroke;
         let has = |is: bool, flag: u32| if is { flag } else { 0 };
         let colored = has(tint.color.is_some(), OF_COLOR | has(is_covered, COVERED));
         bond.own = colored | has(tint.width > 0.0, OF_WIDTH);
@@ -64,6 +71,19 @@ mod tests {
         assert_eq!((owns.rows[6], owns.widest), ([0xff00_ff00, 0.25_f32.to_bits()], 0.25));
         let plain = [tint(0, None, 0.0)];
         assert_eq!(paint(&View { tints: &plain, ..view }, &[0; 7], &mut list), Owns::default(), "nothing to upload");
+    }
+
+    #[test]
+    fn a_stroke_that_begins_at_a_body_has_its_own_colour_and_width_from_there_on() {
+        let bonds: Bonds =
+            [[0, 1], [2, 1], [0, 2]].map(|[a, b]| Bond::new(PointId(a), PointId(b), 1.0)).into_iter().collect();
+        let tints = [tint(0, None, 0.0), tint(1, Some([9, 8, 7]), 0.1), tint(2, None, 0.0)];
+        let mut list: Vec<GpuBond> = bonds.iter().map(GpuBond::from).collect();
+        paint(&View { tints: &tints, ..View::empty(&bonds, 2) }, &[5, 0, 5], &mut list);
+        assert_eq!(
+            list.iter().map(|bond| (bond.a, bond.own)).collect::<Vec<_>>(),
+            [(1, OF_COLOR | OF_WIDTH), (1, OF_COLOR | OF_WIDTH), (0, 0)]
+        );
     }
 
     #[test]

@@ -123,6 +123,9 @@ impl Scene {
             }
             first = end;
         }
+        of_bodies.extend(
+            self.stroke_coats().unwrap_or_default().into_iter().map(|(points, coat)| SkinKeys::of_coat(points, coat)),
+        );
         // What is listed comes after what bodies say.
         of_bodies.append(&mut list);
         of_bodies

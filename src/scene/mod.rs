@@ -36,6 +36,7 @@ pub(crate) mod room;
 mod schema;
 mod skin;
 mod start;
+mod strokes;
 mod support;
 mod tint;
 mod write;

@@ -160,6 +160,12 @@ pub(super) fn skins(explicit: &[SkinKeys], start: &Start) -> SkinMaterials {
     for (material, points) in start.bodies.iter().filter_map(|body| body.skin()) {
         skins.set(points.map(PointId), material);
     }
+    for (radius, points) in start.bodies.iter().flat_map(|body| body.strokes()) {
+        let mut points = points.map(PointId).peekable();
+        // What the body says of its skin is the same for all of them.
+        let of_body = points.peek().map(|point| skins.of(*point)).unwrap_or_default();
+        skins.set(points, SkinMaterial { radius: Some(radius), ..of_body });
+    }
     for (material, points) in explicit.iter().map(skin) {
         points.into_iter().for_each(|point| skins.set([point], skins.of(point).overlaid(material)));
     }

@@ -37,6 +37,8 @@ pub(super) struct PlacedBody {
     kind: BondKind,
     /// What its skin is made of.
     skin: SkinMaterial,
+    /// How far its strokes keep others off `[m]`, with their points over all copies, counted within it.
+    strokes: Vec<(f64, Vec<u32>)>,
 }
 
 impl PlacedBody {
@@ -53,6 +55,11 @@ impl PlacedBody {
     /// What its skin is made of, where it says so, with its points, counted over the scene.
     pub(super) fn skin(&self) -> Option<(SkinMaterial, std::ops::Range<u32>)> {
         (self.skin != SkinMaterial::default()).then_some((self.skin, self.points()))
+    }
+
+    /// How far its strokes keep others off where nothing is said `[m]`, with their points, counted over the scene.
+    pub(super) fn strokes(&self) -> impl Iterator<Item = (f64, impl Iterator<Item = u32>)> {
+        self.strokes.iter().map(|(radius, points)| (*radius, points.iter().map(|point| self.first + point)))
     }
 
     /// How a bond of it resists.
@@ -190,7 +197,18 @@ impl Start {
         let layered = (keys.make == MakerName::Ragdoll).then_some(true);
         let usual = SkinMaterial { layered, ..SkinMaterial::default() };
         let skin = keys.material.as_ref().map_or(usual, |material| usual.overlaid(of_skin(material)));
-        self.bodies.push(PlacedBody { first: first as u32, each, copies, links, triangles, bends, kind, skin });
+        let strokes = scene.stroke_radii(keys)?;
+        self.bodies.push(PlacedBody {
+            first: first as u32,
+            each,
+            copies,
+            links,
+            triangles,
+            bends,
+            kind,
+            skin,
+            strokes,
+        });
         Ok(())
     }
 }

@@ -54,6 +54,9 @@ impl Scene {
             }
             first += count;
         }
+        for (points, coat) in self.stroke_coats()? {
+            Tint::paint(&mut tints, &points, coat);
+        }
         for skin in &self.skins {
             paint(&mut tints, skin);
         }

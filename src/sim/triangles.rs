@@ -166,6 +166,18 @@ pub(crate) fn outer_sides(triangles: impl IntoIterator<Item = [u32; 3]>) -> Vec<
     alone(&sides(triangles)).collect()
 }
 
+/// The far corners of every two triangles that share a side, the lower one first, ascending.
+pub(crate) fn far_corners(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    let with_far =
+        |&[a, b, c]: &[u32; 3]| [(lower_first([a, b]), c), (lower_first([b, c]), a), (lower_first([c, a]), b)];
+    let mut sides: Vec<([u32; 2], u32)> = triangles.iter().flat_map(with_far).collect();
+    sides.sort_unstable();
+    let pairs = sides.array_windows().filter(|[p, q]| p.0 == q.0);
+    let mut far: Vec<[u32; 2]> = pairs.map(|[p, q]| lower_first([p.1, q.1])).collect();
+    far.sort_unstable();
+    far
+}
+
 /// The edges of the skins of bodies.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Edges {

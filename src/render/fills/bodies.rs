@@ -5,6 +5,7 @@ use super::cells::cells;
 use crate::picture::{HUES, Picture, Skin, Tint, hue};
 use crate::render::forms::{form, is_rope, ropes};
 use crate::render::look::{Look, in_bytes};
+use crate::render::notch::closing;
 use crate::render::view::View;
 use crate::sim::{Bond, Bonds, PointId};
 
@@ -121,7 +122,7 @@ fn mean_color(picture: &Picture) -> Option<[u8; 3]> {
 /// The number of a body, and the colour that it says it has.
 type Key = (u32, Option<[u8; 3]>);
 
-/// The triangles that no skin is drawn on, and those that one is.
+/// The triangles that no skin is drawn on, and those that one is, each with what closes the notches between them.
 fn split(view: &View<'_>) -> [Vec<[u32; 3]>; 2] {
     let key = |mut corners: [u32; 3]| {
         corners.sort_unstable();
@@ -132,8 +133,11 @@ fn split(view: &View<'_>) -> [Vec<[u32; 3]>; 2] {
     let count = (view.current.len() / view.dimensions.max(1)) as u32;
     let is_there = |corners: &[u32; 3]| corners.iter().all(|&corner| corner < count);
     let all = view.triangles.iter().map(|corners| corners.map(|corner: PointId| corner.0));
-    let (bare, worn) = all.filter(is_there).partition(|&c| worn.binary_search(&key(c)).is_err());
-    [bare, worn]
+    let (bare, worn): (Vec<_>, Vec<_>) = all.filter(is_there).partition(|&c| worn.binary_search(&key(c)).is_err());
+    [bare, worn].map(|mut triangles| {
+        triangles.extend(closing(view, &triangles));
+        triangles
+    })
 }
 
 /// Which points are of no triangle and of no skin, whole or torn.

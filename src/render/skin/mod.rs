@@ -1,6 +1,6 @@
 //! Skins: pictures on the triangles of bodies, drawn under their bonds.
 //!
-//! A triangle is drawn as long as all of its sides are bonds: where one broke, the skin is open. Along the sides that are then
+//! A triangle is drawn as long as all of its sides are bonds: where one broke, the skin is open. Teeth that a cut leaves are closed (`notch.rs`). Along the sides that are then
 //! free, and along bonds that are no triangle's, goes a stroke in the picture's colours: triangles alone have ragged edges. In the plane, where
 //! the picture ends beside a side, it is drawn on up to its own edge instead (`rind.rs`).
 //! Where a picture is half transparent it is seen through, without such a stroke: it ends where it is clear.
@@ -19,9 +19,11 @@ use bytemuck::{Pod, Zeroable};
 
 use super::buffers::WorldBuffers;
 use super::counters::RenderCounters;
+use super::cover::Strands;
 use super::error::RenderError;
 use super::gpu::Gpu;
 use super::growing::GrowingBuffer;
+use super::notch::closing;
 use super::view::View;
 use crate::picture::{Picture, Skin, Tint};
 use crate::sim::bond::lower_first;
@@ -129,7 +131,7 @@ impl Skins {
         }
         let sides = Sides::of(view);
         for (worn, skin) in self.worn.iter_mut().zip(view.skins) {
-            worn.dress(gpu, (skin, view.dimensions == 2), (&sides, view.tints), counters)?;
+            worn.dress(gpu, (skin, view), &sides, counters)?;
         }
         self.topology = Some(view.topology);
         Ok(())
@@ -203,15 +205,15 @@ impl Skins {
 }
 
 impl Worn {
-    /// Uploads the triangles whose sides are all there, the edges, and in the plane what is beside them.
+    /// Uploads the triangles whose sides are all there, those that close notches between them, the edges, and in the plane what is beside them.
     fn dress(
         &mut self,
         gpu: &Gpu,
-        (skin, is_plane): (&Skin, bool),
-        (sides, tints): (&Sides, &[Tint]),
+        (skin, view): (&Skin, &View<'_>),
+        sides: &Sides,
         counters: &mut RenderCounters,
     ) -> Result<(), RenderError> {
-        let own = |point: u32| Tint::of(tints, point).and_then(|tint| tint.color).unwrap_or(CLEAR);
+        let own = |point: u32| Tint::of(view.tints, point).and_then(|tint| tint.color).unwrap_or(CLEAR);
         let soft = softened((skin.first, skin.texture.len()), &skin.triangles, own);
         let tint = |point: u32| {
             let soft = soft.get(point.wrapping_sub(skin.first) as usize).copied();
@@ -226,7 +228,8 @@ impl Worn {
         };
         let size = [skin.picture.width as f32, skin.picture.height as f32];
         let place = |point: u32| [0, 1].map(|axis| at(point)[axis] * size[axis]);
-        let whole = sides.whole(&skin.triangles);
+        let mut whole = sides.whole(&skin.triangles);
+        whole.extend(closing(view, &whole));
         let mut through: Vec<bool> =
             whole.iter().map(|corners| ink::is_triangle_through(&skin.picture, corners.map(place))).collect();
         // What fades out has opaque triangles too: between them and others there would be an edge.
@@ -236,10 +239,12 @@ impl Worn {
         let both = || whole.iter().zip(&through);
         let mut triangles: Vec<Corner> =
             both().flat_map(|(corners, &is)| corners.map(|point| corner(point, is))).collect();
-        let has_picture = |point: u32| (point.wrapping_sub(skin.first) as usize) < skin.texture.len();
+        let strands = Strands::of(skin, view.tints);
+        let is_of_skin = |point: u32| (point.wrapping_sub(skin.first) as usize) < skin.texture.len();
+        let has_picture = |point: u32| is_of_skin(point) && !strands.have(point);
         let mut edges = sides.edges(&skin.triangles, &whole, has_picture);
         let mut rind = Rind::default();
-        if is_plane {
+        if view.dimensions == 2 {
             let mut free = edges.clone();
             free.sort_unstable();
             rind = Rind::of(skin, (&whole, &through), &free, tint);

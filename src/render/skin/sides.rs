@@ -39,7 +39,7 @@ impl Sides {
     }
 
     /// The sides that belong to one of the `whole` triangles only, then bonds that belong to none between points that `are_meant`:
-    /// strands, but not what braces two of `all` triangles that share a side.
+    /// strands, but not what braces two of `all` triangles that share a side, or did before one of these went.
     pub(super) fn edges(&self, all: &[[u32; 3]], whole: &[[u32; 3]], are_meant: impl Fn(u32) -> bool) -> Vec<[u32; 2]> {
         let of_whole = triangles::sides(whole.iter().copied());
         let mut edges: Vec<[u32; 2]> = triangles::alone(&of_whole).map(|side| side.ends).collect();
@@ -47,24 +47,34 @@ impl Sides {
         let is_loose = |bond: &&[u32; 2]| bond.iter().all(|&end| are_meant(end)) && !is_side(bond);
         let mut loose: Vec<[u32; 2]> = self.bonds.iter().filter(is_loose).copied().collect();
         if !loose.is_empty() {
-            let braces = braces(all);
+            let braces = triangles::far_corners(all);
             loose.retain(|bond| braces.binary_search(bond).is_err());
+        }
+        if !loose.is_empty() {
+            let beside = Beside::of(&of_whole);
+            loose.retain(|&[a, b]| !beside.have_one_between(a, b));
         }
         edges.extend(loose);
         edges
     }
 }
 
-/// The far corners of every two triangles that share a side, sorted.
-fn braces(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
-    let with_far =
-        |&[a, b, c]: &[u32; 3]| [(lower_first([a, b]), c), (lower_first([b, c]), a), (lower_first([c, a]), b)];
-    let mut sides: Vec<([u32; 2], u32)> = triangles.iter().flat_map(with_far).collect();
-    sides.sort_unstable();
-    let pairs = sides.array_windows().filter(|[p, q]| p.0 == q.0);
-    let mut braces: Vec<[u32; 2]> = pairs.map(|[p, q]| lower_first([p.1, q.1])).collect();
-    braces.sort_unstable();
-    braces
+/// Points that sides of triangles lead to, from each of their ends, ascending.
+struct Beside(Vec<[u32; 2]>);
+
+impl Beside {
+    fn of(sides: &[triangles::Side]) -> Self {
+        let mut ways: Vec<[u32; 2]> = sides.iter().flat_map(|side| [side.ends, [side.ends[1], side.ends[0]]]).collect();
+        ways.sort_unstable();
+        Beside(ways)
+    }
+
+    /// Whether sides lead from both points to a third.
+    fn have_one_between(&self, a: u32, b: u32) -> bool {
+        let first = self.0.partition_point(|way| way[0] < a);
+        let mut of_a = self.0[first..].iter().take_while(|way| way[0] == a);
+        of_a.any(|way| self.0.binary_search(&[way[1], b]).is_ok())
+    }
 }
 
 /// Of a triangle.
@@ -97,6 +107,18 @@ mod tests {
         let whole = torn.whole(&TRIANGLES);
         let edges = torn.edges(&TRIANGLES, &whole, |_| true);
         assert!(whole.is_empty() && !edges.contains(&[0, 3]), "nor where it is all that is left");
+    }
+
+    #[test]
+    fn a_brace_whose_triangles_are_gone_is_no_edge_and_a_strand_between_two_pieces_is() {
+        // A third triangle, at 2 and 3, went with its side from 2 to 5; a brace of it and one of the others is left.
+        let bonds = BONDS.into_iter().chain([[3, 5], [1, 5], [0, 6], [6, 7], [0, 7], [4, 6]]);
+        let all = [TRIANGLES[0], TRIANGLES[1], [0, 6, 7]];
+        let edges = Sides::new(bonds.clone()).edges(&all, &all, |_| true);
+        assert!(edges.contains(&[3, 4]) && edges.contains(&[4, 6]), "strands: {edges:?}");
+        assert!(edges.contains(&[1, 5]), "it leads to no triangle: {edges:?}");
+        let edges = Sides::new(bonds.chain([[0, 3]])).edges(&all[..1], &all, |_| true);
+        assert!(!edges.contains(&[0, 3]), "it joins what is whole with what is: {edges:?}");
     }
 
     #[test]

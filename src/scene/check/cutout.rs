@@ -21,6 +21,13 @@ pub(super) fn maker(body: &BodyKeys, dimensions: usize, source: &Source) -> Resu
     if dimensions == 3 {
         return Err(Fault::invalid("`picture` makes a body in the plane: leave it out in space").at("make"));
     }
+    cutout(body, source)
+}
+
+/// The same of a body whose keys have been checked, in the plane.
+///
+/// Errors: no file, or none that is a picture; no ink; a part that is not there.
+pub(in crate::scene) fn cutout(body: &BodyKeys, source: &Source) -> Result<Cutout, Fault> {
     let file = need(body, "file", body.file.as_deref())?;
     let (height, settings) = wanted(body, &*source.picture(file).at("file")?)?;
     let mesh = match body.part {

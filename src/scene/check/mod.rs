@@ -19,7 +19,7 @@ pub(crate) use beside::MOST_BESIDE;
 pub(super) use body::maker;
 pub(super) use bond::Resistance;
 pub(super) use bond::check_all as check_bonds;
-pub(super) use cutout::{check_cut, skin, wanted};
+pub(super) use cutout::{check_cut, cutout, skin, wanted};
 pub(super) use repeat::{copies, offsets};
 pub(super) use surfaces::{check_angles, check_image, check_looks, check_skins, check_triangles};
 pub(super) use surroundings::{check_forces, check_pin_motion};
