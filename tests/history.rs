@@ -607,6 +607,30 @@ fn motion(history: &History) -> (Vec<[f64; 3]>, Vec<[f64; 3]>) {
 }
 
 #[test]
+fn a_patch_that_is_led_is_in_recordings_and_snapshots_with_where_it_tears() {
+    let mut live = history("cloth-space");
+    let reach = Reach::Patch { points: [59, 60, 61, 70, 71, 72].map(PointId).to_vec(), torn_beyond: 0.9 };
+    live.give(vec![cursor(0.0, 0.5), Do::Grab(reach.clone())], None).unwrap();
+    live.give(vec![cursor(0.0, -0.2)], None).unwrap();
+    let grabs = |recording: &Recording| {
+        let entries = as_log(recording).recording().unwrap().commands;
+        entries.into_iter().find(|entry| matches!(entry.act, Do::Grab(_))).map(|entry| entry.act)
+    };
+    assert_eq!(grabs(&live.recording()), Some(Do::Grab(reach)));
+    let log = as_log(&live.snapshot().unwrap());
+    let mut again = History::new(Start::from(log.recording().unwrap())).unwrap();
+    // One that any cursor tears off is pulled by more than its threads bear.
+    for history in [&mut live, &mut again] {
+        let torn = |history: &History| history.world().counters().bonds_torn;
+        let before = torn(history);
+        while history.world().time() < 0.4 {
+            history.step();
+        }
+        assert_eq!((torn(history) - before, history.world().grab().unwrap().points.len()), (0, 6));
+    }
+}
+
+#[test]
 fn a_snapshot_goes_on_from_its_state_the_same_way_every_time() {
     for name in ["rim", "spring-damper", "points"] {
         let mut live = history(name);

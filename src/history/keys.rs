@@ -67,10 +67,12 @@ object! {
 }
 
 object! {
-    GrabKeys: "a grab: an object with one of the keys `points` and `within`" {
+    #[derive(Default)]
+    GrabKeys: "a grab: an object with one of the keys `points` and `within`, and with `torn_beyond`" {
         optional {
             points: Vec<u32>,
             within: f64,
+            torn_beyond: f64,
         }
     }
 }
@@ -186,8 +188,7 @@ fn keys_of(act: &Do) -> (&'static str, Map<String, Value>) {
     match act {
         Do::Cursor { to, by } => ("cursor", object(&CursorKeys { to: place(*to), by: *by })),
         Do::Mouse(change) => ("mouse", object(&mouse_keys(change))),
-        Do::Grab(Reach::Points(list)) => ("grab", object(&GrabKeys { points: Some(numbers(list)), within: None })),
-        Do::Grab(Reach::Within(within)) => ("grab", object(&GrabKeys { points: None, within: Some(*within) })),
+        Do::Grab(reach) => ("grab", object(&grab_keys(reach))),
         Do::Release => ("release", Map::new()),
         Do::Key { key, down } => {
             ("key", Map::from_iter([("key".to_owned(), key.name().into()), ("down".to_owned(), (*down).into())]))
@@ -334,9 +335,25 @@ fn mouse_change(keys: MouseKeys) -> MouseChange {
     }
 }
 
+fn grab_keys(reach: &Reach) -> GrabKeys {
+    match reach {
+        Reach::Points(list) => GrabKeys { points: Some(numbers(list)), ..GrabKeys::default() },
+        Reach::Within(within) => GrabKeys { within: Some(*within), ..GrabKeys::default() },
+        Reach::Patch { points, torn_beyond } => {
+            GrabKeys { points: Some(numbers(points)), torn_beyond: Some(*torn_beyond), ..GrabKeys::default() }
+        }
+    }
+}
+
 fn reach(keys: GrabKeys) -> Result<Reach, String> {
     match (keys.points, keys.within) {
-        (Some(list), None) => Ok(Reach::Points(points(list))),
+        (Some(list), None) => Ok(match keys.torn_beyond {
+            Some(torn_beyond) => Reach::Patch { points: points(list), torn_beyond },
+            None => Reach::Points(points(list)),
+        }),
+        (None, Some(_)) if keys.torn_beyond.is_some() => {
+            Err("torn_beyond: is of a grab of `points`: leave it out".to_owned())
+        }
         (None, Some(within)) => Ok(Reach::Within(within)),
         (None, None) => Err("takes nothing: give `points` or `within`".to_owned()),
         (Some(_), Some(_)) => Err("within: stands beside `points`: leave one of them out".to_owned()),

@@ -89,6 +89,14 @@ pub enum Reach {
     Points(Vec<PointId>),
     /// All that are no further from the cursor (in space: from its ray) `[m]`, > 0.
     Within(f64),
+    /// A patch of what tears.
+    Patch {
+        /// Its points.
+        points: Vec<PointId>,
+        /// A cursor that is no farther from their middle leads them by less than tears them off; one twice as far pulls as hard as it can
+        /// `[m]`, > 0.
+        torn_beyond: f64,
+    },
 }
 
 /// A track: (t `[s]`, place `[m]`), times ascending.

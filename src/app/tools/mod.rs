@@ -56,6 +56,9 @@ mod muscles;
 mod muscles_tests;
 mod others;
 mod part;
+mod patch;
+#[cfg(test)]
+mod patch_tests;
 mod pick;
 mod placing;
 mod press;

@@ -60,7 +60,9 @@ impl<S: Real, const D: usize> World<S, D> {
             Command::Cursor { .. } | Command::Mouse(_) | Command::Release | Command::Key { .. } | Command::Clear => {
                 Vec::new()
             }
-            Command::Grab(Reach::Points(points)) | Command::Pin(points) | Command::Unpin(points) => of(points),
+            Command::Grab(Reach::Points(points) | Reach::Patch { points, .. })
+            | Command::Pin(points)
+            | Command::Unpin(points) => of(points),
             Command::Grab(Reach::Within(radius)) => of(&self.points_within(*radius)),
             Command::Cut { from, to } => {
                 let goes = self.crossed_by([*from, *to]).unwrap_or_default();
