@@ -5,12 +5,12 @@ use serde_json::{Map, Value};
 
 use super::command::{Do, Entry};
 use crate::scene::{KeyName, LATER, ProfileName, RegionName, Row, object, one_line, translate};
-use crate::sim::{Cursor, Key, MouseChange, PointId, Profile, Reach, Region};
+use crate::sim::{BondId, Cursor, Key, MouseChange, PointId, Profile, Reach, Region};
 
 /// Names of what is done, in the order of the table.
-const NAMES: [&str; 14] = [
-    "cursor", "mouse", "grab", "release", "key", "pin", "unpin", "cut", "add", "delete", "clear", "move", "set",
-    "group",
+const NAMES: [&str; 15] = [
+    "cursor", "mouse", "grab", "release", "key", "pin", "unpin", "cut", "split", "add", "delete", "clear", "move",
+    "set", "group",
 ];
 
 /// Largest number of an edit: those that follow have room above, and any reader of JSON knows it exactly.
@@ -99,6 +99,15 @@ object! {
         required {
             from: End,
             to: End,
+        }
+    }
+}
+
+object! {
+    SplitKeys: "a split: an object with the keys `points` and `bonds`" {
+        required {
+            points: Vec<u32>,
+            bonds: Vec<u32>,
         }
     }
 }
@@ -196,6 +205,10 @@ fn keys_of(act: &Do) -> (&'static str, Map<String, Value>) {
         Do::Pin(list) => ("pin", object(&PointsKeys { points: numbers(list) })),
         Do::Unpin(list) => ("unpin", object(&PointsKeys { points: numbers(list) })),
         Do::Cut { from, to } => ("cut", object(&CutKeys { from: end(*from), to: end(*to) })),
+        Do::Split { points, bonds } => {
+            let bonds = bonds.iter().map(|bond| bond.0).collect();
+            ("split", object(&SplitKeys { points: numbers(points), bonds }))
+        }
         Do::Add(keys) => ("add", object(&**keys)),
         Do::Delete(keys) => ("delete", object(keys)),
         Do::Clear => ("clear", Map::new()),
@@ -233,6 +246,10 @@ fn act(name: &str, object: Map<String, Value>) -> Result<Do, String> {
         "cut" => {
             let CutKeys { from, to } = read(object)?;
             Do::Cut { from: from.cursor("from")?, to: to.cursor("to")? }
+        }
+        "split" => {
+            let SplitKeys { points: doubled, bonds } = read(object)?;
+            Do::Split { points: points(doubled), bonds: bonds.into_iter().map(BondId).collect() }
         }
         "add" => Do::Add(Box::new(read(object)?)),
         "delete" => Do::Delete(read(object)?),

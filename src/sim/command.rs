@@ -55,6 +55,14 @@ pub enum Command {
         /// Where it ends.
         to: Cursor,
     },
+    /// Points are doubled: their copies have half of their mass, the place and the speed that they have, and take bonds from them; triangles
+    /// along these go with the copies, and bonds along the slit are there on both sides of it.
+    Split {
+        /// Which, no pins.
+        points: Vec<PointId>,
+        /// Bonds that go to the copies, each with an end among the points.
+        bonds: Vec<BondId>,
+    },
     /// Points, bonds, obstacles and forces come.
     Add(Box<Addition>),
     /// Points with all that hangs on them, bonds, obstacles, forces go.

@@ -74,6 +74,7 @@ mod select_tests;
 mod selecting;
 mod selection;
 mod skin;
+mod slit;
 #[cfg(test)]
 mod space_tests;
 mod stall;

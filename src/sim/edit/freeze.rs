@@ -69,6 +69,7 @@ impl<S: Real, const D: usize> World<S, D> {
                 let cut = self.bonds.ends().iter().zip(goes).filter(|(_, goes)| *goes);
                 cut.flat_map(|(ends, _)| *ends).map(|end| end.0).collect()
             }
+            Command::Split { points, bonds } => [of(points), ends(bonds)].concat(),
             Command::Add(addition) => named_by_addition(addition),
             Command::Delete(Selection { points, bonds, .. }) => [of(points), ends(bonds)].concat(),
             Command::Move(motion) => of(&motion.points),
