@@ -138,9 +138,29 @@ fn slit(scope: Scope<'_>, crossed: &[Crossed], lip: usize) -> Slit {
     let stays = |point: &PointId| {
         tips.binary_search(point).is_ok() || across.binary_search(point).is_ok() || scope.is_pinned(*point)
     };
-    let points: Vec<PointId> = edge.iter().copied().filter(|point| !stays(point)).collect();
+    let mut points: Vec<PointId> = edge.iter().copied().filter(|point| !stays(point)).collect();
+    // What has no triangle on its own side of the stroke is of the other one as it is.
+    let going = |points: &[PointId], corners: [PointId; 3]| {
+        let is_doubled = |end: PointId| points.binary_search(&end).is_ok();
+        sides(corners).into_iter().filter_map(end_at).any(is_doubled)
+    };
+    let triangles = || scope.shown.scenery.triangles.iter().copied();
+    let own = each_once(triangles().filter(|corners| !going(&points, *corners)).flatten());
+    points.retain(|point| own.binary_search(point).is_ok());
+    let mut staying: Vec<[PointId; 2]> =
+        triangles().filter(|corners| !going(&points, *corners)).flat_map(sides).map(sorted).collect();
+    staying.sort_unstable();
     let is_doubled = |point: &PointId| points.binary_search(point).is_ok();
+    let is_gone_along = |side: &[PointId; 2]| {
+        end_at(*side).is_none() && side.iter().any(is_doubled) && staying.binary_search(&sorted(*side)).is_err()
+    };
+    let mut beyond: Vec<[PointId; 2]> = met.iter().copied().flat_map(sides).filter(is_gone_along).map(sorted).collect();
+    beyond.sort_unstable();
+    let scenery = &scope.shown.scenery;
+    let bonds_beyond = scenery.bonds.ends().iter().enumerate();
+    let bonds_beyond = bonds_beyond.filter(|(_, ends)| beyond.binary_search(&sorted(**ends)).is_ok());
     let bonds = cloth.iter().filter(|bond| is_doubled(&bond.ends[lip])).map(|bond| BondId(bond.number));
+    let bonds = bonds.chain(bonds_beyond.map(|(place, _)| BondId(scenery.bond_number(place))));
     let is_path = |side: &[PointId; 2]| {
         let is_on_edge = side.iter().all(|end| edge.binary_search(end).is_ok());
         is_on_edge && side.iter().any(is_doubled) && end_at(*side).is_none()
