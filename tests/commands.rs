@@ -7,6 +7,7 @@ mod islands;
 mod meeting;
 mod moves;
 mod rest;
+mod splits;
 
 use crate::common::commands as random;
 use crate::common::physics::run_to;

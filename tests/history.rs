@@ -10,7 +10,7 @@ mod keyframes;
 use common::session::{Dice, play as play_at_random};
 use wobble::history::{DeleteKeys, Do, GoneBack, History, Log, OneOrEach, Recording, SetKeys, Start, hash_now, replay};
 use wobble::scene::{AddKeys, KindName, Scene, Vector};
-use wobble::sim::{Contact, Cursor, MouseChange, PointId, Reach};
+use wobble::sim::{BondId, Contact, Cursor, MouseChange, PointId, Reach};
 
 fn history(name: &str) -> History {
     History::new(Start::from(Scene::load(name).unwrap())).unwrap()
@@ -643,6 +643,52 @@ fn groups_of_a_scene_file_are_there_and_are_kept() {
 fn motion(history: &History) -> (Vec<[f64; 3]>, Vec<[f64; 3]>) {
     let sample = history.world().sample(history.world().time());
     (sample.position, sample.velocity)
+}
+
+#[test]
+fn a_patch_that_is_led_is_in_recordings_and_snapshots_with_where_it_tears() {
+    let mut live = history("cloth-space");
+    let reach = Reach::Patch { points: [59, 60, 61, 70, 71, 72].map(PointId).to_vec(), torn_beyond: 0.9 };
+    live.give(vec![cursor(0.0, 0.5), Do::Grab(reach.clone())], None).unwrap();
+    live.give(vec![cursor(0.0, -0.2)], None).unwrap();
+    let grabs = |recording: &Recording| {
+        let entries = as_log(recording).recording().unwrap().commands;
+        entries.into_iter().find(|entry| matches!(entry.act, Do::Grab(_))).map(|entry| entry.act)
+    };
+    assert_eq!(grabs(&live.recording()), Some(Do::Grab(reach)));
+    let log = as_log(&live.snapshot().unwrap());
+    let mut again = History::new(Start::from(log.recording().unwrap())).unwrap();
+    // One that any cursor tears off is pulled by more than its threads bear.
+    for history in [&mut live, &mut again] {
+        let torn = |history: &History| history.world().counters().bonds_torn;
+        let before = torn(history);
+        while history.world().time() < 0.4 {
+            history.step();
+        }
+        assert_eq!((torn(history) - before, history.world().grab().unwrap().points.len()), (0, 6));
+    }
+}
+
+#[test]
+fn a_slit_is_one_step_of_undo_and_replays_to_the_bit() {
+    let mut live = history("cloth-space");
+    play(&mut live, 30);
+    let before = hash(&live);
+    let is_across = |ends: &[PointId; 2]| {
+        ends.iter().any(|end| (57..64).contains(&end.0)) && ends.iter().any(|end| (66..77).contains(&end.0))
+    };
+    let bonds = live.world().bonds().ends().iter().zip(0..).filter(|(ends, _)| is_across(ends));
+    let bonds = bonds.map(|(_, number)| BondId(number)).collect();
+    live.give(vec![Do::Split { points: (57..64).map(PointId).collect(), bonds }], Some("cut")).unwrap();
+    assert_eq!(live.world().point_count(), 128);
+    play(&mut live, 60);
+    let late = hash(&live);
+    let log = as_log(&live.recording());
+    let mut again = History::new(Start::from(log.recording().unwrap())).unwrap();
+    again.go_to(f64::from_bits(late.1));
+    assert_eq!((hash(&again), again.take_refused().len()), (late, 0));
+    live.undo().unwrap();
+    assert_eq!((hash(&live), live.world().point_count()), (before, 121));
 }
 
 #[test]

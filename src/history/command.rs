@@ -4,7 +4,7 @@ use crate::scene::{
     AddKeys, AreaKeys, BoundsKeys, DriveKeys, KindName, LabelKeys, LimitName, Meeting, MethodKeys, PenaltyKeys, Vector,
     WindKeys, object,
 };
-use crate::sim::{Cursor, Key, MouseChange, PointId, Reach};
+use crate::sim::{BondId, Cursor, Key, MouseChange, PointId, Reach};
 
 /// A command with its time.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +53,13 @@ pub enum Do {
         from: Cursor,
         /// Where it ends.
         to: Cursor,
+    },
+    /// Points are doubled, and their copies take bonds from them: see [`Command::Split`](crate::sim::Command::Split).
+    Split {
+        /// Which.
+        points: Vec<PointId>,
+        /// Bonds that go to the copies.
+        bonds: Vec<BondId>,
     },
     /// Points, bonds, bodies and obstacles come.
     Add(Box<AddKeys>),

@@ -115,6 +115,21 @@ impl Dress {
         (self.tints, self.is_tinted) = (all.into(), true);
     }
 
+    /// Copies of points come, from this number on, in the order of these: they look as those do, and are of the same bodies.
+    pub(super) fn double(&mut self, points: &[PointId], first: u32) {
+        let mut points = points.to_vec();
+        points.sort_unstable();
+        points.dedup();
+        let own =
+            |(point, number): (PointId, u32)| Tint::of(&self.tints, point.0).map(|run| Tint { first: number, ..*run });
+        let copies: Vec<Tint> = points.into_iter().zip(first..).filter_map(own).collect();
+        let Some(begin) = copies.first().map(|run| run.first) else { return };
+        let mut all = self.tints.to_vec();
+        all.retain(|tint| tint.first < begin);
+        all.extend(copies);
+        (self.tints, self.is_tinted) = (all.into(), true);
+    }
+
     /// Which body points are of, those that were added too.
     pub(super) fn tints(&self) -> &Arc<[Tint]> {
         &self.tints

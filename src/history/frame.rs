@@ -119,6 +119,9 @@ impl Frame {
         match resolve(act, scene, &*self.world)? {
             Resolved::Engine(command) => {
                 let applied = self.world.apply(&command)?;
+                if let Do::Split { points, .. } = act {
+                    self.dress.double(points, applied.points.start);
+                }
                 let is_told = matches!(act, Do::Set(keys) if self.hear(keys));
                 Ok(Applied { is_something: applied.is_something || is_told, ..applied })
             }

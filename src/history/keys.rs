@@ -5,12 +5,12 @@ use serde_json::{Map, Value};
 
 use super::command::{Do, Entry};
 use crate::scene::{KeyName, LATER, ProfileName, RegionName, Row, object, one_line, translate};
-use crate::sim::{Cursor, Key, MouseChange, PointId, Profile, Reach, Region};
+use crate::sim::{BondId, Cursor, Key, MouseChange, PointId, Profile, Reach, Region};
 
 /// Names of what is done, in the order of the table.
-const NAMES: [&str; 14] = [
-    "cursor", "mouse", "grab", "release", "key", "pin", "unpin", "cut", "add", "delete", "clear", "move", "set",
-    "group",
+const NAMES: [&str; 15] = [
+    "cursor", "mouse", "grab", "release", "key", "pin", "unpin", "cut", "split", "add", "delete", "clear", "move",
+    "set", "group",
 ];
 
 /// Largest number of an edit: those that follow have room above, and any reader of JSON knows it exactly.
@@ -67,10 +67,12 @@ object! {
 }
 
 object! {
-    GrabKeys: "a grab: an object with one of the keys `points` and `within`" {
+    #[derive(Default)]
+    GrabKeys: "a grab: an object with one of the keys `points` and `within`, and with `torn_beyond`" {
         optional {
             points: Vec<u32>,
             within: f64,
+            torn_beyond: f64,
         }
     }
 }
@@ -97,6 +99,15 @@ object! {
         required {
             from: End,
             to: End,
+        }
+    }
+}
+
+object! {
+    SplitKeys: "a split: an object with the keys `points` and `bonds`" {
+        required {
+            points: Vec<u32>,
+            bonds: Vec<u32>,
         }
     }
 }
@@ -186,8 +197,7 @@ fn keys_of(act: &Do) -> (&'static str, Map<String, Value>) {
     match act {
         Do::Cursor { to, by } => ("cursor", object(&CursorKeys { to: place(*to), by: *by })),
         Do::Mouse(change) => ("mouse", object(&mouse_keys(change))),
-        Do::Grab(Reach::Points(list)) => ("grab", object(&GrabKeys { points: Some(numbers(list)), within: None })),
-        Do::Grab(Reach::Within(within)) => ("grab", object(&GrabKeys { points: None, within: Some(*within) })),
+        Do::Grab(reach) => ("grab", object(&grab_keys(reach))),
         Do::Release => ("release", Map::new()),
         Do::Key { key, down } => {
             ("key", Map::from_iter([("key".to_owned(), key.name().into()), ("down".to_owned(), (*down).into())]))
@@ -195,6 +205,10 @@ fn keys_of(act: &Do) -> (&'static str, Map<String, Value>) {
         Do::Pin(list) => ("pin", object(&PointsKeys { points: numbers(list) })),
         Do::Unpin(list) => ("unpin", object(&PointsKeys { points: numbers(list) })),
         Do::Cut { from, to } => ("cut", object(&CutKeys { from: end(*from), to: end(*to) })),
+        Do::Split { points, bonds } => {
+            let bonds = bonds.iter().map(|bond| bond.0).collect();
+            ("split", object(&SplitKeys { points: numbers(points), bonds }))
+        }
         Do::Add(keys) => ("add", object(&**keys)),
         Do::Delete(keys) => ("delete", object(keys)),
         Do::Clear => ("clear", Map::new()),
@@ -232,6 +246,10 @@ fn act(name: &str, object: Map<String, Value>) -> Result<Do, String> {
         "cut" => {
             let CutKeys { from, to } = read(object)?;
             Do::Cut { from: from.cursor("from")?, to: to.cursor("to")? }
+        }
+        "split" => {
+            let SplitKeys { points: doubled, bonds } = read(object)?;
+            Do::Split { points: points(doubled), bonds: bonds.into_iter().map(BondId).collect() }
         }
         "add" => Do::Add(Box::new(read(object)?)),
         "delete" => Do::Delete(read(object)?),
@@ -334,9 +352,25 @@ fn mouse_change(keys: MouseKeys) -> MouseChange {
     }
 }
 
+fn grab_keys(reach: &Reach) -> GrabKeys {
+    match reach {
+        Reach::Points(list) => GrabKeys { points: Some(numbers(list)), ..GrabKeys::default() },
+        Reach::Within(within) => GrabKeys { within: Some(*within), ..GrabKeys::default() },
+        Reach::Patch { points, torn_beyond } => {
+            GrabKeys { points: Some(numbers(points)), torn_beyond: Some(*torn_beyond), ..GrabKeys::default() }
+        }
+    }
+}
+
 fn reach(keys: GrabKeys) -> Result<Reach, String> {
     match (keys.points, keys.within) {
-        (Some(list), None) => Ok(Reach::Points(points(list))),
+        (Some(list), None) => Ok(match keys.torn_beyond {
+            Some(torn_beyond) => Reach::Patch { points: points(list), torn_beyond },
+            None => Reach::Points(points(list)),
+        }),
+        (None, Some(_)) if keys.torn_beyond.is_some() => {
+            Err("torn_beyond: is of a grab of `points`: leave it out".to_owned())
+        }
         (None, Some(within)) => Ok(Reach::Within(within)),
         (None, None) => Err("takes nothing: give `points` or `within`".to_owned()),
         (Some(_), Some(_)) => Err("within: stands beside `points`: leave one of them out".to_owned()),

@@ -156,6 +156,7 @@ const FIRST_WITH_SETTLING: u64 = 7;
 const FIRST_WITH_PENALTIES: u64 = 8;
 const FIRST_WITH_DRIVES: u64 = 8;
 const FIRST_WITH_LAYERS: u64 = 12;
+const FIRST_WITH_PATCHES: u64 = 13;
 
 /// A kept world of any layout that is known.
 trait KeptWorld: Sized {
@@ -230,6 +231,7 @@ saved! {
     from FIRST_WITH_FORCES on: model: skins forces wind; rest: force_numbers next_force;
     from FIRST_WITH_HAND_OVERS on: model: ; rest: handed_over;
     from FIRST_WITH_ANGLES on: model: areas rest_areas angles convex; rest: ;
+    from FIRST_WITH_PATCHES on: model: ; rest: torn_beyond;
 }
 
 fields!(Method { solver, substep, iterations, order, seed, precision, tolerance, max_strain, sleeps } without { ledger: false, budget: None, settles: true });

@@ -34,6 +34,7 @@ pub(super) fn resolve(act: &Do, scene: &Scene, world: &dyn Dynamics) -> Result<R
         Do::Pin(points) => Command::Pin(points.clone()),
         Do::Unpin(points) => Command::Unpin(points.clone()),
         Do::Cut { from, to } => Command::Cut { from: *from, to: *to },
+        Do::Split { points, bonds } => Command::Split { points: points.clone(), bonds: bonds.clone() },
         Do::Add(keys) => {
             let made = keys.make(scene, world).map_err(|error| error.to_string())?;
             return Ok(Resolved::Made(Box::new(made)));

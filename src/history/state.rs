@@ -20,7 +20,7 @@ use crate::sim::bond::lower_first;
 use crate::sim::{Bonds, Dynamics, PointId, Saved, SavedWorld, borne, resume};
 
 /// How the numbers are laid out.
-pub(super) const LAYOUT: u64 = 12;
+pub(super) const LAYOUT: u64 = 13;
 
 /// The first layout that says which body added points are of.
 const FIRST_WITH_TINTS: u64 = 8;
@@ -217,7 +217,7 @@ fn replaced<const D: usize>(core: Core<D>, start: Saved<D>) -> Saved<D> {
     let next_obstacle = next_numbers[1].max(start.next_numbers[1]);
     let lost = [(); 2].map(|()| vec![[0.0; D]; model.position.len()]);
     let next_numbers = [next_numbers[0], next_obstacle];
-    let (cursor, grabbed, lead) = (None, Vec::new(), None);
+    let (cursor, grabbed, torn_beyond, lead) = (None, Vec::new(), 0.0, None);
     let handed_over = Vec::new();
     let mut saved = Saved {
         model,
@@ -229,6 +229,7 @@ fn replaced<const D: usize>(core: Core<D>, start: Saved<D>) -> Saved<D> {
         lost,
         cursor,
         grabbed,
+        torn_beyond,
         lead,
         handed_over,
         ..start

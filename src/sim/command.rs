@@ -55,6 +55,14 @@ pub enum Command {
         /// Where it ends.
         to: Cursor,
     },
+    /// Points are doubled: their copies have half of their mass, the place and the speed that they have, and take bonds from them; triangles
+    /// along these go with the copies, and bonds along the slit are there on both sides of it.
+    Split {
+        /// Which, no pins.
+        points: Vec<PointId>,
+        /// Bonds that go to the copies, each with an end among the points.
+        bonds: Vec<BondId>,
+    },
     /// Points, bonds, obstacles and forces come.
     Add(Box<Addition>),
     /// Points with all that hangs on them, bonds, obstacles, forces go.
@@ -89,6 +97,14 @@ pub enum Reach {
     Points(Vec<PointId>),
     /// All that are no further from the cursor (in space: from its ray) `[m]`, > 0.
     Within(f64),
+    /// A patch of what tears.
+    Patch {
+        /// Its points.
+        points: Vec<PointId>,
+        /// A cursor that is no farther from their middle leads them by less than tears them off; one twice as far pulls as hard as it can
+        /// `[m]`, > 0.
+        torn_beyond: f64,
+    },
 }
 
 /// A track: (t `[s]`, place `[m]`), times ascending.

@@ -47,6 +47,8 @@ pub struct Saved<const D: usize> {
     pub cursor: Option<([Cursor; 2], [f64; 2])>,
     /// What is grabbed.
     pub grabbed: Vec<PointId>,
+    /// What is grabbed is torn off only by a cursor that is farther from it than this `[m]`; 0: by any.
+    pub torn_beyond: f64,
     /// The plane that a grab leads in, in space: a point of it `[m]` and its normal.
     pub lead: Option<[[f64; 3]; 2]>,
     /// Islands that are moved by the live step for a while, by their lowest points.
@@ -97,6 +99,8 @@ impl<const D: usize> Saved<D> {
         range(finite && self.time.is_finite() && self.substep > 0.0 && self.substep.is_finite(), "time", "finite")?;
         range(self.keys.is_fine(), "keys", "within their ranges")?;
         range(self.grabbed.iter().all(|point| point.index() < points), "grabbed", "numbers of points")?;
+        let is_length = self.torn_beyond >= 0.0 && self.torn_beyond.is_finite();
+        range(is_length, "torn_beyond", "finite and >= 0")?;
         let is_known =
             |handed: &HandedOver| handed.first.index() < points && handed.since.is_finite() && handed.until.is_finite();
         range(self.handed_over.iter().all(is_known), "handed_over", "numbers of points and finite times")

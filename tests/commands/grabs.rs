@@ -161,3 +161,44 @@ fn a_hand_that_pulls_far_enough_tears_what_can_tear() {
     assert!(torn_by_hand(&space, 120, [[-1.0, -0.4], [-3.5, -2.5]]) > 0, "as its caption says");
     assert_eq!(torn_by_hand(&space, 120, [[-1.0, -0.4], [-1.2, -0.5]]), 0, "nor there by one that plays with it");
 }
+
+/// How many bonds of the cloth in space a hand tears that takes hold of what is about its middle and goes down by a metre, and the force at the
+/// end `[N]`.
+fn torn_in_space(reach: impl Fn(Vec<PointId>) -> Reach) -> (u64, f64) {
+    let mut world = Scene::load("cloth-space").unwrap().world(None).unwrap();
+    run_to(&mut *world, 5.0);
+    let points: Vec<PointId> = [48, 49, 50, 59, 60, 61, 70, 71, 72].map(PointId).to_vec();
+    let place = now(&*world).position;
+    let middle = |axis: usize| points.iter().map(|point| place[point.index()][axis]).sum::<f64>() / 9.0;
+    let [x, y] = [0, 1].map(middle);
+    let cursor = |down: f64, by: f64| {
+        let to = Cursor { origin: [x, y - down, 9.0], direction: [0.0, 0.0, -1.0] };
+        Command::Cursor { to: Some(to), by }
+    };
+    world.apply(&cursor(0.0, 5.0)).unwrap();
+    world.apply(&Command::Grab(reach(points.clone()))).unwrap();
+    world.apply(&cursor(1.0, 5.5)).unwrap();
+    run_to(&mut *world, 6.5);
+    let [x, y, z] = world.grab().unwrap().force;
+    (world.counters().bonds_torn, x.hypot(y).hypot(z))
+}
+
+/// 32 bonds hold nine points to others, and tear at 1,128 N together.
+#[test]
+fn a_patch_bears_less_than_tears_it_until_the_cursor_is_far_from_it() {
+    let patch = |torn_beyond: f64| move |points: Vec<PointId>| Reach::Patch { points, torn_beyond };
+    let (torn, force) = torn_in_space(patch(0.9));
+    assert_eq!(torn, 0, "led by {force} N");
+    assert!((30.0..0.0601 * 1128.0).contains(&force), "{force} N");
+    let (torn, _) = torn_in_space(patch(0.1));
+    assert!(torn > 0, "ten times as far as it is to be torn");
+    let (torn, _) = torn_in_space(Reach::Points);
+    assert!(torn > 0, "and a grab of points, however near it is");
+    let mut world = Scene::load("cloth-space").unwrap().world(None).unwrap();
+    world.apply(&Command::Cursor { to: Some(Cursor::at([0.0, 0.0])), by: 0.0 }).unwrap();
+    for torn_beyond in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let error = world.apply(&Command::Grab(patch(torn_beyond)(vec![PointId(60)]))).unwrap_err();
+        assert!(error.to_string().contains("torn_beyond"), "{error}");
+    }
+    assert!(world.grab().is_none());
+}

@@ -111,8 +111,9 @@ impl Session {
         self.resting.press(at.to_array());
         if self.hand.is_grabbing() {
             // What is grabbed follows the cursor, so it is there first.
-            let to = Some(self.camera_here().cursor(at.to_array()));
-            self.resting.tell(Some(at.to_array()), Way { to, jumps: true });
+            let way = Way { to: Some(self.camera_here().cursor(at.to_array())), jumps: true };
+            self.resting.tell(Some(at.to_array()), way);
+            let to = self.led_to(way);
             deed.commands.insert(0, Do::Cursor { to, by: None });
             self.told = to;
         }

@@ -6,11 +6,14 @@ use super::Deed;
 use super::marks::{Mark, Role};
 use super::pick::Scope;
 use super::segments::{self, distance_to_segment};
+use super::slit::Slit;
 use crate::history::Do;
 use crate::sim::PointId;
 
 /// Said where a stroke cuts nothing.
 const NO_CUT: &str = "the stroke crosses no bond";
+/// What a stroke is called when it is undone.
+const CUT: &str = "cut";
 /// The stroke goes on when the pointer is so far from its end `[logical px]`.
 const STEP: f64 = 3.0;
 /// Corners that are so near to a straight line are left out `[logical px]`: each cut costs the same, however short it is.
@@ -49,11 +52,14 @@ impl Slash {
         seen.filter(move |&bond| corners.windows(2).any(|side| segments::cross([side[0], side[1]], bond)))
     }
 
-    /// The bonds that it crosses go: in space all that are seen under it, also behind each other.
+    /// The bonds that it crosses go: in space all that are seen under it, also behind each other, and cloths are slit.
     pub(super) fn release(&self, scope: Scope<'_>, at: DVec2) -> Deed {
         let corners = self.corners(scope, at);
         if corners.windows(2).all(|side| side[0].distance(side[1]) <= 1.0) {
             return Deed::default();
+        }
+        if let Some(slit) = Slit::along(scope, &corners) {
+            return Deed { commands: slit.commands(), edit: Some(CUT), ..Deed::default() };
         }
         let cuts: Vec<Do> = corners
             .windows(2)
@@ -65,7 +71,7 @@ impl Slash {
             .collect();
         match cuts.is_empty() {
             true => Deed::words(NO_CUT.to_owned()),
-            false => Deed { commands: cuts, edit: Some("cut"), ..Deed::default() },
+            false => Deed { commands: cuts, edit: Some(CUT), ..Deed::default() },
         }
     }
 
@@ -74,8 +80,9 @@ impl Slash {
         let corners = self.corners(scope, at);
         let line = |[from, to]: [DVec2; 2], width: f64| Mark::Line(Role::Away, from, to, width * scope.scale);
         let stroke: Vec<Mark> = corners.windows(2).map(|side| line([side[0], side[1]], 2.0)).collect();
-        let bonds = Slash::crossed(scope, &corners).take(MOST).map(|bond| line(bond, 3.0)).collect::<Vec<_>>();
-        bonds.into_iter().chain(stroke).collect()
+        let bonds = || Slash::crossed(scope, &corners).take(MOST).map(|bond| line(bond, 3.0)).collect::<Vec<_>>();
+        let goes = Slit::along(scope, &corners).map_or_else(bonds, |slit| slit.marks(scope));
+        goes.into_iter().chain(stroke).collect()
     }
 }
 

@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 use super::chosen::Chosen;
 use super::pick::Scope;
 use crate::render::{Camera, Pose};
+use crate::sim::PointId;
 
 /// What a press took.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +40,12 @@ impl Scope<'_> {
         Hold { at, place: self.facing(through, at) }
     }
 
+    /// The mean place of points `[m]`.
+    pub(super) fn middle(&self, points: &[PointId]) -> DVec3 {
+        let places = points.iter().map(|point| DVec3::from(self.shown.place(point.index())));
+        places.sum::<DVec3>() / points.len().max(1) as f64
+    }
+
     /// How far what was taken goes that is dragged to a pixel `[m]`.
     pub(super) fn way(&self, hold: Hold, to: DVec2) -> DVec3 {
         self.facing(hold.place, to) - self.facing(hold.place, hold.at)
@@ -58,8 +65,7 @@ pub(super) fn before(camera: &Camera, by: DVec3) -> Camera {
 impl Chosen {
     /// The mean place of its points `[m]`.
     pub(super) fn middle(&self, scope: Scope<'_>) -> DVec3 {
-        let places = self.points.iter().map(|point| DVec3::from(scope.shown.place(point.index())));
-        places.sum::<DVec3>() / self.points.len().max(1) as f64
+        scope.middle(&self.points)
     }
 }
 

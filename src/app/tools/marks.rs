@@ -172,11 +172,9 @@ pub(in crate::app) fn probe(scope: Scope<'_>, place: usize, probe: Probe) -> Vec
 /// From the middle of what is led to the cursor, as wide as the force is large; thin until the world has felt it.
 fn led(scope: Scope<'_>, points: &[PointId], at: Option<DVec2>) -> Vec<Mark> {
     let Some(at) = at else { return Vec::new() };
-    let places = points.iter().map(|point| DVec3::from(scope.shown.place(point.index())));
-    let mean = places.sum::<DVec3>() / points.len().max(1) as f64;
     let (middle, force) = match &scope.shown.grab {
         Some(grab) => (DVec3::from(grab.middle), DVec3::from(grab.force).length()),
-        None => (mean, 0.0),
+        None => (scope.middle(points), 0.0),
     };
     let Some(middle) = scope.camera.screen_from_world(middle).map(DVec2::from) else { return Vec::new() };
     let share = force / (force + HALF_FORCE);
@@ -185,7 +183,8 @@ fn led(scope: Scope<'_>, points: &[PointId], at: Option<DVec2>) -> Vec<Mark> {
     vec![Mark::Line(Role::Lead, middle, at, width * scale), Mark::Ring(Role::Lead, middle, 5.0 * scale)]
 }
 
-/// The outline of the obstacle that the hand would take, words where it is ground; a small ring where a click starts something; a ring around the point; around a pin, and along the bar that goes with it.
+/// The outline of the obstacle that the hand would take, words where it is ground; a small ring where a click starts something; a ring around the point, and the bonds of the patch
+/// that it is taken with; around a pin, and along the bar that goes with it.
 fn would_grab(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
     if scope.starts_at(at) {
         return vec![Mark::Ring(Role::Come, at, 5.0 * scope.scale)];
@@ -204,6 +203,8 @@ fn would_grab(scope: Scope<'_>, at: DVec2) -> Vec<Mark> {
     let ring = scope.pixel(hit.point).map(|middle| Mark::Ring(role, middle, 7.0 * scope.scale));
     let bar = if is_pin { super::lead::bar(scope, hit.point) } else { Vec::new() };
     let mut marks: Vec<Mark> = ring.into_iter().collect();
+    let patch = if is_pin { None } else { scope.patch(hit.point, at) };
+    marks.extend(patch.into_iter().flat_map(|patch| bonds(Role::Lead, scope, &patch)));
     if bar.len() > 1 {
         let mut pins = bar;
         pins.sort_unstable();

@@ -61,6 +61,9 @@ mod muscles;
 mod muscles_tests;
 mod others;
 mod part;
+mod patch;
+#[cfg(test)]
+mod patch_tests;
 mod pick;
 mod placing;
 mod press;
@@ -79,6 +82,7 @@ mod select_tests;
 mod selecting;
 mod selection;
 mod skin;
+mod slit;
 #[cfg(test)]
 mod space_tests;
 mod stall;

@@ -66,7 +66,7 @@ impl Scope<'_> {
     }
 
     /// All points within so many pixels of a pixel.
-    fn near(&self, at: DVec2, most: f64) -> Vec<Hit> {
+    pub(super) fn near(&self, at: DVec2, most: f64) -> Vec<Hit> {
         let hit = |index: usize| {
             let place = self.shown.place(index);
             let pixel = DVec2::from(self.camera.screen_from_world(DVec3::from(place))?);
@@ -127,9 +127,13 @@ impl Scope<'_> {
         near.into_iter().map(|hit| hit.point).collect()
     }
 
-    /// The points that a press takes: those around the pixel, as deep as the nearest one, or the corners of what it lies on.
+    /// The points that a press takes: of a cloth or a net a patch, else those around the pixel, as deep as the nearest one, or the corners of what it
+    /// lies on.
     pub(in crate::app) fn grip(&self, at: DVec2) -> Vec<PointId> {
         let Some(nearest) = self.nearest(at) else { return Vec::new() };
+        if let Some(patch) = self.patch(nearest.point, at) {
+            return patch;
+        }
         let across = 4.0 * GRIP * self.scale / self.camera.pixels_per_metre();
         let mut points: Vec<PointId> = self
             .near(at, GRIP * self.scale)

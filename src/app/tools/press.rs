@@ -138,6 +138,7 @@ impl Hand {
             return self.carry(scope, at);
         }
         let mut points = scope.grip(at);
+        let is_under = !points.is_empty();
         if points.is_empty()
             && let Some(number) = scope.block(at)
         {
@@ -153,7 +154,13 @@ impl Hand {
             return if scope.is_on_ground(at) { Deed::words(GROUND.to_owned()) } else { Deed::default() };
         }
         let mut commands = self.calm_now();
-        commands.push(Do::Grab(Reach::Points(points.clone())));
+        let reach = scope.reach(&points);
+        // A patch stays where it is below the pointer; what was pushed away comes to it.
+        if is_under && matches!(reach, Reach::Patch { .. }) {
+            let middle = scope.middle(&points);
+            self.beside = middle - scope.facing(middle, at);
+        }
+        commands.push(Do::Grab(reach));
         self.doing = Doing::Grabbing(points);
         Deed::plain(commands)
     }

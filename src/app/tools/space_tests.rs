@@ -80,30 +80,37 @@ impl Room {
 }
 
 #[test]
-fn a_stroke_cuts_the_bonds_that_are_seen_under_it_and_opens_the_skin() {
+fn a_stroke_over_a_cloth_is_a_slit_that_loses_nothing_of_it() {
     let mut room = Room::new(Tool::Cut);
     let (bonds, triangles) = (room.shown.scenery.bonds.len(), room.shown.scenery.triangles.len());
-    let [from, to] = [room.pixel(36), room.pixel(44)].map(|at| at + DVec2::new(0.0, 9.0));
-    let deed = room.drag([from, to]);
-    let seen = |room: &mut Room| {
-        let ends: Vec<_> = room.shown.scenery.bonds.ends().to_vec();
-        let crossed = |ends: &&[PointId; 2]| {
-            let [a, b] = ends.map(|end| room.with(|_, scope| scope.pixel(end).unwrap()));
-            super::segments::cross([from, to], [a, b])
-        };
-        ends.iter().filter(crossed).count()
-    };
-    let crossed = seen(&mut room);
-    assert!(crossed > 10 && deed.edit == Some("cut"), "{crossed}: {deed:?}");
+    // Just below the fifth row, from within the first cell to within the last.
+    let across = room.pixel(44) - room.pixel(36);
+    let [from, to] =
+        [room.pixel(36) + 0.06 * across, room.pixel(44) - 0.06 * across].map(|at| at + DVec2::new(0.0, 6.0));
+    room.with(|hand, scope| hand.press(scope, from));
+    let marks = room.with(|hand, scope| hand.marks(scope, Some(to)));
+    let is_line = |mark: &&super::Mark| matches!(mark, super::Mark::Line(super::Role::Away, ..));
+    assert!(marks.iter().filter(is_line).count() > 6, "where it opens, and the stroke: {marks:?}");
+    let deed = room.with(|hand, scope| hand.release(scope, to));
+    let [Do::Split { points, bonds: moved }] = &deed.commands[..] else { panic!("{deed:?}") };
+    let (points, moved) = (points.clone(), moved.clone());
+    assert!(points.len() >= 5 && points.iter().all(|point| (37..44).contains(&point.0)), "{points:?}");
+    assert!(moved.len() > 2 * points.len() && deed.edit == Some("cut"), "{moved:?}");
     room.give(&deed);
-    assert_eq!(room.shown.scenery.bonds.len(), bonds - crossed, "as drawn");
-    assert_eq!(seen(&mut room), 0);
-    assert!(triangles > 0 && room.shown.scenery.triangles.len() < triangles);
+    let scenery = &room.shown.scenery;
+    assert_eq!(scenery.triangles.len(), triangles, "nothing of it is lost");
+    assert_eq!((room.shown.point_count(), scenery.bonds.len()), (81 + points.len(), bonds + points.len() + 1));
+    let beside = |point: u32| {
+        let of = scenery.bonds.ends().iter().filter(move |ends| ends.contains(&PointId(point)));
+        of.flatten().map(|end| end.0).filter(move |&end| end != point).collect::<Vec<u32>>()
+    };
+    for (copy, point) in (81..).zip(&points) {
+        assert!(beside(copy).iter().all(|&end| end >= 36), "the lower lip: {:?}", beside(copy));
+        assert!(beside(point.0).iter().all(|&end| end < 45), "the upper lip: {:?}", beside(point.0));
+        assert_eq!(room.place(copy as usize), room.place(point.index()));
+    }
     room.undo();
-    assert_eq!(room.shown.scenery.bonds.len(), bonds);
-    // As a file has it.
-    let [Do::Cut { from, to }] = deed.commands[..] else { panic!("{deed:?}") };
-    assert!(from.origin == to.origin && from.direction != to.direction);
+    assert_eq!((room.shown.scenery.bonds.len(), room.shown.point_count()), (bonds, 81));
 }
 
 #[test]

@@ -39,7 +39,7 @@ pub(super) fn pixel(of: &(Shown, Camera, Scene), point: usize) -> DVec2 {
 /// The points that a deed grabs.
 pub(super) fn grabbed(deed: &Deed) -> Vec<PointId> {
     let points = deed.commands.iter().find_map(|command| match command {
-        Do::Grab(Reach::Points(points)) => Some(points.clone()),
+        Do::Grab(Reach::Points(points) | Reach::Patch { points, .. }) => Some(points.clone()),
         _ => None,
     });
     points.unwrap_or_default()

@@ -60,13 +60,16 @@ impl<S: Real, const D: usize> World<S, D> {
             Command::Cursor { .. } | Command::Mouse(_) | Command::Release | Command::Key { .. } | Command::Clear => {
                 Vec::new()
             }
-            Command::Grab(Reach::Points(points)) | Command::Pin(points) | Command::Unpin(points) => of(points),
+            Command::Grab(Reach::Points(points) | Reach::Patch { points, .. })
+            | Command::Pin(points)
+            | Command::Unpin(points) => of(points),
             Command::Grab(Reach::Within(radius)) => of(&self.points_within(*radius)),
             Command::Cut { from, to } => {
                 let goes = self.crossed_by([*from, *to]).unwrap_or_default();
                 let cut = self.bonds.ends().iter().zip(goes).filter(|(_, goes)| *goes);
                 cut.flat_map(|(ends, _)| *ends).map(|end| end.0).collect()
             }
+            Command::Split { points, bonds } => [of(points), ends(bonds)].concat(),
             Command::Add(addition) => named_by_addition(addition),
             Command::Delete(Selection { points, bonds, .. }) => [of(points), ends(bonds)].concat(),
             Command::Move(motion) => of(&motion.points),

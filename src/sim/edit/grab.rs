@@ -20,7 +20,7 @@ impl<S: Real, const D: usize> World<S, D> {
             return Err(invalid("there is no cursor to lead what is grabbed: give a `cursor` command first"));
         };
         let mut points = match reach {
-            Reach::Points(points) => {
+            Reach::Points(points) | Reach::Patch { points, .. } => {
                 self.check_points(points)?;
                 points.clone()
             }
@@ -30,6 +30,13 @@ impl<S: Real, const D: usize> World<S, D> {
         if points.is_empty() {
             return Err(invalid("nothing is in reach"));
         }
+        let torn_beyond = match reach {
+            Reach::Patch { torn_beyond, .. } if !(*torn_beyond > 0.0 && torn_beyond.is_finite()) => {
+                return Err(invalid(format!("`torn_beyond` is {torn_beyond}: it must be finite and > 0")));
+            }
+            Reach::Patch { torn_beyond, .. } => *torn_beyond,
+            _ => 0.0,
+        };
         // A pin holds, and what is taut between pins.
         points.retain(|point| self.can_move(point.index()));
         points.sort_unstable();
@@ -42,7 +49,7 @@ impl<S: Real, const D: usize> World<S, D> {
             let middle = self.middle(&points);
             self.around.lead = Some(Lead { point: middle, normal: cursor.direction });
         }
-        self.grabbed = points;
+        (self.grabbed, self.torn_beyond) = (points, torn_beyond);
         self.hold_on();
         Ok(done(true))
     }
@@ -64,6 +71,7 @@ impl<S: Real, const D: usize> World<S, D> {
     pub(super) fn release(&mut self) -> Applied {
         let was_held = !self.grabbed.is_empty();
         self.grabbed.clear();
+        self.torn_beyond = 0.0;
         self.around.lead = None;
         for place in 0..self.plan.groups.len() {
             if self.plan.groups[place].grabbed.is_some() {
@@ -116,6 +124,7 @@ impl<S: Real, const D: usize> World<S, D> {
                 slots,
                 body_mass,
                 tearing,
+                torn_beyond: self.torn_beyond,
                 offset: crate::sim::vector::truncate(offset),
                 most_lead,
                 lead: None,

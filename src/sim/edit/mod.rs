@@ -26,6 +26,7 @@ mod segments;
 mod set;
 mod settings;
 mod shift;
+mod split;
 mod whole;
 
 use super::bond::PointId;
@@ -67,6 +68,7 @@ impl<S: Real, const D: usize> World<S, D> {
             Command::Pin(points) => self.pin(points),
             Command::Unpin(points) => self.unpin(points),
             Command::Cut { from, to } => self.cut([*from, *to]),
+            Command::Split { points, bonds } => self.split(points, bonds),
             Command::Add(addition) => self.add(addition),
             Command::Delete(selection) => self.delete(selection),
             Command::Clear => self.delete(&self.everything()),

@@ -64,6 +64,8 @@ pub struct World<S: Real, const D: usize> {
     pub(crate) within: Vec<u32>,
     /// The points that are grabbed; the groups that they are in lead them.
     pub(crate) grabbed: Vec<PointId>,
+    /// What is grabbed is torn off only by a cursor that is farther from it than this `[m]`; 0: by any.
+    pub(crate) torn_beyond: f64,
     /// Pins that may be met, and the topology that they are of.
     pub(crate) fixtures: (Option<u64>, Arc<[u32]>),
     /// What hangs between pins that are led, and the topology that this is of.

@@ -93,6 +93,7 @@ impl<S: Real, const D: usize> World<S, D> {
             fixtures: (None, Arc::new([])),
             spans: (None, Arc::new([])),
             grabbed: Vec::new(),
+            torn_beyond: 0.0,
             frozen: Vec::new(),
             ledger: None,
             model: Arc::new(model.bare()),
