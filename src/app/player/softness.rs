@@ -1,6 +1,7 @@
 //! What relaxed bonds amount to as the world is: worked out when a scene opens, and whenever its method, its bonds, its masses or its pins change.
 
 use std::collections::BTreeSet;
+use std::time::{Duration, Instant};
 
 use crate::equilibrium::{MOST_SOFT, Softness, softness};
 use crate::history::History;
@@ -9,6 +10,8 @@ use crate::sim::{Bond, BondKind, Dynamics, Model, PointId, Saved, SavedWorld, So
 
 /// Of more bonds than this it is worked out once a change is over, not while a slider is dragged: that takes long.
 const AT_ONCE: usize = 300;
+/// A change is over where nothing else was seen for so long, and nobody looked.
+const SOON: Duration = Duration::from_millis(300);
 
 /// What it depends on.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,8 +28,8 @@ struct Of {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Relaxed {
     of: Option<Of>,
-    /// What was seen since and is not worked out yet.
-    seen: Option<Of>,
+    /// What was seen since and is not worked out yet, and when.
+    seen: Option<(Of, Instant)>,
     softness: Option<Softness>,
 }
 
@@ -49,13 +52,19 @@ impl Relaxed {
             self.seen = None;
             return;
         }
-        let is_over = self.of.is_none() || now.bonds.len() <= AT_ONCE || self.seen.as_ref() == Some(&now);
+        let is_over =
+            self.of.is_none() || now.bonds.len() <= AT_ONCE || self.seen.as_ref().is_some_and(|(seen, _)| *seen == now);
         if is_over {
             self.softness = of(history, now.substep);
             (self.of, self.seen) = (Some(now), None);
         } else {
-            self.seen = Some(now);
+            self.seen = Some((now, Instant::now()));
         }
+    }
+
+    /// When it is to be looked again, though nothing is asked for until then: what was seen is not worked out yet.
+    pub(super) fn due(&self) -> Option<Instant> {
+        self.seen.as_ref().map(|(_, at)| *at + SOON)
     }
 
     /// The stiffness of springs that would give way as much `[N/m]`; `None` where no bond takes a share of its error.
