@@ -22,7 +22,9 @@ pub(super) fn marks(scope: Scope<'_>, [point, along]: [DVec2; 2]) -> Vec<Mark> {
     let [low, high] = scope.seen();
     let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
     let far = corners.map(|corner| (corner - from).dot(way));
-    let [least, most] = far.into_iter().fold([0.0_f64; 2], |[least, most], far| [least.min(far), most.max(far)]);
+    // Of what is seen alone: the point that it goes through may be far off.
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    let [least, most] = far.into_iter().fold(none, |[least, most], far| [least.min(far), most.max(far)]);
     let (apart, deep) = (APART * scope.scale, DEEP * scope.scale);
     let strokes = ((least / apart).ceil() as i64..=(most / apart).floor() as i64).map(|k| {
         let foot = from + k as f64 * apart * way;
