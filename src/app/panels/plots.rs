@@ -242,13 +242,19 @@ fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>
     });
 }
 
+/// So much room is left beside the menu of the world for how to put a probe `[points]`.
+const HINTED: f32 = 190.0;
+
 /// What is looked at; without a probe how to put one.
 fn choices(ui: &mut Ui, plots: &mut Plots) {
     let count = plots.probes().iter().flatten().count();
     ui.spacing_mut().item_spacing.x = 4.0;
     of_world(ui, plots);
     if count == 0 {
-        ui.weak("tool 6 probes points and bonds");
+        // A narrow panel gets no wider for it.
+        if ui.available_width() >= HINTED {
+            ui.weak("tool 6 probes points and bonds");
+        }
         return;
     }
     // An orbit is of the probes as well.
