@@ -132,6 +132,9 @@ pub trait Dynamics: Send {
     fn pin_tracks(&self) -> Vec<(PointId, Knots)>;
     /// The props, ascending: pins that hold nothing, which motors and joints on the background push against.
     fn props(&self) -> Vec<PointId> {
+        if self.angles().is_empty() {
+            return Vec::new();
+        }
         let mut pinned = self.pinned().to_vec();
         pinned.sort_unstable();
         let firsts = self.angles().iter().filter(|angle| angle.stiffness == 0.0).map(|angle| angle.points[0]);

@@ -119,6 +119,7 @@ fn as_it_is<const D: usize>(saved: Saved<D>, start: Option<Model<D>>, substep: f
 mod tests {
     use super::*;
     use crate::app::player::movers::with;
+    use crate::app::player::{Order, Shown, Stage};
     use crate::history::{Do, OneOrEach, SetKeys, Start};
     use crate::scene::Scene;
     use crate::sim::Cursor;
@@ -141,6 +142,30 @@ mod tests {
         let mut none = Relaxed::default();
         none.look(&History::new(rigid).unwrap());
         assert_eq!(none.stiffness(), None);
+    }
+
+    #[test]
+    fn of_many_bonds_it_is_worked_out_once_a_change_is_over_in_a_pause_too() {
+        let text = r#"{"wobble": 1, "gravity": [0, 0], "method": {"substep": 0.005, "iterations": 1}, "bodies": [{"make": "lattice",
+            "columns": 10, "rows": 10, "spacing": 0.1, "material": {"kind": "relaxed", "relaxation": 0.1, "mass": 1}}]}"#;
+        let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        assert!(stage.history().world().bonds().len() > AT_ONCE);
+        let shown = |stage: &mut Stage| {
+            let mut shown = Shown::default();
+            stage.show(&mut shown);
+            shown.figures.relaxed.unwrap()
+        };
+        stage.obey(Order::Play(false));
+        let before = shown(&mut stage);
+        assert_eq!(stage.patience(), None);
+        let keys = SetKeys { points: Some((0..100).collect()), mass: Some(OneOrEach::One(0.04)), ..SetKeys::default() };
+        assert_eq!(stage.obey(Order::Give(vec![Do::Set(Box::new(keys))], Some("mass"))), None);
+        assert_eq!(shown(&mut stage), before, "it may be dragged on");
+        assert!(stage.patience().is_some_and(|left| left <= SOON) && !stage.idle(Instant::now() - SOON));
+        assert!(stage.idle(Instant::now() + SOON), "there is something to be shown");
+        let after = shown(&mut stage);
+        assert!((after / before - 4.0).abs() < 0.1, "four times the mass: {before}, {after}");
+        assert_eq!(stage.patience(), None);
     }
 
     #[test]

@@ -37,3 +37,23 @@ pub(super) fn marks(scope: Scope<'_>, [point, along]: [DVec2; 2]) -> Vec<Mark> {
     };
     std::iter::once(whole).chain(strokes.filter(in_view)).collect()
 }
+
+#[cfg(test)]
+#[allow(clippy::panic, reason = "a test that cannot go on stops")]
+mod tests {
+    use super::*;
+    use crate::app::tools::build::tests::room;
+    use crate::app::tools::tests::scope;
+
+    #[test]
+    fn of_a_plane_through_a_point_far_off_the_view_alone_is_drawn() {
+        let seen = room();
+        for (point, along) in [([1e5, 0.0], [1.0, 0.0]), ([0.0, -1e5], [0.0, 1.0])] {
+            let marks = marks(scope(&seen), [point, along].map(DVec2::from));
+            let Some(Mark::Line(_, from, to, _)) = marks.first() else { panic!("{marks:?}") };
+            let [low, high] = scope(&seen).seen();
+            assert!(from.distance(*to) < 1.01 * low.distance(high), "{from} to {to}");
+            assert!(marks.len() > 10, "it is hatched");
+        }
+    }
+}
