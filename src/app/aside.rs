@@ -1,4 +1,4 @@
-//! What is drawn beside the window: on a thread of its own, which is not left behind.
+//! What is drawn beside the window: on a thread of its own, which the program does not end without.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -37,9 +37,35 @@ impl Aside {
     }
 }
 
+impl Aside {
+    /// It is not wanted any more: that is told to it, and not waited for.
+    fn give_up(&self) {
+        self.is_left.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether nothing is left to wait for.
+    fn has_ended(&self) -> bool {
+        self.thread.as_ref().is_none_or(JoinHandle::is_finished)
+    }
+}
+
+/// Threads that draw what nobody wants any more: each ends as soon as it asks whether it is wanted. They are waited for where this is dropped alone,
+/// at the end of the program.
+#[derive(Default)]
+pub(super) struct Unwanted(Vec<Aside>);
+
+impl Unwanted {
+    /// Takes one, without waiting for it; those that have ended are forgotten.
+    pub(super) fn take(&mut self, aside: Aside) {
+        aside.give_up();
+        self.0.retain(|other| !other.has_ended());
+        self.0.push(aside);
+    }
+}
+
 impl Drop for Aside {
     fn drop(&mut self) {
-        self.is_left.store(true, Ordering::Relaxed);
+        self.give_up();
         // What panicked has said so, and is nothing to wait for.
         let _ = self.thread.take().map(JoinHandle::join);
     }
@@ -69,6 +95,28 @@ mod tests {
         drop(aside);
         assert!(!at_work.load(Ordering::Relaxed));
         assert_eq!(Arc::strong_count(&at_work), 1, "the thread has ended");
+    }
+
+    #[test]
+    fn what_is_not_wanted_any_more_is_told_so_and_waited_for_at_the_end_alone() {
+        let (lets_go, is_let_go) = channel::<()>();
+        let (told, tells) = channel();
+        let work = move |is_wanted: &dyn Fn() -> bool, _: &dyn Fn()| {
+            // It is at something long, as one picture.
+            let _ = is_let_go.recv();
+            told.send(is_wanted()).unwrap_or_default();
+        };
+        let mut unwanted = Unwanted::default();
+        // This thread lets it go on only after that: one that waited would wait for ever.
+        unwanted.take(Aside::new(|| {}, work));
+        assert_eq!(tells.try_recv(), Err(TryRecvError::Empty));
+        drop(lets_go);
+        assert_eq!(tells.recv(), Ok(false));
+        while !unwanted.0[0].has_ended() {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        unwanted.take(Aside::new(|| {}, |_, _| {}));
+        assert_eq!(unwanted.0.len(), 1, "what has ended is forgotten");
     }
 
     #[test]

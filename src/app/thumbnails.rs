@@ -37,7 +37,7 @@ pub(super) struct Thumbnails {
     is_done: bool,
     /// The names of those that are looked at: they come first.
     wanted: Arc<Mutex<Vec<&'static str>>>,
-    _aside: Aside,
+    aside: Aside,
 }
 
 /// The next scene of those that are left: the first that is looked at.
@@ -75,7 +75,7 @@ impl Thumbnails {
                 wake();
             }
         });
-        Thumbnails { drawn, ready: Vec::new(), is_done: false, wanted, _aside: aside }
+        Thumbnails { drawn, ready: Vec::new(), is_done: false, wanted, aside }
     }
 
     /// These are looked at from now on.
@@ -99,6 +99,11 @@ impl Thumbnails {
     /// Whether there are still some to come.
     pub(super) fn is_drawing(&self) -> bool {
         !self.is_done
+    }
+
+    /// The thread that draws them.
+    pub(super) fn into_aside(self) -> Aside {
+        self.aside
     }
 
     /// Gives what was drawn to the panels.

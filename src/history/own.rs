@@ -63,29 +63,29 @@ impl Own<'_> {
         let bonds = left.bonds.as_ref().filter(|_| self.entry.owns("bonds"));
         let stays: Vec<bool> = bonds.into_iter().flatten().map(|bond| *bond as usize >= self.listed).collect();
         if stays.contains(&false) {
-            kept.push("bonds");
+            kept.push(BesideKeys::in_words("bonds"));
             if !stays.contains(&true) {
                 return (None, kept);
             }
             left = left.among(&stays);
         }
-        let mut keep = |key: &str, is_set: bool, words: &'static str| {
+        let mut keep = |key: &'static str, is_set: bool| {
             let is_kept = is_set && self.entry.owns(key);
             if is_kept {
-                kept.push(words);
+                kept.push(BesideKeys::in_words(key));
             }
             is_kept
         };
-        if keep("gravity", left.gravity.is_some(), "gravity") {
+        if keep("gravity", left.gravity.is_some()) {
             left.gravity = None;
         }
-        if keep("drag_rate", left.drag_rate.is_some(), "drag") {
+        if keep("drag_rate", left.drag_rate.is_some()) {
             left.drag_rate = None;
         }
-        if keep("wind", left.wind.is_some(), "wind") {
+        if keep("wind", left.wind.is_some()) {
             left.wind = None;
         }
-        if keep("bounds", left.bounds.is_some(), "walls") {
+        if keep("bounds", left.bounds.is_some()) {
             left.bounds = None;
         }
         (Some(left).filter(|left| *left != SetKeys::default()), kept)

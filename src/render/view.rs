@@ -53,11 +53,8 @@ impl Hinge {
 /// Where a world has joints, ascending: those with stops, and those that lost them and turn freely. What bends or is driven is none, nor what
 /// hangs on the background: its stops push against a pin that is no limb.
 pub fn joints(world: &dyn Dynamics) -> Vec<PointId> {
-    let is_prop = |point: PointId| !world.bonds().ends().iter().flatten().any(|end| *end == point);
-    let is_limb = |angle: &Angle| {
-        let are_pins = angle.points[..2].iter().all(|point| world.pinned().contains(point));
-        !(are_pins && is_prop(angle.points[0]))
-    };
+    let props = world.props();
+    let is_limb = |angle: &Angle| props.binary_search(&angle.points[0]).is_err();
     let turns = |angle: &Angle| angle.range.is_some() || (angle.stiffness == 0.0 && angle.drive.is_none());
     let is_joint = |angle: &&Angle| turns(angle) && is_limb(angle);
     let mut list: Vec<PointId> = world.angles().iter().filter(is_joint).map(|angle| angle.points[1]).collect();

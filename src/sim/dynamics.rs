@@ -130,6 +130,26 @@ pub trait Dynamics: Send {
     fn pinned(&self) -> &[PointId];
     /// Where pins are led: the track of each that has one.
     fn pin_tracks(&self) -> Vec<(PointId, Knots)>;
+    /// The props, ascending: pins that hold nothing, which motors and joints on the background push against.
+    fn props(&self) -> Vec<PointId> {
+        if self.angles().is_empty() {
+            return Vec::new();
+        }
+        let mut pinned = self.pinned().to_vec();
+        pinned.sort_unstable();
+        let firsts = self.angles().iter().filter(|angle| angle.stiffness == 0.0).map(|angle| angle.points[0]);
+        let mut props: Vec<PointId> = firsts.filter(|point| pinned.binary_search(point).is_ok()).collect();
+        props.sort_unstable();
+        props.dedup();
+        if props.is_empty() {
+            return props;
+        }
+        let mut holds = vec![false; props.len()];
+        let held = self.bonds().ends().iter().flatten().chain(self.triangles().iter().flatten());
+        held.filter_map(|point| props.binary_search(point).ok()).for_each(|prop| holds[prop] = true);
+        let free = props.into_iter().zip(holds).filter(|(_, holds)| !holds);
+        free.map(|(prop, _)| prop).collect()
+    }
     /// The masses of all points `[kg]`.
     fn masses(&self) -> &[f64];
     /// Corners of the walls, if there are any (z = 0 in the plane).

@@ -234,7 +234,7 @@ fn what_an_entry_has_of_its_own_is_its_worlds_alone() {
     let loose = places(&with.companions()[0])[6];
     let expected = 1.0 + time - 0.5 * (1.0 - (-2.0 * time).exp());
     assert!((loose - expected).abs() < 5e-3, "{loose} instead of {expected}");
-    assert_eq!(with.companions()[0].title(), "verlet, h = 10 ms, its own bonds, drag rate, wind");
+    assert_eq!(with.companions()[0].title(), "verlet, h = 10 ms, its own bonds, drag, wind");
 }
 
 #[test]

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, channel};
+use std::time::Duration;
 
 use super::{Film, Gif, Shot, scale_factor};
 use crate::app::aside::Aside;
@@ -18,6 +19,8 @@ const APPROACH_SHARE: f64 = 0.15;
 const LEAD_SHARE: f64 = 0.2;
 /// Parts in which it is told how far it is.
 const PARTS: f64 = 100.0;
+/// So often it is asked whether a clip is still wanted, while what it is of is on its way.
+const ASKED_EVERY: Duration = Duration::from_millis(50);
 
 /// How long a clip is at most, and how wide.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,7 +94,7 @@ pub(in crate::app) struct Filming {
     path: PathBuf,
     shared: Arc<Shared>,
     filmed: Receiver<Filmed>,
-    _aside: Aside,
+    aside: Aside,
 }
 
 impl Filming {
@@ -113,14 +116,15 @@ impl Filming {
                 }
                 is_wanted() && !told.is_settled.load(Ordering::Relaxed)
             };
-            // What brings it is gone with the scene.
-            let drawn = reel.recv().map_err(|_| GONE.to_owned());
-            let drawn = drawn.and_then(|reel| drawn_of(reel, (gpu, shot), settings, &mut goes_on));
+            let drawn = awaited(&reel, &mut || goes_on(0.0)).and_then(|reel| match reel {
+                Some(reel) => drawn_of(reel, (gpu, shot), settings, &mut goes_on),
+                None => Ok(None),
+            });
             // A window that has been closed hears no more.
             let drawn = drawn.map(|bytes| bytes.filter(|_| !told.is_settled.swap(true, Ordering::Relaxed)));
             let _ = sender.send(drawn.and_then(|bytes| written(bytes, &to)).unwrap_or_else(Filmed::Failed));
         });
-        Filming { path, shared, filmed, _aside: aside }
+        Filming { path, shared, filmed, aside }
     }
 
     /// Where it is written.
@@ -139,6 +143,11 @@ impl Filming {
         !self.shared.is_settled.swap(true, Ordering::Relaxed)
     }
 
+    /// The thread that draws it.
+    pub(in crate::app) fn into_aside(self) -> Aside {
+        self.aside
+    }
+
     /// What became of it, once that is known.
     pub(in crate::app) fn take(&self) -> Option<Filmed> {
         match self.filmed.try_recv() {
@@ -153,6 +162,20 @@ impl Filming {
 const GONE: &str = "no clip was written: what it is of is gone";
 /// Said where the thread that drew it panicked.
 const BROKEN: &str = "no clip was written: it could not be drawn to its end";
+
+/// What a clip is of, once it comes; `None`: `is_wanted` says no before that.
+///
+/// Errors: in words, what brings it is gone with the scene.
+fn awaited(reel: &Receiver<Reel>, is_wanted: &mut dyn FnMut() -> bool) -> Result<Option<Reel>, String> {
+    loop {
+        match reel.recv_timeout(ASKED_EVERY) {
+            Ok(reel) => return Ok(Some(reel)),
+            Err(RecvTimeoutError::Disconnected) => return Err(GONE.to_owned()),
+            Err(RecvTimeoutError::Timeout) if is_wanted() => {}
+            Err(RecvTimeoutError::Timeout) => return Ok(None),
+        }
+    }
+}
 
 /// Writes a clip, where it was not given up.
 fn written(bytes: Option<Vec<u8>>, path: &Path) -> Result<Filmed, String> {
@@ -295,6 +318,23 @@ mod tests {
     }
 
     #[test]
+    fn what_is_given_up_before_it_is_known_what_it_is_of_is_not_waited_for() {
+        // What would bring it is there, and busy.
+        let (sender, reel) = channel();
+        let mut asked = 0;
+        let mut is_wanted = || {
+            asked += 1;
+            asked < 2
+        };
+        assert!(matches!(awaited(&reel, &mut is_wanted), Ok(None)));
+        assert_eq!(asked, 2);
+        sender.send(falling().0.reel(0.5)).unwrap();
+        assert!(matches!(awaited(&reel, &mut || false), Ok(Some(_))), "it is there");
+        drop(sender);
+        assert!(awaited(&reel, &mut || true).is_err_and(|why| why == GONE));
+    }
+
+    #[test]
     fn worlds_beside_are_led_from_the_start_a_little_at_a_time() {
         let Some(gpu) = Gpu::of_test() else { return };
         let (history, shot) = falling();
@@ -344,7 +384,8 @@ mod tests {
             if is_given_up {
                 assert!(filming.give_up() && !filming.give_up(), "once");
             }
-            sender.send(history.reel(0.5)).unwrap();
+            // One that was given up need not wait for it.
+            sender.send(history.reel(0.5)).unwrap_or_default();
             (filming.filmed.recv().unwrap(), std::fs::read(&path).unwrap())
         };
         assert_eq!(filmed(true), (Filmed::GivenUp, b"old".to_vec()));

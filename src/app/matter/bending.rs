@@ -67,8 +67,7 @@ fn keys(bend: &Bend) -> AngleKeys {
 
 /// The share of E I that each of some angles has, by how many of the world bend at its point `[1]`.
 fn shares(world: &dyn Dynamics, angles: &[Angle]) -> Vec<f64> {
-    let bending = world.angles().iter().filter(|angle| AngleAs::Bend.is(angle));
-    let mut middles: Vec<PointId> = bending.map(|angle| angle.points[1]).collect();
+    let mut middles: Vec<PointId> = AngleAs::Bend.all(world).map(|angle| angle.points[1]).collect();
     middles.sort_unstable();
     let count = |middle: PointId| {
         let first = middles.partition_point(|other| *other < middle);

@@ -10,6 +10,7 @@ use super::preset::Preset;
 use super::{Among, AngleAs, Common};
 use crate::picture::Tint;
 use crate::scene::DriveKeys;
+use crate::sim::vector::sub;
 use crate::sim::{Bond, BondKind, Contact, Dynamics, Knots, Limit, Obstacle, PointId};
 
 /// A strain at which bonds break that none comes to `[1]`: files have no word for never.
@@ -57,12 +58,14 @@ impl Span {
     }
 }
 
-/// A pin, where it is `[m]`, and the way that it is led along: of what stands that has no knots.
+/// A pin, where it is `[m]`, and the way that it is led along: of what stands that has no knots. With it go the props of what turns about it, each
+/// so far from it `[m]`.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::app) struct Pin {
     pub(in crate::app) point: PointId,
     pub(in crate::app) at: [f64; 3],
     pub(in crate::app) knots: Knots,
+    pub(in crate::app) props: Vec<(PointId, [f64; 3])>,
 }
 
 /// What a selection is made of. A span is `None` where nothing has such a number.
@@ -182,7 +185,7 @@ impl Matter {
             world.contact().filter(meets_itself).map(|_| points.iter().filter(|point| is_layered(point)).count());
         let angles = among.angles_of(world, AngleAs::Joint);
         let ranges = || angles.iter().filter_map(|angle| angle.range);
-        let knees = among.knees_of(world).len();
+        let knees = among.knees_of(world);
         let [least, most] = [0, 1].map(|side| Span::of(ranges().map(|range| range[side])));
         let surfaces = || skins.iter().chain(&solids);
         let arms = world.angles().iter().flat_map(|angle| [[0, 1], [1, 2]].map(|ends| ends.map(|k| angle.points[k])));
@@ -219,9 +222,9 @@ impl Matter {
             rest_angle: Span::of(held(&angles).map(|angle| angle.rest)),
             angle_damping: Span::of(angles.iter().map(|angle| angle.damping)),
             swings: swings(&angles),
-            joints: [ranges().count(), angles.len() + knees],
+            joints: [ranges().count(), angles.len() + knees.len()],
             stops: least.zip(most).map(|(least, most)| [least, most]),
-            coming_stops: coming((world, former), among, &angles),
+            coming_stops: coming((world, former), &angles, &knees),
             motors: motors::shown(world, among),
             friction: Span::of(surfaces().map(|surface| surface[0])),
             restitution: Span::of(surfaces().map(|surface| surface[1])),
@@ -263,16 +266,26 @@ impl Matter {
     }
 }
 
-/// The first few pins among points, each with the way that it is led along.
+/// The first few pins among points, each with the way that it is led along. Props go with their pins.
 fn pins(world: &dyn Dynamics, points: &[PointId]) -> Vec<Pin> {
-    let is_meant = |pin: &PointId| points.binary_search(pin).is_ok();
+    let props = world.props();
+    let is_meant = |pin: &PointId| points.binary_search(pin).is_ok() && props.binary_search(pin).is_err();
     let mut pins: Vec<PointId> = world.pinned().iter().copied().filter(is_meant).collect();
     pins.sort_unstable();
     pins.truncate(MOST_PINS);
     let tracks = if pins.is_empty() { Vec::new() } else { world.pin_tracks() };
     let knots =
         |point: PointId| tracks.iter().find(|(led, _)| *led == point).map_or_else(Vec::new, |(_, knots)| knots.clone());
-    pins.into_iter().map(|point| Pin { point, at: place(world, point), knots: knots(point) }).collect()
+    let of = |point: PointId| {
+        let at = place(world, point);
+        let about = world.angles().iter().filter(|angle| angle.points[1] == point).map(|angle| angle.points[0]);
+        let mut own: Vec<PointId> = about.filter(|first| props.binary_search(first).is_ok()).collect();
+        own.sort_unstable();
+        own.dedup();
+        let props = own.into_iter().map(|prop| (prop, sub(place(world, prop), at))).collect();
+        Pin { point, at, knots: knots(point), props }
+    };
+    pins.into_iter().map(of).collect()
 }
 
 /// How many parts points are in that bonds and the arms of angles hold together.

@@ -1,6 +1,6 @@
-//! Bodies that hang on one pin and swing about it: the arm that stops against the background would be of, and the pins that such stops and motors
-//! push against.
+//! Bodies that hang on one pin and swing about it: the arm that stops against the background would be of.
 
+use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_2;
 
 use super::extent::place;
@@ -8,29 +8,12 @@ use super::hubs::{Adjacency, is_broad};
 use super::joints::Knee;
 use super::{Among, AngleAs};
 use crate::sim::vector::{length, sub};
-use crate::sim::{Dynamics, PointId};
+use crate::sim::{Dynamics, Knots, PointId};
 
 /// How far a prop is off its hub, in the arm that turns: so near that both are seen and meant as one `[1]`.
 pub(in crate::app) const IN_HUB: f64 = 0.05;
 /// Of more pins none is looked at: nets are held by such.
 const MOST_PINS: usize = 64;
-
-/// The props, ascending: pins that hold nothing, which motors and joints on the background push against.
-pub(in crate::app) fn props(world: &dyn Dynamics) -> Vec<PointId> {
-    let pinned = pinned(world);
-    let firsts = world.angles().iter().filter(|angle| angle.stiffness == 0.0).map(|angle| angle.points[0]);
-    let mut props: Vec<PointId> = firsts.filter(|point| pinned.binary_search(point).is_ok()).collect();
-    props.sort_unstable();
-    props.dedup();
-    if props.is_empty() {
-        return props;
-    }
-    let mut holds = vec![false; props.len()];
-    let held = world.bonds().ends().iter().flatten().chain(world.triangles().iter().flatten());
-    held.filter_map(|point| props.binary_search(point).ok()).for_each(|prop| holds[prop] = true);
-    let free = props.into_iter().zip(holds).filter(|(_, holds)| !holds);
-    free.map(|(prop, _)| prop).collect()
-}
 
 /// The pins of a world, ascending.
 fn pinned(world: &dyn Dynamics) -> Vec<PointId> {
@@ -40,20 +23,24 @@ fn pinned(world: &dyn Dynamics) -> Vec<PointId> {
 }
 
 /// The angles that stops against the background would be of, where no point is a joint yet: each from a prop that comes beside a pin to what of
-/// the body that hangs on that is farthest from it. A pin may be meant alone.
+/// the body that hangs on that is farthest from it. A pin may be meant alone; one that is on its way gets none, for a prop stands still.
 pub(super) fn hung(world: &dyn Dynamics, among: &Among) -> Vec<Knee> {
     if world.dimensions() != 2 || among.bonds.is_some() {
         return Vec::new();
     }
-    let points = among.points_of(world);
+    let (mut points, props) = (among.points_of(world), world.props());
+    points.retain(|point| props.binary_search(point).is_err());
     let is_meant = |point: &PointId| points.binary_search(point).is_ok();
     let pins: Vec<PointId> = pinned(world).into_iter().filter(is_meant).collect();
     let is_joint = |angle: &crate::sim::Angle| angle.range.is_some() || angle.stiffness == 0.0;
     if pins.is_empty() || pins.len() > MOST_PINS || among.angles_of(world, AngleAs::Joint).iter().any(is_joint) {
         return Vec::new();
     }
-    let net = Net::of(world);
-    let arms = pins.into_iter().filter_map(|pin| Some([pin, net.arm(pin)?]));
+    let (net, tracks, mut held) = (Net::of(world), world.pin_tracks(), BTreeSet::new());
+    let goes_on = |knots: &Knots| knots.last().is_some_and(|(t, _)| *t > world.time());
+    let is_led = |pin: PointId| tracks.iter().any(|(led, knots)| *led == pin && goes_on(knots));
+    let arms = pins.into_iter().filter(|pin| !is_led(*pin));
+    let arms = arms.filter_map(|pin| Some([pin, net.arm(pin, &mut held)?]));
     let arms = arms.filter(|[_, arm]| points.len() == 1 || is_meant(arm));
     let knee = |([pin, arm], number): ([PointId; 2], u32)| {
         let (at, [x, y, _]) = (place(world, pin), sub(place(world, arm), place(world, pin)));
@@ -84,8 +71,12 @@ impl<'a> Net<'a> {
         Net { world, pinned: pinned(world), beside, covering }
     }
 
-    /// The point by whose direction it is told how the body stands that hangs on a pin; `None`: none does that turns about it as one.
-    fn arm(&self, pin: PointId) -> Option<PointId> {
+    /// The point by whose direction it is told how the body stands that hangs on a pin; `None`: none does that turns about it as one. `held` are pins of
+    /// bodies that others hold too: a body is gone through once, however many hold it.
+    fn arm(&self, pin: PointId, held: &mut BTreeSet<PointId>) -> Option<PointId> {
+        if held.contains(&pin) {
+            return None;
+        }
         let sides = self.beside.sides(pin);
         let [side] = &sides[..] else { return None };
         let is_covered = |point: &PointId| !self.covering[point.index()].is_empty();
@@ -97,7 +88,15 @@ impl<'a> Net<'a> {
             return self.braced(pin).then(|| self.farthest(pin, side)).flatten();
         };
         let is_other_pin = |point: &PointId| *point != pin && self.pinned.binary_search(point).is_ok();
-        if candidates.iter().any(is_other_pin) { None } else { self.farthest(pin, &candidates) }
+        let others: Vec<PointId> = candidates.iter().copied().filter(is_other_pin).collect();
+        if others.is_empty() {
+            return self.farthest(pin, &candidates);
+        }
+        // What goes out from one of these comes to this pin.
+        if is_covered(&pin) {
+            held.extend(others);
+        }
+        None
     }
 
     /// The corners of the triangles at some points, and of those that hang together with them by sides.

@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 use super::tests::{among, change, matter, stage_of};
-use super::{Among, Joint, MatterChange, Stops, props};
+use super::{Among, Joint, MatterChange, Stops};
 use crate::app::player::{Note, Order, Stage};
 use crate::sim::PointId;
 
@@ -55,8 +55,10 @@ fn what_hangs_on_one_pin_gets_stops_about_where_it_stands_as_one_step_of_undo() 
     assert!((least - (FRAC_PI_2 - FRAC_PI_3)).abs() < 1e-9 && (most - (FRAC_PI_2 + FRAC_PI_3)).abs() < 1e-9);
     assert!((x + 0.02).abs() < 1e-6 && (y + 0.05).abs() < 1e-6, "at a right angle to its arm: {x}, {y}");
     change(&mut stage, &slab, MatterChange::Stops(Stops::Some));
-    assert_eq!(props(stage.history().world()), [PointId(13)]);
+    assert_eq!(stage.history().world().props(), [PointId(13)]);
     let now = with_prop(&stage, slab.clone());
+    let pin = with_prop(&stage, among(0..1));
+    assert_eq!(matter(&mut stage, &pin).joints, [1, 1], "the pin alone with its prop still means it");
     let after = matter(&mut stage, &now);
     assert_eq!((after.joints, after.bodies, after.coming_stops.len()), ([1, 1], 1, 0));
     assert!((after.mass - before.mass).abs() < 1e-5 * before.mass, "it weighs what it did");
@@ -86,4 +88,68 @@ fn what_hangs_on_one_pin_swings_no_further_than_its_stops() {
     let [free, held] = [farthest(&mut free), farthest(&mut held)];
     assert!(free > 1.0, "{free}");
     assert!((0.45..0.6).contains(&held), "{held}");
+}
+
+/// A soft box that is pinned by its upper left corner, with `more` keys, and points after its own.
+fn soft(points: &str, pinned: &str, more: &str) -> String {
+    format!(
+        r#"{{"wobble": 1, "gravity": [0, 0],
+        "points": {{"position": [[0, 0], [0, -1], [1, -1], [1, 0]{points}], "pinned": [{pinned}]}},
+        "bonds": [{{"a": 0, "b": 1, "kind": "spring", "stiffness": 900}}, {{"a": 1, "b": 2, "kind": "spring", "stiffness": 900}},
+            {{"a": 2, "b": 3, "kind": "spring", "stiffness": 900}}, {{"a": 3, "b": 0, "kind": "spring", "stiffness": 900}},
+            {{"a": 0, "b": 2, "kind": "spring", "stiffness": 900}}],
+        "triangles": [[0, 1, 2], [0, 2, 3]]{more}}}"#
+    )
+}
+
+#[test]
+fn a_body_whose_stops_were_taken_away_swings_freely_whatever_bending_it_gets() {
+    let mut stage = stage_of(&soft("", "0", ""));
+    let body = among(0..4);
+    let before = matter(&mut stage, &body);
+    change(&mut stage, &body, MatterChange::Stops(Stops::Some));
+    let all = with_prop(&stage, body.clone());
+    let [prop] = stage.history().world().props()[..] else { panic!("it pushes against nothing") };
+    change(&mut stage, &all, MatterChange::Stops(Stops::None));
+    let world = stage.history().world();
+    assert!(world.angles().is_empty() && world.props().is_empty() && world.gone().contains(&prop));
+    assert_eq!((matter(&mut stage, &all).joints, matter(&mut stage, &body).mass), ([0, 1], before.mass));
+    change(&mut stage, &all, MatterChange::Bending(2.0));
+    let is_own = |point: PointId| point.0 < 4;
+    assert!(stage.history().world().angles().iter().all(|angle| angle.points.into_iter().all(is_own)));
+    assert!(!stage.history().world().angles().is_empty());
+    for name in ["bending", "stops", "stops"] {
+        assert!(matches!(stage.obey(Order::Undo(None)), Some(Note::Undone(undone, _)) if undone == name));
+    }
+    assert_eq!(matter(&mut stage, &body), before);
+}
+
+#[test]
+fn an_angle_on_the_background_gets_no_bending() {
+    // As the file of one whose stops were taken away before.
+    let text = soft(", [-0.05, -0.05]", "0, 4", r#", "angles": [{"points": [4, 0, 2], "rest": 1.5}]"#);
+    let mut stage = stage_of(&text);
+    assert_eq!(stage.history().world().props(), [PointId(4)]);
+    change(&mut stage, &among(0..5), MatterChange::Bending(2.0));
+    let angles = stage.history().world().angles();
+    assert!(angles.len() > 1 && angles[0].stiffness == 0.0, "{angles:?}");
+    assert!(angles[1..].iter().all(|angle| angle.stiffness > 0.0 && angle.points[1] != PointId(0)), "{angles:?}");
+}
+
+#[test]
+fn pins_on_their_way_are_offered_no_stops_and_those_with_a_prop_take_it_along() {
+    let way = r#", "pin_motion": [{"point": 0, "track": [[0, 0, 0], [1, 2, 0]]}]"#;
+    let mut stage = stage_of(&soft("", "0", way));
+    let body = among(0..4);
+    assert_eq!(matter(&mut stage, &body).joints, [0, 0]);
+    while stage.history().world().time() < 1.1 {
+        stage.obey(Order::Step(None));
+    }
+    assert_eq!(matter(&mut stage, &body).joints, [0, 1], "it stands again");
+    change(&mut stage, &body, MatterChange::Stops(Stops::Some));
+    let all = with_prop(&stage, body);
+    let pins = matter(&mut stage, &all).pins;
+    let own: Vec<PointId> = pins.iter().map(|pin| pin.point).collect();
+    let props: Vec<PointId> = pins[0].props.iter().map(|(prop, _)| *prop).collect();
+    assert_eq!((own, props), (vec![PointId(0)], stage.history().world().props()));
 }

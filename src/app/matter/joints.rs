@@ -2,7 +2,7 @@
 
 use super::{Among, AngleAs, Common, Former, hinges, hung};
 use crate::app::alike::alike;
-use crate::history::{Do, DriveOrNone, OneOrEach, RangeOrNone, SetKeys};
+use crate::history::{DeleteKeys, Do, DriveOrNone, OneOrEach, RangeOrNone, SetKeys};
 use crate::scene::{AddKeys, AngleKeys, DriveKeys, MassKeys, PointKeys, Row, Vector};
 use crate::sim::vector::sub;
 use crate::sim::{Angle, Dynamics, PointId};
@@ -46,7 +46,7 @@ pub(super) struct Knee {
 pub enum Stops {
     /// Some, for those that have none: the former ones, or on both sides of where they are at rest.
     Some,
-    /// None: they turn freely.
+    /// None: they turn freely. Those on the background go, and their props with them.
     None,
     /// The least angle of those that have stops `[rad]`.
     Least(f64),
@@ -83,11 +83,11 @@ pub(super) fn knee(world: &dyn Dynamics, [i, k]: [PointId; 2], middle: PointId) 
 }
 
 /// The joints that would get stops, and where.
-pub(super) fn coming((world, former): (&dyn Dynamics, &Former), among: &Among, angles: &[Angle]) -> Vec<Joint> {
+pub(super) fn coming((world, former): (&dyn Dynamics, &Former), angles: &[Angle], knees: &[Knee]) -> Vec<Joint> {
     let free = angles.iter().filter(|angle| angle.range.is_none()).take(MOST);
     let free = free.map(|angle| Joint { points: angle.points, range: again(world, former, angle), prop: None });
-    let knees = among.knees_of(world).into_iter().take(MOST);
-    free.chain(knees.map(|Knee { points, rest, prop }| Joint { points, range: about(rest), prop })).collect()
+    let knee = |&Knee { points, rest, prop }: &Knee| Joint { points, range: about(rest), prop };
+    free.chain(knees.iter().take(MOST).map(knee)).collect()
 }
 
 /// The stops at both sides of an angle at rest at first `[rad]`.
@@ -112,7 +112,8 @@ pub(super) fn stops(
     among: &Among,
     stops: Stops,
 ) -> Result<Vec<Do>, &'static str> {
-    let angles = among.angles_of(world, AngleAs::Joint);
+    let mut angles = among.angles_of(world, AngleAs::Joint);
+    let gone = if stops == Stops::None { unpropped(world, &mut angles) } else { None };
     let ranges = angles.iter().filter_map(|angle| {
         let range = match (stops, angle.range) {
             (Stops::Some, None) => Some(again(world, former, angle)),
@@ -133,7 +134,23 @@ pub(super) fn stops(
         let range = Some(range.map_or(RangeOrNone::None(()), RangeOrNone::These));
         Do::Set(Box::new(SetKeys { angles: Some(numbers), range, ..SetKeys::default() }))
     };
-    Ok(groups.into_iter().map(set).chain(jointed(world, &knees)).collect())
+    Ok(groups.into_iter().map(set).chain(gone).chain(jointed(world, &knees)).collect())
+}
+
+/// Takes those with stops against the background out of some angles, and deletes them: without stops they are nothing. A prop that nothing else pushes
+/// against goes with its angles. `None`: there are none.
+fn unpropped(world: &dyn Dynamics, angles: &mut Vec<Angle>) -> Option<Do> {
+    let all = world.props();
+    let is_hung = |angle: &mut Angle| angle.range.is_some() && all.binary_search(&angle.points[0]).is_ok();
+    let hung: Vec<Angle> = angles.extract_if(.., is_hung).collect();
+    let is_hung = |angle: &Angle| hung.iter().any(|own| own.number == angle.number);
+    let is_used = |prop: PointId| world.angles().iter().any(|angle| angle.points[0] == prop && !is_hung(angle));
+    let (kept, gone): (Vec<&Angle>, Vec<&Angle>) = hung.iter().partition(|angle| is_used(angle.points[0]));
+    let mut points: Vec<u32> = gone.iter().map(|angle| angle.points[0].0).collect();
+    points.sort_unstable();
+    points.dedup();
+    let angles = kept.iter().map(|angle| angle.number).collect();
+    (!hung.is_empty()).then(|| Do::Delete(DeleteKeys { points, angles, ..DeleteKeys::default() }))
 }
 
 /// What turns freely gets stops on both sides of where it stands, and the props that these push against; `None`: nothing does.

@@ -43,7 +43,7 @@ pub(super) use common::Common;
 pub(super) use facts::{Matter, NEVER, Pin, Span};
 pub(super) use former::Former;
 pub(super) use hubs::{Adjacency, is_broad};
-pub(super) use hung::{IN_HUB, props};
+pub(super) use hung::IN_HUB;
 pub(super) use joints::{Joint, Stops};
 pub(super) use led::led;
 pub(super) use motors::{MotorChange, Motors};

@@ -55,19 +55,17 @@ pub(super) enum Icon {
 
 /// A button with a sign in place of words; it is called `name` by what reads aloud. `is_on`: it is lit.
 pub(super) fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, is_on: bool) -> Response {
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    let is_enabled = ui.is_enabled();
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, name));
-    let visuals = ui.style().interact(&response);
-    let fill = lit(ui, &response, is_on).unwrap_or(visuals.weak_bg_fill);
-    let color = if is_on { colors(ui).on_accent } else { visuals.fg_stroke.color };
-    ui.painter().rect_filled(rect, visuals.corner_radius, fill);
-    paint(ui.painter(), icon, rect, color);
-    response
+    captioned(ui, icon, (name, None), size, is_on)
 }
 
-/// The same with a short word below the sign, within the size of the button.
-pub(super) fn captioned(ui: &mut Ui, icon: Icon, (name, word): (&str, &str), size: Vec2, is_on: bool) -> Response {
+/// The same, with a short word below the sign, if there is one, within the size of the button.
+pub(super) fn captioned(
+    ui: &mut Ui,
+    icon: Icon,
+    (name, word): (&str, Option<&str>),
+    size: Vec2,
+    is_on: bool,
+) -> Response {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let is_enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, name));
@@ -75,10 +73,12 @@ pub(super) fn captioned(ui: &mut Ui, icon: Icon, (name, word): (&str, &str), siz
     let fill = lit(ui, &response, is_on).unwrap_or(visuals.weak_bg_fill);
     let color = if is_on { colors(ui).on_accent } else { visuals.fg_stroke.color };
     ui.painter().rect_filled(rect, visuals.corner_radius, fill);
-    let sign = Rect::from_min_size(rect.min, vec2(size.x, size.y - CAPTION));
-    paint(ui.painter(), icon, sign, color);
-    let foot = pos2(rect.center().x, rect.bottom() - 2.0);
-    ui.painter().text(foot, Align2::CENTER_BOTTOM, word, FontId::proportional(LETTERS), color);
+    let high = if word.is_some() { size.y - CAPTION } else { size.y };
+    paint(ui.painter(), icon, Rect::from_min_size(rect.min, vec2(size.x, high)), color);
+    if let Some(word) = word {
+        let foot = pos2(rect.center().x, rect.bottom() - 2.0);
+        ui.painter().text(foot, Align2::CENTER_BOTTOM, word, FontId::proportional(LETTERS), color);
+    }
     response
 }
 

@@ -192,7 +192,7 @@ impl<'a> Laying<'a> {
         let all = at;
         let mut stacked = state.plots.as_mut().filter(|_| shares.plots.are_stacked);
         if let Some(plots) = &stacked {
-            at.min.y = (at.min.y + plots::least_above(plots) + APART).min(at.max.y);
+            at.min.y = (at.min.y + plots::least_above(shares.column, plots) + APART).min(at.max.y);
         }
         let top = lessons::show(context, (at, shares.edge), &mut state.lessons, wishes);
         if let Some(plots) = &mut stacked {

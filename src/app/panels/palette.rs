@@ -81,10 +81,7 @@ fn choice(
     wishes: &mut Vec<Wish>,
 ) {
     let said = described(name, action);
-    let add = |ui: &mut egui::Ui| match short {
-        Some(short) => icons::captioned(ui, sign, (name, short), size, is_on),
-        None => icons::button(ui, sign, name, size, is_on),
-    };
+    let add = |ui: &mut egui::Ui| icons::captioned(ui, sign, (name, short), size, is_on);
     let button = ui.add_enabled_ui(lack.is_none(), add).inner;
     let why = lack.unwrap_or_default();
     for (mut tooltip, words) in [(Tooltip::for_enabled(&button), &*said), (Tooltip::for_disabled(&button), why)] {

@@ -27,9 +27,9 @@ const LOW: f32 = 0.18;
 /// Its frame, header, choices and names, above the plot `[points]`; those of one that has its choices in the header.
 pub(super) const HEAD: f32 = 118.0;
 const SHORT: f32 = 86.0;
-/// In a small window: what half of its width has more than a plot, its least width, the least that has room for choices in its header, and its
-/// least height `[points]`; and the greatest height, unless three tenths of the room are more `[points]`.
-const SMALL: [f32; 4] = [70.0, 200.0, 330.0, 40.0];
+/// In a small window: what half of its width has more than a plot, its least width and its least height `[points]`; and the greatest height, unless
+/// three tenths of the room are more `[points]`.
+const SMALL: [f32; 3] = [70.0, 200.0, 40.0];
 const LOW_SMALL: f32 = 90.0;
 /// Width of what was measured once alone `[points]`.
 const DOT: f32 = 7.0;
@@ -142,10 +142,11 @@ pub(super) fn show_above(
     plots: &mut Plots,
     wishes: &mut Vec<Wish>,
 ) {
-    let high = (room.height() - head(plots)).clamp(LEAST, SIZE[1]);
+    let is_short = is_short(width, plots);
+    let high = (room.height() - head(is_short)).clamp(LEAST, SIZE[1]);
     let corner = room.right_bottom() - vec2(10.0 + at_edge, 0.0);
     let area = Area::new(Id::unique("plots above")).pivot(Align2::RIGHT_BOTTOM).fixed_pos(corner);
-    area.show(context, |ui| panel(ui, ([width, high], true), plots, wishes));
+    area.show(context, |ui| panel(ui, ([width, high], is_short), plots, wishes));
 }
 
 /// Width of a plot in a room that is small `[points]`: the world keeps half of it.
@@ -156,23 +157,27 @@ pub(super) fn small_width(room: Rect) -> f32 {
 /// Shows it at the lower right corner of a room that is small. Returns where it lies `[points]`.
 pub(super) fn show_small(context: &egui::Context, room: Rect, plots: &mut Plots, wishes: &mut Vec<Wish>) -> Rect {
     let width = small_width(room);
-    // Choices have room in the header of a wide one alone.
-    let is_short = width >= SMALL[2] || plots.probes().iter().all(Option::is_none);
-    let head = if is_short { head(plots) } else { HEAD };
-    let high = (room.height() - head).clamp(SMALL[3], LOW_SMALL.max(0.3 * room.height()));
+    let is_short = is_short(width, plots);
+    let high = (room.height() - head(is_short)).clamp(SMALL[2], LOW_SMALL.max(0.3 * room.height()));
     let area = Area::new(Id::unique("plots below")).pivot(Align2::RIGHT_BOTTOM);
     let area = area.fixed_pos(room.right_bottom() - vec2(LEFT[1], 0.0));
     area.show(context, |ui| panel(ui, ([width, high], is_short), plots, wishes)).response.rect
 }
 
-/// What is above the plot beside a lesson `[points]`: of two probes the choices have a row of their own.
-fn head(plots: &Plots) -> f32 {
-    if plots.probes().iter().flatten().count() < 2 { SHORT } else { HEAD }
+/// Whether a panel with a plot so wide `[points]` has its choices in its header: a narrow one has no room for them there, nor for those of two probes,
+/// which are against each other too. They have a row of their own then.
+fn is_short(width: f32, plots: &Plots) -> bool {
+    width - ARROW >= WITH_CHOICES && plots.probes().iter().flatten().count() < 2
 }
 
-/// About how high the panel is there at least `[points]`.
-pub(super) fn least_above(plots: &Plots) -> f32 {
-    LEAST + head(plots)
+/// What is above the plot `[points]`.
+fn head(is_short: bool) -> f32 {
+    if is_short { SHORT } else { HEAD }
+}
+
+/// About how high the panel is beside a lesson at least, with a plot so wide `[points]`.
+pub(super) fn least_above(width: f32, plots: &Plots) -> f32 {
+    LEAST + head(is_short(width, plots))
 }
 
 /// Shows it along the lower edge of a room. Returns where it lies `[points]`.
@@ -197,8 +202,6 @@ fn panel(ui: &mut Ui, (size, is_short): ([f32; 2], bool), plots: &mut Plots, wis
     floating(ui).show(ui, |ui| {
         ui.set_width(size[0]);
         let fold = CollapsingState::load_with_default_open(ui.ctx(), Id::unique("plots are open"), true);
-        // What is against each other has no place there.
-        let is_short = is_short && plots.probes().iter().flatten().count() < 2;
         let header = fold.show_header(ui, |ui| header(ui, plots, is_short, wishes));
         header.body_unindented(|ui| {
             if !is_short {
@@ -210,18 +213,21 @@ fn panel(ui: &mut Ui, (size, is_short): ([f32; 2], bool), plots: &mut Plots, wis
     });
 }
 
-/// From this width on there is room for a word beside the buttons above the plots, and from the second one for what is looked at in place of it `[points]`.
+/// From this width on there is room for a word beside the buttons above the plots, and from the second one for what is looked at in place of it; and
+/// what the arrow takes before them, which folds the panel `[points]`.
 const WORDED: f32 = 205.0;
 const WITH_CHOICES: f32 = 325.0;
+const ARROW: f32 = 18.0;
 
 fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>) {
     let is_probed = plots.probes().iter().any(Option::is_some);
-    match ui.available_width() {
-        width if is_short && width >= WITH_CHOICES && is_probed => choices(ui, plots),
-        width if is_short && width >= WITH_CHOICES => of_world(ui, plots),
-        // Its buttons would lie over the word.
-        width if width >= WORDED => _ = ui.label(RichText::new("Plots").color(colors(ui).text).strong()),
-        _ => {}
+    if is_short && is_probed {
+        choices(ui, plots);
+    } else if is_short {
+        of_world(ui, plots);
+    } else if ui.available_width() >= WORDED {
+        // Of a narrower one the buttons would lie over the word.
+        ui.label(RichText::new("Plots").color(colors(ui).text).strong());
     }
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         if ui.button("Close").on_hover_text(described("close the plots", Action::Plots)).clicked() {
@@ -236,13 +242,19 @@ fn header(ui: &mut Ui, plots: &mut Plots, is_short: bool, wishes: &mut Vec<Wish>
     });
 }
 
+/// So much room is left beside the menu of the world for how to put a probe `[points]`.
+const HINTED: f32 = 190.0;
+
 /// What is looked at; without a probe how to put one.
 fn choices(ui: &mut Ui, plots: &mut Plots) {
     let count = plots.probes().iter().flatten().count();
     ui.spacing_mut().item_spacing.x = 4.0;
     of_world(ui, plots);
     if count == 0 {
-        ui.weak("tool 6 probes points and bonds");
+        // A narrow panel gets no wider for it.
+        if ui.available_width() >= HINTED {
+            ui.weak("tool 6 probes points and bonds");
+        }
         return;
     }
     // An orbit is of the probes as well.
@@ -277,11 +289,11 @@ const NARROW_MENU: f32 = 60.0;
 /// The names of the curves in their colours, and which quantity of the probes they show.
 fn legend(ui: &mut Ui, plots: &mut Plots) {
     let name = |ui: &mut Ui, name: &str, color| ui.label(RichText::new(name).color(color).size(12.0));
-    ui.horizontal(|ui| {
+    let is_of_energies = matches!(plots.subject, Subject::Energies | Subject::Brought | Subject::Taken);
+    let all = |ui: &mut Ui| {
         ui.set_min_height(ui.spacing().interact_size.y + 4.0);
         match plots.subject {
             Subject::Energies | Subject::Brought | Subject::Taken => {
-                // As many as there may be have room.
                 ui.spacing_mut().item_spacing.x = 6.0;
                 of_energies(plots, colors(ui)).into_iter().for_each(|(kind, color, _)| _ = name(ui, kind.name, color));
             }
@@ -300,7 +312,13 @@ fn legend(ui: &mut Ui, plots: &mut Plots) {
                 quantities(ui, plots);
             });
         }
-    });
+    };
+    // A narrow plot has room for many names in two rows.
+    if is_of_energies {
+        ui.horizontal_wrapped(all);
+    } else {
+        ui.horizontal(all);
+    }
 }
 
 /// Which quantity of the probes is plotted, and of a coordinate whether against how fast it changes.
@@ -313,7 +331,12 @@ fn quantities(ui: &mut Ui, plots: &mut Plots) {
     let menu = egui::ComboBox::from_id_salt("quantity").height(MENU).selected_text(shown).show_ui(ui, |ui| {
         for &quantity in &all {
             let is_chosen = !is_orbit && plots.quantity == quantity;
-            if choice(ui, is_chosen, quantity.words()[0]).clicked() {
+            let label = choice(ui, is_chosen, quantity.words()[0]);
+            let label = match quantity.explained() {
+                Some(words) => label.on_hover_text(words),
+                None => label,
+            };
+            if label.clicked() {
                 plots.choose(quantity);
             }
         }

@@ -158,27 +158,46 @@ fn curves_that_lie_on_each_other_are_all_seen() {
 #[test]
 fn a_plot_as_low_as_in_a_lesson_has_numbers_at_both_axes() {
     let mut screen = Screen::new(0);
-    for (width, height) in [(300.0, 70.0), (180.0, 70.0), (340.0, 180.0)] {
-        let room = Rect::from_min_size(Pos2::ZERO, vec2(1000.0, height + 86.0));
-        let mut words = Vec::new();
-        for _ in 0..6 {
-            let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, screen.size.into()));
-            let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
-            let plots = &mut screen.plots;
-            let mut output = screen.context.run_ui(input, |ui| {
-                plots::show_above(ui.ctx(), (room, 0.0, width), plots, &mut Vec::new());
-            });
-            output.textures_delta.clear();
-            let mut shapes = Vec::new();
-            output.shapes.into_iter().for_each(|clipped| flatten(clipped.shape, &mut shapes));
-            let text = |shape: &Shape| match shape {
-                Shape::Text(text) => Some(text.galley.text().to_owned()),
-                _ => None,
-            };
-            words = shapes.iter().filter_map(text).collect();
-        }
+    for (width, height) in [(300.0, 70.0), (180.0, 70.0), (340.0, 180.0), (400.0, 180.0)] {
+        let words = words_above(&mut screen, width, height + plots::HEAD);
         let count = |unit: &str| words.iter().filter(|word| word.ends_with(unit)).count();
         assert!(count(" J") >= 2 && count(" s") >= 2, "{width} x {height}: {words:?}");
+    }
+}
+
+/// The words in a panel beside a lesson, in a room so high with a plot so wide `[points]`.
+fn words_above(screen: &mut Screen, width: f32, high: f32) -> Vec<String> {
+    let room = Rect::from_min_size(Pos2::ZERO, vec2(1000.0, high));
+    let mut words = Vec::new();
+    for _ in 0..6 {
+        let screen_rect = Some(Rect::from_min_size(Pos2::ZERO, screen.size.into()));
+        let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+        let plots = &mut screen.plots;
+        let mut output = screen.context.run_ui(input, |ui| {
+            plots::show_above(ui.ctx(), (room, 0.0, width), plots, &mut Vec::new());
+        });
+        output.textures_delta.clear();
+        let mut shapes = Vec::new();
+        output.shapes.into_iter().for_each(|clipped| flatten(clipped.shape, &mut shapes));
+        let text = |shape: &Shape| match shape {
+            Shape::Text(text) => Some(text.galley.text().to_owned()),
+            _ => None,
+        };
+        words = shapes.iter().filter_map(text).collect();
+    }
+    words
+}
+
+#[test]
+fn what_is_looked_at_is_chosen_beside_a_lesson_at_every_width() {
+    for probes in 0..3 {
+        let mut screen = Screen::new(probes);
+        for width in [200.0, 300.0, 335.0, 342.0, 344.0, 400.0] {
+            let words = words_above(&mut screen, width, 300.0);
+            let has = |word: &str| words.iter().any(|one| one == word);
+            assert!(has("energies"), "{width}: {words:?}");
+            assert!(probes == 0 || has("probe") || has("probes"), "{width}, {probes}: {words:?}");
+        }
     }
 }
 

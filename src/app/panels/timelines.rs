@@ -26,7 +26,10 @@ type Draft = (usize, String);
 /// The ways that time went, where there are several.
 pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
     let list = &facts.figures.branches;
-    let Some(present) = list.iter().position(|branch| branch.is_present).filter(|_| list.len() > 1) else { return };
+    let Some(present) = list.iter().position(|branch| branch.is_present).filter(|_| list.len() > 1) else {
+        // The name that was being written has no list to be in.
+        return ui.data_mut(|data| data.remove::<Draft>(draft_id()));
+    };
     let (shown, width) = match ui.available_width() < moving::ROOMY {
         true => (format!("timeline {}", present + 1), WIDTHS[1]),
         false => (format!("{}: {}", present + 1, list[present].called()), WIDTHS[0]),

@@ -8,6 +8,7 @@ use super::theme::colors;
 use crate::app::matter::{Matter, MatterChange, Pin};
 use crate::history::Do;
 use crate::scene::{AddKeys, PinMotionKeys};
+use crate::sim::vector::add;
 use crate::sim::{Knots, PointId};
 
 /// How fast numbers change as they are dragged, for each point: velocities `[m/s]`, times `[s]`, places `[m]`.
@@ -53,11 +54,11 @@ fn of_velocity(ui: &mut Ui, velocity: [f64; 3], facts: &Facts, sink: &mut Sink<'
 }
 
 /// A pin with its way: times and places, which come and go.
-fn of_pin(ui: &mut Ui, Pin { point: pin, at, knots }: &Pin, facts: &Facts, sink: &mut Sink<'_>) {
+fn of_pin(ui: &mut Ui, pin: &Pin, facts: &Facts, sink: &mut Sink<'_>) {
     ui.separator();
-    let (pin, now) = (*pin, facts.figures.time);
+    let (Pin { point, at, knots, props }, now) = (pin, facts.figures.time);
     ui.horizontal(|ui| {
-        ui.label(RichText::new(format!("pin {}", pin.0)).color(colors(ui).text));
+        ui.label(RichText::new(format!("pin {}", point.0)).color(colors(ui).text));
         if knots.is_empty() {
             ui.label(RichText::new("stands").color(colors(ui).weak));
             let words = "it is led from place to place at times that you set";
@@ -75,11 +76,12 @@ fn of_pin(ui: &mut Ui, Pin { point: pin, at, knots }: &Pin, facts: &Facts, sink:
             sink.give_all(vec![led(pin, &more, facts.dimensions)], TRACK);
         }
         if ui.small_button("stop").on_hover_text("it stands where it is").clicked() {
-            sink.give_all(vec![Do::Unpin(vec![pin]), Do::Pin(vec![pin])], TRACK);
+            let all: Vec<PointId> = std::iter::once(*point).chain(props.iter().map(|(prop, _)| *prop)).collect();
+            sink.give_all(vec![Do::Unpin(all.clone()), Do::Pin(all)], TRACK);
         }
     });
     for place in 0..knots.len() {
-        of_knot(ui, (pin, knots, place), facts, sink);
+        of_knot(ui, (pin, place), facts, sink);
     }
 }
 
@@ -87,13 +89,14 @@ fn of_pin(ui: &mut Ui, Pin { point: pin, at, knots }: &Pin, facts: &Facts, sink:
 const TRACK: &str = "way of a pin";
 
 /// One time and place of a way.
-fn of_knot(ui: &mut Ui, (pin, knots, place): (PointId, &Knots, usize), facts: &Facts, sink: &mut Sink<'_>) {
+fn of_knot(ui: &mut Ui, (pin, place): (&Pin, usize), facts: &Facts, sink: &mut Sink<'_>) {
+    let Pin { point, knots, .. } = pin;
     let mut to = knots.clone();
     let after = place.checked_sub(1).map_or(0.0, |before| knots[before].0 + NEAREST);
     let before = knots.get(place + 1).map_or(f64::MAX, |next| next.0 - NEAREST);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        let named = |name: &str| format!("{name} of knot {place} of pin {}", pin.0);
+        let named = |name: &str| format!("{name} of knot {place} of pin {}", point.0);
         let (t, x) = &mut to[place];
         let field = DragValue::new(t).speed(SPEEDS[1]).range(after..=before.max(after)).max_decimals(2).suffix(" s");
         let mut all = vec![(ui.add(field.update_while_editing(false)), named("time"))];
@@ -115,9 +118,30 @@ fn of_knot(ui: &mut Ui, (pin, knots, place): (PointId, &Knots, usize), facts: &F
     });
 }
 
-/// A pin is led along a way from now on.
-fn led(pin: PointId, knots: &Knots, dimensions: usize) -> Do {
-    let row = |&(t, x): &(f64, [f64; 3])| std::iter::once(t).chain(x.into_iter().take(dimensions)).collect();
-    let motion = PinMotionKeys { point: pin.0, track: knots.iter().map(row).collect() };
-    Do::Add(Box::new(AddKeys { pin_motion: vec![motion], ..AddKeys::default() }))
+/// A pin is led along a way from now on, and what stands beside it as it does.
+fn led(pin: &Pin, knots: &Knots, dimensions: usize) -> Do {
+    let along = |point: PointId, aside: [f64; 3]| {
+        let row = |&(t, x): &(f64, [f64; 3])| std::iter::once(t).chain(add(x, aside).into_iter().take(dimensions));
+        PinMotionKeys { point: point.0, track: knots.iter().map(|knot| row(knot).collect()).collect() }
+    };
+    let props = pin.props.iter().map(|&(prop, aside)| along(prop, aside));
+    let pin_motion = std::iter::once(along(pin.point, [0.0; 3])).chain(props).collect();
+    Do::Add(Box::new(AddKeys { pin_motion, ..AddKeys::default() }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_stands_beside_a_pin_is_led_as_it_is() {
+        let props = vec![(PointId(7), [0.0, -0.5, 0.0])];
+        let pin = Pin { point: PointId(3), at: [1.0, 2.0, 0.0], knots: Knots::new(), props };
+        let act = led(&pin, &vec![(0.0, [1.0, 2.0, 0.0]), (1.0, [4.0, 2.0, 0.0])], 2);
+        let Do::Add(keys) = act else { return assert!(matches!(act, Do::Add(_))) };
+        let ways: Vec<_> = keys.pin_motion.iter().map(|way| (way.point, way.track.clone())).collect();
+        let expected =
+            [(3, vec![vec![0.0, 1.0, 2.0], vec![1.0, 4.0, 2.0]]), (7, vec![vec![0.0, 1.0, 1.5], vec![1.0, 4.0, 1.5]])];
+        assert_eq!(ways, expected);
+    }
 }

@@ -7,7 +7,7 @@ use super::beside::Beside;
 use super::movers::Movers;
 use super::rungs::Yielded;
 use super::watch::{Apart, Measured};
-use crate::app::matter::{Matter, Placed, props};
+use crate::app::matter::{Matter, Placed};
 use crate::app::tools::{Kept, Walls};
 use crate::history::{BranchView, Clock, Group};
 use crate::picture::{Skin, Tint};
@@ -158,7 +158,7 @@ impl Scenery {
             angles: world.angles().to_vec(),
             hinges: Hinge::of(world),
             joints: joints(world),
-            props: props(world),
+            props: world.props(),
             walls: OnceLock::new(),
             about_led: Kept::default(),
         }

@@ -1,6 +1,7 @@
 //! What relaxed bonds amount to as the world is: worked out when a scene opens, and whenever its method, its bonds, its masses or its pins change.
 
 use std::collections::BTreeSet;
+use std::time::{Duration, Instant};
 
 use crate::equilibrium::{MOST_SOFT, Softness, softness};
 use crate::history::History;
@@ -9,6 +10,8 @@ use crate::sim::{Bond, BondKind, Dynamics, Model, PointId, Saved, SavedWorld, So
 
 /// Of more bonds than this it is worked out once a change is over, not while a slider is dragged: that takes long.
 const AT_ONCE: usize = 300;
+/// A change is over where nothing else was seen for so long, and nobody looked.
+const SOON: Duration = Duration::from_millis(300);
 
 /// What it depends on.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,8 +28,8 @@ struct Of {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Relaxed {
     of: Option<Of>,
-    /// What was seen since and is not worked out yet.
-    seen: Option<Of>,
+    /// What was seen since and is not worked out yet, and when.
+    seen: Option<(Of, Instant)>,
     softness: Option<Softness>,
 }
 
@@ -49,13 +52,19 @@ impl Relaxed {
             self.seen = None;
             return;
         }
-        let is_over = self.of.is_none() || now.bonds.len() <= AT_ONCE || self.seen.as_ref() == Some(&now);
+        let is_over =
+            self.of.is_none() || now.bonds.len() <= AT_ONCE || self.seen.as_ref().is_some_and(|(seen, _)| *seen == now);
         if is_over {
             self.softness = of(history, now.substep);
             (self.of, self.seen) = (Some(now), None);
         } else {
-            self.seen = Some(now);
+            self.seen = Some((now, Instant::now()));
         }
+    }
+
+    /// When it is to be looked again, though nothing is asked for until then: what was seen is not worked out yet.
+    pub(super) fn due(&self) -> Option<Instant> {
+        self.seen.as_ref().map(|(_, at)| *at + SOON)
     }
 
     /// The stiffness of springs that would give way as much `[N/m]`; `None` where no bond takes a share of its error.
@@ -110,6 +119,7 @@ fn as_it_is<const D: usize>(saved: Saved<D>, start: Option<Model<D>>, substep: f
 mod tests {
     use super::*;
     use crate::app::player::movers::with;
+    use crate::app::player::{Order, Shown, Stage};
     use crate::history::{Do, OneOrEach, SetKeys, Start};
     use crate::scene::Scene;
     use crate::sim::Cursor;
@@ -132,6 +142,30 @@ mod tests {
         let mut none = Relaxed::default();
         none.look(&History::new(rigid).unwrap());
         assert_eq!(none.stiffness(), None);
+    }
+
+    #[test]
+    fn of_many_bonds_it_is_worked_out_once_a_change_is_over_in_a_pause_too() {
+        let text = r#"{"wobble": 1, "gravity": [0, 0], "method": {"substep": 0.005, "iterations": 1}, "bodies": [{"make": "lattice",
+            "columns": 10, "rows": 10, "spacing": 0.1, "material": {"kind": "relaxed", "relaxation": 0.1, "mass": 1}}]}"#;
+        let mut stage = Stage::new(Scene::parse(text, "x.json").unwrap().into()).unwrap();
+        assert!(stage.history().world().bonds().len() > AT_ONCE);
+        let shown = |stage: &mut Stage| {
+            let mut shown = Shown::default();
+            stage.show(&mut shown);
+            shown.figures.relaxed.unwrap()
+        };
+        stage.obey(Order::Play(false));
+        let before = shown(&mut stage);
+        assert_eq!(stage.patience(), None);
+        let keys = SetKeys { points: Some((0..100).collect()), mass: Some(OneOrEach::One(0.04)), ..SetKeys::default() };
+        assert_eq!(stage.obey(Order::Give(vec![Do::Set(Box::new(keys))], Some("mass"))), None);
+        assert_eq!(shown(&mut stage), before, "it may be dragged on");
+        assert!(stage.patience().is_some_and(|left| left <= SOON) && !stage.idle(Instant::now() - SOON));
+        assert!(stage.idle(Instant::now() + SOON), "there is something to be shown");
+        let after = shown(&mut stage);
+        assert!((after / before - 4.0).abs() < 0.1, "four times the mass: {before}, {after}");
+        assert_eq!(stage.patience(), None);
     }
 
     #[test]

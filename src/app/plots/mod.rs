@@ -184,10 +184,15 @@ impl Quantity {
             Quantity::Force => ["force", "N"],
             Quantity::Length => ["length", "m"],
             Quantity::Angle => ["angle", "°"],
-            Quantity::Error => ["distance to beside", "m"],
+            Quantity::Error => ["error", "m"],
             Quantity::Distance => ["distance of both", "m"],
             Quantity::Between => ["angle of both", "°"],
         }
+    }
+
+    /// What is meant by its name, where that alone does not say.
+    pub(super) fn explained(self) -> Option<&'static str> {
+        (self == Quantity::Error).then_some("how far the first world beside has the point from where it is here")
     }
 
     /// Of what was probed, in its unit; `None` where that has none of it.

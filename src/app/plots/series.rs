@@ -38,10 +38,11 @@ impl Series {
     /// Adds a measurement after those of before its time, of which a passing one goes. Where one follows on the last but one closely, the last goes, so that what is
     /// kept is spread evenly over the span however small the steps are. Returns whether it was added: energies that are no finite numbers
     /// are not.
-    pub(super) fn push(&mut self, measured: Measured) -> bool {
+    pub(super) fn push(&mut self, mut measured: Measured) -> bool {
         if !measured.energies.sum().is_finite() {
             return false;
         }
+        self.take_over_errors(&mut measured);
         let (now, gap) = (measured.time, self.span / (MOST - 2) as f64);
         self.list.truncate(self.list.partition_point(|earlier| earlier.time < now));
         if self.list.back().is_some_and(|last| last.is_passing) {
@@ -57,6 +58,19 @@ impl Series {
             self.list.pop_front();
         }
         true
+    }
+
+    /// What is measured anew at a time is as far from where another world has it as was known of the same probe in the same place then.
+    fn take_over_errors(&self, measured: &mut Measured) {
+        let place = self.list.partition_point(|earlier| earlier.time < measured.time);
+        let Some(before) = self.list.get(place).filter(|before| before.time == measured.time) else { return };
+        for (now, before) in measured.probes.iter_mut().zip(&before.probes) {
+            if let (Some(now), Some(before)) = (now, before)
+                && (now.probe, now.position) == (before.probe, before.position)
+            {
+                now.error = now.error.or(before.error);
+            }
+        }
     }
 
     /// Of something that was measured at this time `[s]` it is known how far each probe is from where another world has it `[m]`. Returns whether

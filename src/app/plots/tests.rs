@@ -93,6 +93,21 @@ fn what_is_measured_anew_at_a_time_takes_the_place_of_what_was() {
 }
 
 #[test]
+fn an_error_that_is_known_stays_while_its_time_is_measured_anew() {
+    let mut series = Series::new(20.0);
+    let probed = |x: f64| Measured {
+        probes: [Some(Probed::new(Probe::Point(PointId(0)), [[x, 0.0, 0.0], [0.0; 3]])), None],
+        ..at(1.0)
+    };
+    assert!(series.push(probed(2.0)) && series.know(1.0, [Some(0.25), None]));
+    let error = |series: &Series| series.iter().last().unwrap().probes[0].unwrap().error;
+    assert!(series.push(probed(2.0)));
+    assert_eq!(error(&series), Some(0.25), "as in every frame of a pause");
+    assert!(series.push(probed(3.0)));
+    assert_eq!(error(&series), None, "it was put elsewhere");
+}
+
+#[test]
 fn going_back_cuts_off_what_was_seen_and_the_curve_goes_on_from_there() {
     let mut played = Played::new();
     played.play(60);

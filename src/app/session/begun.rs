@@ -6,6 +6,7 @@ use winit::event_loop::{EventLoopProxy, OwnedDisplayHandle};
 use winit::window::{CursorIcon, Window};
 
 use super::{Framing, LEAST_PIN, Leaving, Lost, Session, Shelf};
+use crate::app::aside::Unwanted;
 use crate::app::canvas::{Canvas, Paint};
 use crate::app::keys::{Down, Held};
 use crate::app::meter::Meter;
@@ -120,6 +121,7 @@ impl Session {
             leftovers: Vec::new(),
             thumbnails: None,
             cut_off: None,
+            unwanted: Unwanted::default(),
             waker,
             last_frame: None,
             told: None,

@@ -70,9 +70,7 @@ impl Session {
         // The panels' textures went with the GPU: a fresh context sends them again.
         self.egui = panels_for(&self.window, &self.canvas, self.palette);
         self.paint = Paint::default();
-        self.panels.thumbnails.clear();
-        self.panels.cut_off.clear();
-        (self.thumbnails, self.cut_off) = (None, None);
+        self.forget_thumbnails();
         self.framing = if self.framing == Framing::Free { Framing::Free } else { Framing::Opening };
         self.touch();
         Ok(())

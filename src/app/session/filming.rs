@@ -64,7 +64,9 @@ impl Session {
     /// The clip that is being drawn is not wanted: another one may begin at once. Returns whether there was one.
     pub(super) fn give_up_clip(&mut self) -> bool {
         // One that goes to its file is heard of.
-        let Some(_) = self.filming.take_if(|filming| filming.give_up()) else { return false };
+        let Some(filming) = self.filming.take_if(|filming| filming.give_up()) else { return false };
+        // It may be at a picture, or wait for what it is of: the window goes on.
+        self.unwanted.take(filming.into_aside());
         self.say("given up: no clip was written".to_owned());
         self.have_filmed(false);
         self.touch();

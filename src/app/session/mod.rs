@@ -45,6 +45,7 @@ use winit::event_loop::{EventLoopProxy, OwnedDisplayHandle};
 use winit::window::{CursorIcon, Window};
 
 use super::AppError;
+use super::aside::Unwanted;
 use super::canvas::{Canvas, Paint};
 use super::fetch::Fetch;
 use super::film::Filming;
@@ -231,6 +232,8 @@ pub(super) struct Session {
     thumbnails: Option<Thumbnails>,
     /// Pictures of sessions that were cut off, on their way.
     cut_off: Option<CutOff>,
+    /// Threads that draw what is not wanted any more.
+    unwanted: Unwanted,
     waker: EventLoopProxy<()>,
     /// When the last frame began, if time has passed in the world since.
     last_frame: Option<Instant>,
@@ -285,10 +288,7 @@ impl Session {
         self.palette = palette;
         self.look = self.look.colored(palette);
         theme::apply(self.egui.egui_ctx(), palette);
-        // Those of the gallery are drawn anew when it opens.
-        self.panels.thumbnails.clear();
-        self.panels.cut_off.clear();
-        (self.thumbnails, self.cut_off) = (None, None);
+        self.forget_thumbnails();
         self.touch();
     }
 

@@ -11,6 +11,7 @@ use crate::app::canvas::Paint;
 use crate::app::film::Filming;
 use crate::app::import::Answer;
 use crate::app::panels::{self, At, Facts, Laid, Pushing, Settings, Wish, parameters};
+use crate::app::thumbnails::{CutOff, Thumbnails};
 use crate::app::tools::{no_motors, no_muscles};
 use crate::app::whereabouts::{apart, places_of};
 use crate::app::words;
@@ -69,6 +70,14 @@ impl Session {
         if waited && !self.waits() {
             self.show_panels();
         }
+    }
+
+    /// Thumbnails are drawn anew when the gallery opens; those on their way are not waited for.
+    pub(super) fn forget_thumbnails(&mut self) {
+        self.panels.thumbnails.clear();
+        self.panels.cut_off.clear();
+        let threads = [self.thumbnails.take().map(Thumbnails::into_aside), self.cut_off.take().map(CutOff::into_aside)];
+        threads.into_iter().flatten().for_each(|aside| self.unwanted.take(aside));
     }
 
     /// Pictures that were drawn since become textures, and those that are seen now are asked for.

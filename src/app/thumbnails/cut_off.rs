@@ -20,7 +20,7 @@ pub(in crate::app) type Wanted = (PathBuf, Scene);
 pub(in crate::app) struct CutOff {
     drawn: Receiver<(PathBuf, RgbaImage)>,
     ready: Vec<(PathBuf, RgbaImage)>,
-    _aside: Aside,
+    aside: Aside,
 }
 
 impl CutOff {
@@ -42,13 +42,18 @@ impl CutOff {
                 wake();
             }
         });
-        CutOff { drawn, ready: Vec::new(), _aside: aside }
+        CutOff { drawn, ready: Vec::new(), aside }
     }
 
     /// Takes what was drawn. Returns whether there is something new.
     pub(in crate::app) fn poll(&mut self) -> bool {
         self.ready.extend(self.drawn.try_iter());
         !self.ready.is_empty()
+    }
+
+    /// The thread that draws them.
+    pub(in crate::app) fn into_aside(self) -> Aside {
+        self.aside
     }
 
     /// Gives what was drawn to the panels.

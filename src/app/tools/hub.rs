@@ -52,15 +52,14 @@ pub(super) fn props_of(scope: Scope<'_>, hub: PointId) -> Vec<PointId> {
     props
 }
 
-/// Points, which are ascending, with the props of what turns about one of them and is among them itself.
+/// Points, which are ascending, with the props of what turns about one of them.
 pub(super) fn with_props(scope: Scope<'_>, mut points: Vec<PointId>) -> Vec<PointId> {
     let scenery = &scope.shown.scenery;
     if scenery.props.is_empty() {
         return points;
     }
     let has = |point: PointId| points.binary_search(&point).is_ok();
-    let turns = |angle: &&Angle| has(angle.points[1]) && has(angle.points[2]);
-    let props = scenery.angles.iter().filter(turns).map(|angle| angle.points[0]);
+    let props = scenery.angles.iter().filter(|angle| has(angle.points[1])).map(|angle| angle.points[0]);
     let props: Vec<PointId> = props.filter(|point| scenery.props.binary_search(point).is_ok()).collect();
     points.extend(props);
     points.sort_unstable();

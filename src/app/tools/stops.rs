@@ -36,7 +36,9 @@ pub(super) fn marks(scope: Scope<'_>, points: &[PointId]) -> Vec<Mark> {
 
 /// Those joints.
 pub(super) fn joints<'a>(scope: Scope<'a>, points: &[PointId]) -> impl Iterator<Item = &'a Angle> {
-    scope.shown.scenery.angles.iter().filter(|angle| angle.range.is_some() && AngleAs::Joint.is_meant(points, angle))
+    let props = &scope.shown.scenery.props;
+    let is_meant = move |angle: &&Angle| angle.range.is_some() && AngleAs::Joint.is_meant(points, props, angle);
+    scope.shown.scenery.angles.iter().filter(is_meant)
 }
 
 /// Where joints that have none would get them.
@@ -201,6 +203,16 @@ mod tests {
         let away = Do::Delete(DeleteKeys { points: vec![4], ..DeleteKeys::default() });
         assert_eq!((deed.commands, deed.edit), (vec![Do::Unpin(vec![PointId(0)]), away], Some("unpin")));
         assert_eq!(deed.words.as_deref(), Some("unpinned: it falls"), "the prop holds nothing");
+    }
+
+    #[test]
+    fn a_pin_that_is_selected_alone_has_its_prop_and_means_its_stops() {
+        let seen = shown(Scene::parse(HANGING, "x.json").unwrap());
+        let points = super::super::hub::with_props(scope(&seen), vec![PointId(0)]);
+        assert_eq!(points, [0, 4].map(PointId), "it is moved and deleted with it");
+        assert_eq!(joints(scope(&seen), &points).count(), 1);
+        let other = super::super::hub::with_props(scope(&seen), vec![PointId(2)]);
+        assert_eq!(other, [PointId(2)], "the arm alone has none");
     }
 
     #[test]

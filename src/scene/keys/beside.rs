@@ -47,6 +47,15 @@ impl BesideKeys {
         self.given().filter(|key| *key != "title")
     }
 
+    /// What is said in words for a key that it may have of its own.
+    pub(crate) fn in_words(key: &str) -> &str {
+        match key {
+            "drag_rate" => "drag",
+            "bounds" => "walls",
+            _ => key,
+        }
+    }
+
     /// Whether it has its own of a key of the scene.
     pub(crate) fn owns(&self, key: &str) -> bool {
         self.own().any(|own| own == key)
@@ -55,7 +64,7 @@ impl BesideKeys {
     /// What stands above it: its title, else its method in these words and what else is its own.
     pub(crate) fn called(&self, method: impl FnOnce() -> String) -> String {
         self.title.clone().unwrap_or_else(|| {
-            let own: Vec<String> = self.own().map(|key| key.replace('_', " ")).collect();
+            let own: Vec<&str> = self.own().map(BesideKeys::in_words).collect();
             let method = method();
             if own.is_empty() { method } else { format!("{method}, its own {}", own.join(", ")) }
         })
@@ -160,7 +169,7 @@ mod tests {
             (&scene.bounds, 0),
             "a slider for springs has no bond here"
         );
-        assert_eq!(scene.companion_title(entry), "auto, its own bonds, drag rate, wind");
+        assert_eq!(scene.companion_title(entry), "auto, its own bonds, drag, wind");
         assert_eq!(entry.own().collect::<Vec<_>>(), ["bonds", "drag_rate", "wind"]);
         assert!(entry.owns("wind") && !entry.owns("gravity") && !entry.owns("method"));
         assert_eq!(Scene::parse(&scene.to_json().unwrap(), "y.json").unwrap(), scene);

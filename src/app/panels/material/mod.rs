@@ -45,7 +45,7 @@ const LEAST: f32 = 60.0;
 const PUSHED: f32 = 40.0;
 
 /// Shows it at the right edge of a room, or beside the tools, where it would cover what is selected, or where its title was dragged to. Where it would cover the middle of the
-/// window it begins folded. In windows higher than wide it stays at the right: bodies lie below it. Returns where it begins and ends, bars and all, however much of that it takes now `[points]`; `None`: it was
+/// window it begins folded. In windows higher than wide it stays at the right, unless it was dragged: bodies lie below it. Returns where it begins and ends, bars and all, however much of that it takes now `[points]`; `None`: it was
 /// dragged, and lies where it lies.
 pub(super) fn show(
     context: &egui::Context,
@@ -63,7 +63,7 @@ pub(super) fn show(
         let right = Rect::from_min_size(room.right_top() - egui::vec2(size.x, 0.0), size);
         let is_pushed = facts.matter.is_none() && room.right() + PUSHED < context.content_rect().right();
         let sides = [right, Rect::from_min_size(beside_tools, size)];
-        state.matter_at.find(whole, sides, (facts.chosen_at.filter(|_| !is_upright), is_pushed && !is_upright));
+        state.matter_at.find(whole, sides, (facts.chosen_at, is_pushed, is_upright));
     }
     let dragged = state.matter_at.corner(size, whole);
     let mut sink = Sink { gesture: &mut state.gesture, wishes, previews_stops: &mut state.previews_stops };

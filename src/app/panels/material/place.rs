@@ -31,13 +31,14 @@ impl MatterAt {
         self.is_aside
     }
 
-    /// Where it goes: to where it was dragged to, or of `sides` to the right edge, unless it covers what is selected there and less of it at
-    /// the left; where nothing is selected, unless other panels push it off that edge.
+    /// Where it goes: to where it was dragged to, or of `sides` to the right edge, unless it covers what is selected there and at most
+    /// half as much of it at the left; where nothing is selected, unless other panels push it off that edge. Where the window is upright, higher than
+    /// wide, the right edge is the only side.
     pub(super) fn find(
         &mut self,
         (room, tools_end): (Rect, f32),
         [right, left]: [Rect; 2],
-        (chosen, is_pushed): (Option<Rect>, bool),
+        (chosen, is_pushed, is_upright): (Option<Rect>, bool, bool),
     ) {
         if self.room == Some(room.right()) {
             return;
@@ -47,9 +48,11 @@ impl MatterAt {
             seen.map_or(0.0, |seen| seen.intersect(side).area())
         };
         let aside = self.dragged.map(|corner| kept(corner, right.size(), (room, tools_end)));
-        let at_sides = covered(right).min(covered(left));
+        let at_sides = if is_upright { covered(right) } else { covered(right).min(covered(left)) };
         self.is_aside = aside.is_some_and(|aside| covered(aside) <= at_sides);
-        self.is_left = if chosen.is_some() { covered(left) < LESS * covered(right) } else { is_pushed };
+        // What covers nothing stays.
+        let is_less = covered(right) > 0.0 && covered(left) <= LESS * covered(right);
+        self.is_left = !is_upright && if chosen.is_some() { is_less } else { is_pushed };
         self.room = Some(room.right());
     }
 
@@ -97,18 +100,29 @@ mod tests {
     /// Where it is found for something that is selected in a place.
     fn found(at: &mut MatterAt, chosen: Rect) -> (bool, Option<Pos2>) {
         at.begin();
-        at.find(ROOM_OF_ALL, sides(), (Some(chosen), false));
+        at.find(ROOM_OF_ALL, sides(), (Some(chosen), false, false));
         (at.is_left, at.corner(sides()[0].size(), ROOM_OF_ALL))
     }
 
     #[test]
-    fn it_goes_where_it_covers_less_of_what_is_selected() {
+    fn it_goes_where_it_covers_at_most_half_as_much_of_what_is_selected() {
         let mut at = MatterAt::default();
         let along = |from: f32, to: f32| Rect::from_min_max(pos2(from, 300.0), pos2(to, 300.0));
         assert_eq!(found(&mut at, along(500.0, 700.0)), (false, None));
         assert_eq!(found(&mut at, along(500.0, 1200.0)), (true, None), "a rod ends below the right edge");
         assert_eq!(found(&mut at, along(0.0, 1280.0)), (false, None), "it lies everywhere");
-        assert_eq!(found(&mut at, along(290.0, 1270.0)), (true, None), "less of it lies at the left");
+        assert_eq!(found(&mut at, along(290.0, 1270.0)), (true, None), "at most half as much of it lies at the left");
+    }
+
+    #[test]
+    fn in_an_upright_window_it_stays_at_the_right_edge() {
+        let mut at = MatterAt::default();
+        let right = Rect::from_center_size(pos2(1200.0, 300.0), vec2(60.0, 60.0));
+        for (chosen, is_pushed) in [(Some(right), false), (None, true)] {
+            at.begin();
+            at.find(ROOM_OF_ALL, sides(), (chosen, is_pushed, true));
+            assert!(!at.is_left, "{is_pushed}");
+        }
     }
 
     #[test]
@@ -119,11 +133,15 @@ mod tests {
         found(&mut at, middle);
         at.drag_to(pos2(500.0, 90.0));
         assert!(at.is_dragged());
-        at.find(ROOM_OF_ALL, sides(), (Some(middle), false));
+        at.find(ROOM_OF_ALL, sides(), (Some(middle), false, false));
         assert!(at.is_dragged(), "it stays while that is selected");
         assert_eq!(found(&mut at, low), (true, Some(pos2(500.0, 90.0))));
         assert_eq!(found(&mut at, middle), (false, None), "it makes way for what is selected below it");
         assert_eq!(found(&mut at, low).1, Some(pos2(500.0, 90.0)), "and comes back");
+        // Where windows are upright it makes way too, to the right edge.
+        at.begin();
+        at.find(ROOM_OF_ALL, sides(), (Some(middle), false, true));
+        assert!(!at.is_dragged() && !at.is_left);
         at.put_back();
         assert_eq!(found(&mut at, middle), (false, None));
         at.drag_to(pos2(-300.0, 900.0));

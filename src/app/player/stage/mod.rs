@@ -141,6 +141,8 @@ impl Stage {
         let force = scene.mouse_force();
         let named = scene.named_parameters();
         let base = history.base_strength();
+        // What a session that was cut off had undone is a branch from the start.
+        let has_gone = history.has_undone();
         let mut stage = Stage {
             history,
             pace,
@@ -171,7 +173,7 @@ impl Stage {
             base,
             force,
             substeps: 0,
-            has_gone: false,
+            has_gone,
             view: None,
             branches: Arc::default(),
             ways: Default::default(),

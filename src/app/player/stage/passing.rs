@@ -62,16 +62,22 @@ impl Stage {
 
     /// How long until something is to be done though nothing is asked for; `None`: nothing is.
     pub fn patience(&self) -> Option<Duration> {
-        self.gives_back_at.map(|at| at.saturating_duration_since(Instant::now()))
+        let next = self.gives_back_at.into_iter().chain(self.relaxed.due()).min();
+        next.map(|at| at.saturating_duration_since(Instant::now()))
     }
 
     /// Nothing was asked for until `now`. Returns whether something was done.
     pub fn idle(&mut self, now: Instant) -> bool {
+        // Figures are looked at anew when the moment is shown.
+        let looks = self.relaxed.due().is_some_and(|at| at <= now);
+        if looks {
+            self.figures_at = None;
+        }
         if self.gives_back_at.is_none_or(|at| now < at) {
-            return false;
+            return looks;
         }
         self.gives_back_at = None;
-        self.give_back()
+        self.give_back() || looks
     }
 
     /// Where steps took too long for a while, something gives way; it is given back where they do no more.
