@@ -45,7 +45,7 @@ fn said(entry: &Entry) -> String {
         Do::Key { .. } => "key",
         Do::Pin(_) => "pin",
         Do::Unpin(_) => "unpin",
-        Do::Cut { .. } => "cut",
+        Do::Cut { .. } | Do::Split { .. } => "cut",
         Do::Add(_) => "add",
         Do::Delete(_) => "delete",
         Do::Clear => "delete all",
