@@ -136,6 +136,9 @@ mod tests {
         BranchView { number, name: name.to_owned(), at: 3.21, title: None, from: 1.0, end: 8.0, is_present }
     }
 
+    /// Frames until all stands where it will.
+    const STEPS: usize = 10;
+
     /// The list of three timelines in a window, opened.
     fn opened() -> Harness<'static, Vec<Wish>> {
         let list = vec![branch(0, "pin", false), branch(2, "cut", true), branch(5, "", false)];
@@ -147,9 +150,9 @@ mod tests {
             },
             Vec::new(),
         );
-        harness.run();
+        harness.run_steps(STEPS);
         harness.get_by_label("timelines").click();
-        harness.run();
+        harness.run_steps(STEPS);
         harness
     }
 
@@ -161,7 +164,7 @@ mod tests {
         }
         assert!(harness.query_by_label("discard timeline 2").is_none(), "the world is on it");
         harness.get_by_label("1: pin at 3.2 s  (1.0 to 8.0 s)").click();
-        harness.run();
+        harness.run_steps(STEPS);
         assert_eq!(*harness.state(), [Wish::ToBranch(0)]);
         assert!(harness.query_by_label("rename timeline 1").is_none(), "the list is closed");
     }
@@ -170,26 +173,26 @@ mod tests {
     fn a_timeline_is_renamed_in_the_list_and_discarded() {
         let mut harness = opened();
         harness.get_by_label("rename timeline 2").click();
-        harness.run();
+        harness.run_steps(STEPS);
         let field = harness.get_by_label("name of timeline 2");
         field.type_text("the good one");
-        harness.run();
+        harness.run_steps(STEPS);
         harness.key_press(Key::Enter);
-        harness.run();
+        harness.run_steps(STEPS);
         assert_eq!(
             *harness.state(),
             [Wish::CallBranch(2, "the good one".to_owned())],
             "all of the old name was chosen"
         );
         harness.get_by_label("discard timeline 3").click();
-        harness.run();
+        harness.run_steps(STEPS);
         assert_eq!(harness.state().last(), Some(&Wish::DiscardBranch(5)));
         harness.get_by_label("rename timeline 1").click();
-        harness.run();
+        harness.run_steps(STEPS);
         harness.get_by_label("name of timeline 1").type_text("no");
-        harness.run();
+        harness.run_steps(STEPS);
         harness.key_press(Key::Escape);
-        harness.run();
+        harness.run_steps(STEPS);
         assert_eq!(harness.state().len(), 2, "Esc gives up what is written");
     }
 }

@@ -158,7 +158,9 @@ mod tests {
         stage.obey(Order::Play(false));
         let before = shown(&mut stage);
         assert_eq!(stage.patience(), None);
-        let keys = SetKeys { points: Some((0..100).collect()), mass: Some(OneOrEach::One(0.04)), ..SetKeys::default() };
+        let heavier = stage.history().world().masses().iter().map(|mass| 4.0 * mass).collect();
+        let keys =
+            SetKeys { points: Some((0..100).collect()), mass: Some(OneOrEach::Each(heavier)), ..SetKeys::default() };
         assert_eq!(stage.obey(Order::Give(vec![Do::Set(Box::new(keys))], Some("mass"))), None);
         assert_eq!(shown(&mut stage), before, "it may be dragged on");
         assert!(stage.patience().is_some_and(|left| left <= SOON) && !stage.idle(Instant::now() - SOON));

@@ -333,7 +333,7 @@ fn less(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
 
 /// The angle from one direction of the plane to another, anticlockwise from 0 to 360 `[degrees]`.
 fn turn([ax, ay, _]: [f64; 3], [bx, by, _]: [f64; 3]) -> f64 {
-    libm::atan2(ax * by - ay * bx, ax * bx + ay * by).to_degrees().rem_euclid(360.0)
+    (ax * by - ay * bx).atan2(ax * bx + ay * by).to_degrees().rem_euclid(360.0)
 }
 
 fn norm([x, y, z]: [f64; 3]) -> f64 {

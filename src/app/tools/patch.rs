@@ -15,12 +15,9 @@ const LONGER: f64 = 2.0;
 const TORN_BEYOND: f64 = 120.0;
 
 impl Scope<'_> {
-    /// Whether a point is of a cloth, or of a net that tears: in space of what triangles cover, and else of what no triangles do and may break.
+    /// Whether a point is of a cloth or a net that tears: in space, or of what no triangles cover. What does not tear is held by more than a patch.
     fn is_woven(&self, point: PointId) -> bool {
-        match (self.is_a_corner(point), self.shown.dimensions) {
-            (true, dimensions) => dimensions == 3,
-            (false, _) => self.may_tear(&[point]),
-        }
+        (self.shown.dimensions == 3 || !self.is_a_corner(point)) && self.may_tear(&[point])
     }
 
     /// Whether any bond of these points, which are ascending, may break.
@@ -66,7 +63,7 @@ impl Scope<'_> {
 
     /// How points are taken that a press takes.
     pub(super) fn reach(&self, points: &[PointId]) -> Reach {
-        let is_patch = points.iter().any(|point| self.is_woven(*point)) && self.may_tear(points);
+        let is_patch = points.iter().any(|point| self.is_woven(*point));
         let points = points.to_vec();
         match is_patch {
             true => {
