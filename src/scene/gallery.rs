@@ -179,7 +179,7 @@ static GALLERY: [Entry; 53] = [
         375,
         "Net that tears",
         "A net hangs in a frame, and gives a little.",
-        "grab its middle and pull it down and out of the picture: a hundred strings and more tear; cut it in two."
+        "grab its middle and pull it down and out of the picture: about 160 strings tear; cut it in two."
     ),
     entry!(
         "box",
