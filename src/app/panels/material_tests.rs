@@ -258,9 +258,11 @@ fn the_panel_is_dragged_aside_by_its_title_and_put_back_by_a_double_click() {
     assert!((screen.place("Copy") - (at_right + by)).length() < 3.0, "it is open still: a drag is no click");
     // What is selected next lies below it, and then does not.
     screen.state.matter_at.begin();
+    screen.frame(Vec::new());
     assert_eq!(screen.place("Copy"), at_right);
     screen.facts.chosen_at = None;
     screen.state.matter_at.begin();
+    screen.frame(Vec::new());
     assert!((screen.place("Copy") - (at_right + by)).length() < 3.0);
     for events in click(title + by).into_iter().chain(click(title + by)) {
         screen.frame(events);

@@ -20,8 +20,8 @@ const BUTTON: Vec2 = vec2(24.0, 22.0);
 /// What the list is for.
 const WHY: &str = "you went back in time and did something else: each timeline is kept, choose which to go on with";
 
-/// The number of the timeline whose name is being written, and what is written.
-type Draft = (usize, String);
+/// The number of the timeline whose name is being written, what is written, and whether its field has had the keyboard.
+type Draft = (usize, String, bool);
 
 /// The ways that time went, where there are several.
 pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
@@ -59,8 +59,8 @@ pub(super) fn show(ui: &mut Ui, facts: &Facts, wishes: &mut Vec<Wish>) {
 /// One of them: its name and from when to when it is its own, or the field that the name is written in; and what is done with it.
 fn row(ui: &mut Ui, (place, branch): (usize, &BranchView), wishes: &mut Vec<Wish>) {
     let draft = ui.data(|data| data.get_temp::<Draft>(draft_id()));
-    if let Some((_, text)) = draft.filter(|(number, _)| *number == branch.number) {
-        return field(ui, (place, branch), text, wishes);
+    if let Some(draft) = draft.filter(|(number, ..)| *number == branch.number) {
+        return field(ui, (place, branch), draft, wishes);
     }
     if choice(ui, branch.is_present, words(place, branch)).clicked() {
         if !branch.is_present {
@@ -98,25 +98,28 @@ fn write(ui: &Ui, branch: &BranchView) {
     let all = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
     state.cursor.set_char_range(Some(all));
     state.store(ui.ctx(), id);
-    ui.data_mut(|data| data.insert_temp::<Draft>(id, (branch.number, text)));
-    ui.memory_mut(|memory| memory.request_focus(id));
+    ui.data_mut(|data| data.insert_temp::<Draft>(id, (branch.number, text, false)));
 }
 
 /// The field for that: what is written is taken as it is left, but for Esc.
-fn field(ui: &mut Ui, (place, branch): (usize, &BranchView), mut text: String, wishes: &mut Vec<Wish>) {
+fn field(ui: &mut Ui, (place, branch): (usize, &BranchView), draft: Draft, wishes: &mut Vec<Wish>) {
+    let (_, mut text, had_focus) = draft;
     let edit = TextEdit::singleline(&mut text).id(draft_id()).char_limit(History::LONGEST_TITLE).desired_width(FIELD);
     let field = ui.add(edit);
     takes_words(&field);
     field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, format!("name of timeline {}", place + 1)));
-    ui.data_mut(|data| data.insert_temp::<Draft>(draft_id(), (branch.number, text)));
-    if field.lost_focus() {
-        take(ui, std::slice::from_ref(branch), wishes);
+    let has_focus = field.has_focus();
+    ui.data_mut(|data| data.insert_temp::<Draft>(draft_id(), (branch.number, text, had_focus || has_focus)));
+    match (had_focus, has_focus) {
+        (_, true) => {}
+        (true, false) => take(ui, std::slice::from_ref(branch), wishes),
+        (false, false) => field.request_focus(),
     }
 }
 
 /// What was written becomes the name of that timeline, if it is another one and Esc did not give it up.
 fn take(ui: &Ui, list: &[BranchView], wishes: &mut Vec<Wish>) {
-    let Some((number, text)) = ui.data_mut(|data| data.remove_temp::<Draft>(draft_id())) else { return };
+    let Some((number, text, _)) = ui.data_mut(|data| data.remove_temp::<Draft>(draft_id())) else { return };
     let is_given_up = ui.input(|input| input.key_pressed(Key::Escape));
     let is_other = list.iter().any(|branch| branch.number == number && branch.called() != text.trim());
     if is_other && !is_given_up {
