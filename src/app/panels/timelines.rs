@@ -91,14 +91,17 @@ fn draft_id() -> Id {
     Id::unique("the name of a timeline")
 }
 
-/// Its name is about to be written: all of it is chosen, so that what is typed takes its place.
+/// Its name is about to be written.
 fn write(ui: &Ui, branch: &BranchView) {
-    let (id, text) = (draft_id(), branch.called());
-    let mut state = TextEditState::load(ui.ctx(), id).unwrap_or_default();
+    ui.data_mut(|data| data.insert_temp::<Draft>(draft_id(), (branch.number, branch.called(), false)));
+}
+
+/// All of a text in its field is chosen, so that what is typed takes its place.
+fn choose_all(ui: &Ui, text: &str) {
+    let mut state = TextEditState::load(ui.ctx(), draft_id()).unwrap_or_default();
     let all = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
     state.cursor.set_char_range(Some(all));
-    state.store(ui.ctx(), id);
-    ui.data_mut(|data| data.insert_temp::<Draft>(id, (branch.number, text, false)));
+    state.store(ui.ctx(), draft_id());
 }
 
 /// The field for that: what is written is taken as it is left, but for Esc.
@@ -109,11 +112,17 @@ fn field(ui: &mut Ui, (place, branch): (usize, &BranchView), draft: Draft, wishe
     takes_words(&field);
     field.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, format!("name of timeline {}", place + 1)));
     let has_focus = field.has_focus();
+    if has_focus && !had_focus {
+        choose_all(ui, &text);
+    }
     ui.data_mut(|data| data.insert_temp::<Draft>(draft_id(), (branch.number, text, had_focus || has_focus)));
     match (had_focus, has_focus) {
         (_, true) => {}
         (true, false) => take(ui, std::slice::from_ref(branch), wishes),
-        (false, false) => field.request_focus(),
+        (false, false) => {
+            field.request_focus();
+            ui.ctx().request_repaint();
+        }
     }
 }
 
