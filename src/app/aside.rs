@@ -35,9 +35,7 @@ impl Aside {
         });
         Aside { is_left, thread: Some(thread) }
     }
-}
 
-impl Aside {
     /// It is not wanted any more: that is told to it, and not waited for.
     fn give_up(&self) {
         self.is_left.store(true, Ordering::Relaxed);
@@ -46,6 +44,14 @@ impl Aside {
     /// Whether nothing is left to wait for.
     fn has_ended(&self) -> bool {
         self.thread.as_ref().is_none_or(JoinHandle::is_finished)
+    }
+}
+
+impl Drop for Aside {
+    fn drop(&mut self) {
+        self.give_up();
+        // What panicked has said so, and is nothing to wait for.
+        let _ = self.thread.take().map(JoinHandle::join);
     }
 }
 
@@ -60,14 +66,6 @@ impl Unwanted {
         aside.give_up();
         self.0.retain(|other| !other.has_ended());
         self.0.push(aside);
-    }
-}
-
-impl Drop for Aside {
-    fn drop(&mut self) {
-        self.give_up();
-        // What panicked has said so, and is nothing to wait for.
-        let _ = self.thread.take().map(JoinHandle::join);
     }
 }
 

@@ -15,9 +15,13 @@ const LONGER: f64 = 2.0;
 const TORN_BEYOND: f64 = 120.0;
 
 impl Scope<'_> {
-    /// Whether a point is of a cloth or a net that tears: in space, or of what no triangles cover. What does not tear is held by more than a patch.
-    fn is_woven(&self, point: PointId) -> bool {
-        (self.shown.dimensions == 3 || !self.is_a_corner(point)) && self.may_tear(&[point])
+    /// Whether any of some points is of a cloth or a net that tears: in space, or of what no triangles cover. What does not
+    /// tear is held by more than a patch.
+    fn are_woven(&self, points: &[PointId]) -> bool {
+        let is_thin = |point: &PointId| self.shown.dimensions == 3 || !self.is_a_corner(*point);
+        let mut thin: Vec<PointId> = points.iter().copied().filter(is_thin).collect();
+        thin.sort_unstable();
+        !thin.is_empty() && self.may_tear(&thin)
     }
 
     /// Whether any bond of these points, which are ascending, may break.
@@ -31,7 +35,7 @@ impl Scope<'_> {
     /// The points that a press takes of a cloth or a net, by the one that is nearest to the pixel, ascending: those in reach that hang
     /// together with it, and its neighbours; no pins. `None`: it is of no such body.
     pub(super) fn patch(&self, nearest: PointId, at: DVec2) -> Option<Vec<PointId>> {
-        if !self.is_woven(nearest) {
+        if !self.are_woven(&[nearest]) {
             return None;
         }
         let count = self.shown.point_count();
@@ -63,8 +67,7 @@ impl Scope<'_> {
 
     /// How points are taken that a press takes.
     pub(super) fn reach(&self, points: &[PointId]) -> Reach {
-        let is_patch = points.iter().any(|point| self.is_woven(*point));
-        let points = points.to_vec();
+        let (is_patch, points) = (self.are_woven(points), points.to_vec());
         match is_patch {
             true => {
                 let torn_beyond = TORN_BEYOND * self.scale / self.camera.pixels_per_metre();

@@ -12,6 +12,7 @@ use super::marks::{Mark, Role};
 use super::pick::Scope;
 use super::segments::{cross, distance_to_segment};
 use crate::history::{DeleteKeys, Do};
+use crate::sim::bond::lower_first;
 use crate::sim::{BondId, PointId};
 
 /// Width of the lip in the preview `[logical px]`.
@@ -77,11 +78,6 @@ impl Slit {
     }
 }
 
-/// The lower end first.
-fn sorted([a, b]: [PointId; 2]) -> [PointId; 2] {
-    [a.min(b), a.max(b)]
-}
-
 /// Points in order, each once.
 fn each_once(points: impl Iterator<Item = PointId>) -> Vec<PointId> {
     let mut points: Vec<PointId> = points.collect();
@@ -116,10 +112,10 @@ fn crossed(scope: Scope<'_>, corners: &[DVec2]) -> Vec<Crossed> {
 fn slit(scope: Scope<'_>, crossed: &[Crossed], lip: usize) -> Slit {
     let (cloth, other): (Vec<&Crossed>, Vec<&Crossed>) = crossed.iter().partition(|bond| bond.is_covered);
     let mut by_ends: Vec<([PointId; 2], PointId)> =
-        cloth.iter().map(|bond| (sorted(bond.ends), bond.ends[lip])).collect();
+        cloth.iter().map(|bond| (lower_first(bond.ends), bond.ends[lip])).collect();
     by_ends.sort_unstable();
     let end_at = |side: [PointId; 2]| {
-        let found = by_ends.binary_search_by_key(&sorted(side), |(ends, _)| *ends);
+        let found = by_ends.binary_search_by_key(&lower_first(side), |(ends, _)| *ends);
         found.ok().map(|place| by_ends[place].1)
     };
     let sides = |[a, b, c]: [PointId; 3]| [[a, b], [b, c], [c, a]];
@@ -149,24 +145,25 @@ fn slit(scope: Scope<'_>, crossed: &[Crossed], lip: usize) -> Slit {
     let own = each_once(triangles().filter(|corners| !going(&points, *corners)).flatten());
     points.retain(|point| own.binary_search(point).is_ok());
     let mut staying: Vec<[PointId; 2]> =
-        triangles().filter(|corners| !going(&points, *corners)).flat_map(sides).map(sorted).collect();
+        triangles().filter(|corners| !going(&points, *corners)).flat_map(sides).map(lower_first).collect();
     staying.sort_unstable();
     let is_doubled = |point: &PointId| points.binary_search(point).is_ok();
     let is_gone_along = |side: &[PointId; 2]| {
-        end_at(*side).is_none() && side.iter().any(is_doubled) && staying.binary_search(&sorted(*side)).is_err()
+        end_at(*side).is_none() && side.iter().any(is_doubled) && staying.binary_search(&lower_first(*side)).is_err()
     };
-    let mut beyond: Vec<[PointId; 2]> = met.iter().copied().flat_map(sides).filter(is_gone_along).map(sorted).collect();
+    let mut beyond: Vec<[PointId; 2]> =
+        met.iter().copied().flat_map(sides).filter(is_gone_along).map(lower_first).collect();
     beyond.sort_unstable();
     let scenery = &scope.shown.scenery;
     let bonds_beyond = scenery.bonds.ends().iter().enumerate();
-    let bonds_beyond = bonds_beyond.filter(|(_, ends)| beyond.binary_search(&sorted(**ends)).is_ok());
+    let bonds_beyond = bonds_beyond.filter(|(_, ends)| beyond.binary_search(&lower_first(**ends)).is_ok());
     let bonds = cloth.iter().filter(|bond| is_doubled(&bond.ends[lip])).map(|bond| BondId(bond.number));
     let bonds = bonds.chain(bonds_beyond.map(|(place, _)| BondId(scenery.bond_number(place))));
     let is_path = |side: &[PointId; 2]| {
         let is_on_edge = side.iter().all(|end| edge.binary_search(end).is_ok());
         is_on_edge && side.iter().any(is_doubled) && end_at(*side).is_none()
     };
-    let mut path: Vec<[PointId; 2]> = met.into_iter().flat_map(sides).filter(is_path).map(sorted).collect();
+    let mut path: Vec<[PointId; 2]> = met.into_iter().flat_map(sides).filter(is_path).map(lower_first).collect();
     path.sort_unstable();
     path.dedup();
     Slit { bonds: bonds.collect(), gone: other.iter().map(|bond| bond.number).collect(), path, points }

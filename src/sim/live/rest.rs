@@ -144,7 +144,9 @@ impl<S: Real> Live<S> {
         for on in cluster.on_planes.iter().filter(|on| on.contact.pressed > S::ZERO) {
             note(on.p, on.slips);
         }
-        let supported = supported(cluster, around.gravity);
+        // What touches nothing is not asked.
+        let is_any = touches.iter().any(|of| of.iter().sum::<u32>() > 0);
+        let supported = if is_any { supported(cluster, around.gravity) } else { vec![false; cluster.bodies.len()] };
         let all = cluster.bodies.iter().map(|&body| self.bodies.list[body].points.len() as f64).sum::<f64>();
         for (k, &body) in cluster.bodies.iter().enumerate() {
             let range = cluster.bases[k] as usize..cluster.bases[k + 1] as usize;

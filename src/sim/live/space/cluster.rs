@@ -172,6 +172,11 @@ impl<S: Real> Cluster<S> {
                 self.velocity.iter().map(apart).fold(S::ZERO, S::max).sqrt()
             }
         };
+        self.led_by(fastest)
+    }
+
+    /// The same where the fastest is so fast `[m/s]`.
+    pub(super) fn led_by(&self, fastest: S) -> S {
         self.pushed().max(fastest * self.span)
     }
 

@@ -32,7 +32,7 @@ pub(super) fn look_at_obstacles<S: Real>(state: &mut Cluster<S>, common: &Common
     let mut touches = std::mem::take(&mut state.touches);
     touches.clear();
     // Bonds and contacts lead a point by as much within a substep as the fastest goes.
-    let led = state.pushed().max(state.fastest() * state.span);
+    let led = state.led_by(state.fastest());
     let farthest = led + state.promised_far.iter().fold(S::ZERO, |most, &promised| most.max(promised));
     let is_free = |i: &usize| state.w[*i] != S::ZERO;
     for (number, surface) in common.planes.iter().enumerate() {
